@@ -90,6 +90,20 @@
             <numerusform>Copy %n edits of the tree</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Straighten %n branch(es)</source>
+        <translation>
+            <numerusform>Straighten %n branch</numerusform>
+            <numerusform>Straighten %n branches</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Bend %n branch(es)</source>
+        <translation>
+            <numerusform>Bend %n branch</numerusform>
+            <numerusform>Bend %n branches</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -242,6 +256,16 @@
         <translation>
             <numerusform>De&amp;lete %n branch</numerusform>
             <numerusform>De&amp;lete %n branches</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ramure::EditModel</name>
+    <message numerus="yes">
+        <source>Bend of %n branch(es)</source>
+        <translation>
+            <numerusform>Bend of %n branch</numerusform>
+            <numerusform>Bend of %n branches</numerusform>
         </translation>
     </message>
 </context>

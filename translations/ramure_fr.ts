@@ -608,10 +608,6 @@
         <translation>Clés automati&amp;ques</translation>
     </message>
     <message>
-        <source>Changed parameters that may have keys get one at the frame on show</source>
-        <translation>Les paramètres animables que l’on change reçoivent une clé à l’image affichée</translation>
-    </message>
-    <message>
         <source>&amp;Import…</source>
         <translation>&amp;Importer…</translation>
     </message>
@@ -1131,6 +1127,10 @@
         <source>Cut a branch where you click: what lies above goes, or falls</source>
         <translation>Couper une branche là où vous cliquez : ce qui est au-dessus s’en va, ou tombe</translation>
     </message>
+    <message>
+        <source>Parameters without keys get one, too, where they are changed</source>
+        <translation>Les paramètres sans clés en reçoivent une aussi là où on les modifie</translation>
+    </message>
 </context>
 <context>
     <name>ArmOverlay</name>
@@ -1394,6 +1394,33 @@
             <numerusform>Copier %n modification de l’arbre</numerusform>
             <numerusform>Copier %n modifications de l’arbre</numerusform>
         </translation>
+    </message>
+    <message numerus="yes">
+        <source>Straighten %n branch(es)</source>
+        <translation>
+            <numerusform>Redresser %n branche</numerusform>
+            <numerusform>Redresser %n branches</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Bend %n branch(es)</source>
+        <translation>
+            <numerusform>Plier %n branche</numerusform>
+            <numerusform>Plier %n branches</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>oui</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>non</translation>
+    </message>
+    <message>
+        <source>Change %1 to %2</source>
+        <comment>a parameter, its value</comment>
+        <translation>Modifier %1 : %2</translation>
     </message>
 </context>
 <context>
@@ -4301,10 +4328,6 @@
     <message>
         <source>no selected node has tracks for these keys</source>
         <translation>aucun nœud sélectionné n’a de pistes pour ces clés</translation>
-    </message>
-    <message>
-        <source>this parameter has keys, but none at this frame: insert one with the button beside it, or switch auto-key on</source>
-        <translation>ce paramètre a des clés, mais aucune à cette image : insérez-en une par le bouton à côté, ou activez les clés automatiques</translation>
     </message>
     <message>
         <source>%1 columns, %2 are expected: time,MODE and ten numbers with decimal points</source>
@@ -8536,13 +8559,20 @@ OpenGL&#xa0;: %4
         <source>Limb</source>
         <translation>Branche</translation>
     </message>
+    <message numerus="yes">
+        <source>Bend of %n branch(es)</source>
+        <translation>
+            <numerusform>Courbure de %n branche</numerusform>
+            <numerusform>Courbure de %n branches</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A bend acts after the other edits; it cannot be switched off, moved or copied</source>
+        <translation>Une courbure agit après les autres retouches ; on ne peut ni la désactiver, ni la déplacer, ni la copier</translation>
+    </message>
 </context>
 <context>
     <name>ramure::EditTool</name>
-    <message>
-        <source>Trees are shaped at rest: stop, and go to the first frame.</source>
-        <translation>Les arbres se façonnent au repos : arrêtez, et allez à la première image.</translation>
-    </message>
     <message numerus="yes">
         <source>At %n place(s) around the trunk no limb is like it: nothing happens there.</source>
         <translation>
@@ -8612,6 +8642,10 @@ OpenGL&#xa0;: %4
     <message>
         <source>Edits by hand</source>
         <translation>Retouches à la main</translation>
+    </message>
+    <message>
+        <source>Delete edits</source>
+        <translation>Supprimer des retouches</translation>
     </message>
 </context>
 <context>
@@ -10224,10 +10258,6 @@ OpenGL&#xa0;: %4
 <context>
     <name>ramure::LimbTool</name>
     <message>
-        <source>A limb is bent at the first frame; while it plays it is pulled.</source>
-        <translation>Une branche se plie à la première image ; pendant la lecture elle se tire.</translation>
-    </message>
-    <message>
         <source>The limb and what is thick follow · wheel: how many branches · Esc: back</source>
         <translation>La branche maîtresse et ce qui est épais suivent · molette : combien de branches · Échap : annuler</translation>
     </message>
@@ -10630,6 +10660,13 @@ OpenGL&#xa0;: %4
     <message>
         <source>the smallest is %1</source>
         <translation>le plus petit est %1</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::NumberSlider</name>
+    <message>
+        <source>Drag with Shift: ten times as fine</source>
+        <translation>Glisser avec Maj : dix fois plus fin</translation>
     </message>
 </context>
 <context>
@@ -11292,10 +11329,6 @@ OpenGL&#xa0;: %4
         <translation>Sélectionnez un arbre dans la scène ou dans la vue pour le modifier.</translation>
     </message>
     <message>
-        <source>No parameter is called like this.</source>
-        <translation>Aucun paramètre ne s’appelle ainsi.</translation>
-    </message>
-    <message>
         <source>Paste %1</source>
         <translation>Coller %1</translation>
     </message>
@@ -11345,6 +11378,14 @@ OpenGL&#xa0;: %4
     <message>
         <source>Insert a key</source>
         <translation>Insérer une clé</translation>
+    </message>
+    <message>
+        <source>No parameter of what is selected is called “%1”.</source>
+        <translation>Aucun paramètre de la sélection ne s’appelle « %1 ».</translation>
+    </message>
+    <message>
+        <source>Clear the search</source>
+        <translation>Effacer la recherche</translation>
     </message>
 </context>
 <context>
@@ -11543,6 +11584,17 @@ OpenGL&#xa0;: %4
     <message>
         <source>Face %1, %2</source>
         <translation>Face %1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::RestTool</name>
+    <message>
+        <source>Trees are shaped at rest: the timeline is at frame %1 now. Press again.</source>
+        <translation>On façonne les arbres au repos : la ligne de temps est maintenant à l’image %1. Cliquez encore.</translation>
+    </message>
+    <message>
+        <source>Click: to frame %1, where the tree is at rest and can be shaped</source>
+        <translation>Clic : vers l’image %1, où l’arbre est au repos et peut être façonné</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,7 @@
 #include "core/document/document_command.h"
 #include "core/skeleton/edit_places.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -93,7 +94,11 @@ Expected<void> edit::turnBranches(Document& document, NodeId node,
         entries.push_back({target, values});
     }
     const int count = static_cast<int>(entries.size());
-    pushEdits(document, node, std::move(entries), DocumentCommand::tr("Turn %n branch(es)", nullptr, count),
+    const bool straightens =
+        std::ranges::all_of(bendRad, [](const auto& entry) { return entry.second == glm::dvec3(0.0); });
+    pushEdits(document, node, std::move(entries),
+              straightens ? DocumentCommand::tr("Straighten %n branch(es)", nullptr, count)
+                          : DocumentCommand::tr("Bend %n branch(es)", nullptr, count),
               gesture);
     return {};
 }

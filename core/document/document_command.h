@@ -95,6 +95,7 @@ public:
         // The scene has the other's values already, and this one has those from before both: nothing to take
         // over.
         setObsolete(!changesAnything(document().scene(), m_entries));
+        setText(next->text()); // it may name the value
         return true;
     }
     static bool changesAnything(const Scene& scene, const std::vector<Entry>& entries)

@@ -1,5 +1,6 @@
-// State of nodes: name, visible, locked.
+// State of nodes: name and preset, visible, locked.
 #include "core/document/document_command.h"
+#include "core/document/origin_commands.h"
 
 namespace ramure {
 
@@ -10,6 +11,7 @@ struct NodeState
     std::string name;
     bool visible = true;
     bool locked = false;
+    std::string preset{};
     bool operator==(const NodeState&) const = default;
 };
 
@@ -20,12 +22,16 @@ struct StateTarget
 
     NodeId node;
 
-    [[nodiscard]] Value get(const Node& from) const { return {from.name, from.visible, from.locked}; }
+    [[nodiscard]] Value get(const Node& from) const
+    {
+        return {from.name, from.visible, from.locked, from.preset};
+    }
     void set(Node& into, Value value) const
     {
         into.name = std::move(value.name);
         into.visible = value.visible;
         into.locked = value.locked;
+        into.preset = std::move(value.preset);
     }
     void describe(Change& change) const
     {
@@ -58,6 +64,19 @@ Expected<void> edit::setNodeName(Document& document, NodeId node, const QString&
     if (!ids)
         return fail(ids.error());
     pushState(document, *ids, &NodeState::name, name.toStdString(), DocumentCommand::tr("Rename"));
+    return {};
+}
+
+Expected<void> edit::setNodeOrigin(Document& document, NodeId node, const std::string& name,
+                                   const std::string& preset, const QString& text)
+{
+    const auto ids = editable(document.scene(), {node});
+    if (!ids)
+        return fail(ids.error());
+    NodeState state = StateTarget{node}.get(*document.scene().find(node));
+    state.name = name;
+    state.preset = preset;
+    pushSet<StateTarget>(document, {{{node}, std::move(state)}}, text);
     return {};
 }
 

@@ -2,6 +2,10 @@
 #include "core/document/document_command.h"
 #include "core/generators/variety.h"
 #include "core/params/presets.h"
+#include <QLocale>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace ramure {
 
@@ -38,6 +42,64 @@ Expected<void> checkParam(const Scene& scene, NodeId id, const ParamDef& def, co
     return error;
 }
 
+struct ShownUnit
+{
+    double factor = 1.0; ///< shown = value * factor
+    const char* suffix = "";
+};
+
+/// As the fields show it, angles in degrees.
+ShownUnit shownUnit(ParamUnit unit)
+{
+    switch (unit) {
+    case ParamUnit::Metre:
+        return {1.0, " m"};
+    case ParamUnit::Radian:
+        return {180.0 / std::numbers::pi, "°"};
+    case ParamUnit::Degree:
+        return {1.0, "°"};
+    case ParamUnit::Second:
+        return {1.0, " s"};
+    case ParamUnit::Share:
+        return {100.0, " %"};
+    case ParamUnit::Kilogram:
+        return {1.0, " kg"};
+    case ParamUnit::Factor:
+        return {1.0, " ×"};
+    case ParamUnit::None:
+    case ParamUnit::Ratio:
+    case ParamUnit::Count:
+        break;
+    }
+    return {};
+}
+
+/// In a line of the history; empty where the value is too long for one.
+QString shownValue(const ParamDef& def, const ParamValue& value)
+{
+    if (const auto* on = std::get_if<bool>(&value))
+        return *on ? DocumentCommand::tr("on") : DocumentCommand::tr("off");
+    if (const auto* whole = std::get_if<std::int64_t>(&value))
+        return QString::number(*whole);
+    if (const auto* choice = std::get_if<EnumValue>(&value)) {
+        const auto item = std::ranges::find(def.items, choice->name, &EnumItem::name);
+        return item == def.items.end() ? QString() : QCoreApplication::translate("core", item->label);
+    }
+    const auto* real = std::get_if<double>(&value);
+    if (!real || !std::isfinite(*real))
+        return {};
+    constexpr int digits = 4; // what a hand on a slider tells apart
+    const ShownUnit unit = shownUnit(def.unit);
+    return QLocale().toString(*real * unit.factor, 'g', digits) + QString::fromUtf8(unit.suffix);
+}
+
+QString changeText(const QString& label, const QString& value)
+{
+    return value.isEmpty()
+               ? DocumentCommand::tr("Change %1").arg(label)
+               : DocumentCommand::tr("Change %1 to %2", "a parameter, its value").arg(label, value);
+}
+
 /// The seed after this one: a linear congruential step modulo 2^31 of full period (Hull and Dobell 1962: odd
 /// increment, multiplier 1 modulo 4), so that pressing Space shows no tree twice for a long time.
 std::int64_t nextSeed(std::int64_t seed)
@@ -52,7 +114,7 @@ Expected<void> edit::setParam(Document& document, const std::vector<NodeId>& nod
                               const ParamValue& value, GestureId gesture)
 {
     const QString label = QCoreApplication::translate("core", def.label);
-    return setParams(document, nodes, {{&def, value}}, DocumentCommand::tr("Change %1").arg(label), gesture);
+    return setParams(document, nodes, {{&def, value}}, changeText(label, shownValue(def, value)), gesture);
 }
 
 Expected<void> edit::setParams(Document& document, const std::vector<NodeId>& nodes,
@@ -107,8 +169,9 @@ Expected<void> edit::setComponent(Document& document, const std::vector<NodeId>&
             return allowed;
         entries.push_back({{id, &def}, vector});
     }
-    const QString label = QCoreApplication::translate("core", def.label);
-    pushSet<ParamTarget>(document, std::move(entries), DocumentCommand::tr("Change %1").arg(label), gesture);
+    const QString label = QCoreApplication::translate("core", def.label) + u' ' + QChar(u'X' + axis);
+    pushSet<ParamTarget>(document, std::move(entries), changeText(label, shownValue(def, ParamValue(value))),
+                         gesture);
     return {};
 }
 

@@ -58,12 +58,6 @@ double number(const ParamValue& value, std::uint8_t component)
     return real ? *real : 0.0;
 }
 
-Expected<void> noKeyHere()
-{
-    return fail(ErrorCode::Invalid, RAMURE_NOOP("this parameter has keys, but none at this frame: insert "
-                                                "one with the button beside it, or switch auto-key on"));
-}
-
 Expected<TrackEdit> keyed(const Node& node, const Channel& channel, Ticks time, double value)
 {
     auto track = withKey<Track>(node.animation.find(channel), time, value);
@@ -150,8 +144,6 @@ bool AutoKey::takes(const std::vector<NodeId>& nodes, const ParamDef& def) const
 Expected<void> AutoKey::set(const std::vector<NodeId>& nodes, const ParamDef& def, const ParamValue& value,
                             std::optional<int> component, GestureId gesture)
 {
-    if (!m_on && state(nodes, def) == KeyState::Animated)
-        return noKeyHere();
     if (auto good = checkValue(def, value); !good)
         return good;
     if (const auto part = placementPart(def))
@@ -231,8 +223,6 @@ bool AutoKey::takes(NodeId node, const Channel& channel) const
 
 Expected<void> AutoKey::set(NodeId node, const Channel& channel, double value, GestureId gesture)
 {
-    if (!m_on && state(node, channel) == KeyState::Animated)
-        return noKeyHere();
     return insert(node, {{channel, value}}, tr("Set Key"), gesture);
 }
 

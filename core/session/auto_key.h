@@ -28,10 +28,11 @@ public:
     [[nodiscard]] KeyState state(const std::vector<NodeId>& nodes, const ParamDef& def) const;
     /// What the parameter is at the frame on show.
     [[nodiscard]] ParamValue value(NodeId node, const ParamDef& def) const;
-    /// An edit of this parameter is to become keys: auto-key is on and it may have keys, or it has keys.
+    /// An edit of this parameter is to become keys: it has keys, or auto-key is on and it may have some. A
+    /// parameter with keys has no other value that would be seen.
     [[nodiscard]] bool takes(const std::vector<NodeId>& nodes, const ParamDef& def) const;
-    /// Keys at the frame on show, of one component (0, 1, 2) or all. Error Invalid: the parameter has keys,
-    /// but none here, and auto-key is off.
+    /// Keys at the frame on show, whether there are any yet or not; of one component (0, 1, 2) or all.
+    /// Errors: those of checkValue.
     Expected<void> set(const std::vector<NodeId>& nodes, const ParamDef& def, const ParamValue& value,
                        std::optional<int> component, GestureId gesture);
     /// The button beside the parameter: takes the keys here away, or inserts them.

@@ -1,10 +1,13 @@
 #include "core/session/planting.h"
 
 #include "core/document/commands.h"
+#include "core/document/document_command.h"
+#include "core/document/origin_commands.h"
 #include "core/math/box.h"
 #include "core/params/param_def.h"
 #include "core/scene/object_mesh.h"
 #include "core/scene/preset_scene.h"
+#include <QUndoStack>
 #include <algorithm>
 #include <string_view>
 
@@ -87,6 +90,16 @@ static bool isOfSpecies(const ParamDef& def)
            !key.starts_with("local.") && !key.starts_with("physics.");
 }
 
+/// "SmallTree" or "SmallTree 2": nobody has named it.
+static bool isNamedByPreset(const Node& tree)
+{
+    const auto made = presetTree(tree.preset);
+    if (!made || !tree.name.starts_with(made->name))
+        return false;
+    const std::string rest = tree.name.substr(made->name.size());
+    return rest.empty() || rest.find_first_not_of("0123456789", rest[0] == ' ' ? 1 : 0) == std::string::npos;
+}
+
 Expected<void> edit::makeTreesLike(Document& document, const std::vector<NodeId>& trees, const Node& like,
                                    const QString& step)
 {
@@ -94,7 +107,21 @@ Expected<void> edit::makeTreesLike(Document& document, const std::vector<NodeId>
     for (const ParamDef& def : paramTable())
         if (isOfSpecies(def))
             values.emplace_back(&def, def.get(like.params));
-    return setParams(document, trees, values, step);
+    const auto ids = editable(document.scene(), trees); // an empty macro would stay a step
+    if (!ids)
+        return fail(ids.error());
+    QUndoStack& steps = *document.undoStack();
+    steps.beginMacro(step);
+    auto done = setParams(document, trees, values, step);
+    for (const NodeId id : *ids) {
+        const Node* tree = done ? document.scene().find(id) : nullptr;
+        if (!tree)
+            break;
+        done =
+            setNodeOrigin(document, id, isNamedByPreset(*tree) ? like.name : tree->name, like.preset, step);
+    }
+    steps.endMacro();
+    return done;
 }
 
 } // namespace ramure

@@ -23,7 +23,8 @@ Expected<NodeId> plantTree(Document& document, const std::string& preset, NodeId
 Expected<NodeId> plantTree(Document& document, Node tree, NodeId parent = noNode,
                            const std::optional<glm::dvec3>& place = {});
 /// These trees get the numbers that make \p like what it is; where they stand, what holds them and what was
-/// done to their branches stays. One step of undo, with this name. Errors: those of setParams.
+/// done to their branches stays. They are of its preset then, and get its name where they had that of their
+/// old one. One step of undo, with this text. Errors: those of setParams.
 Expected<void> makeTreesLike(Document& document, const std::vector<NodeId>& trees, const Node& like,
                              const QString& step);
 } // namespace edit

@@ -13,7 +13,12 @@ const vec3 shade = vec3(0.16, 0.07, 0.0);
 
 void main()
 {
-    float away = texture(uDistance, gl_FragCoord.xy * uTexel).r * (reach + 1.0) * uScale;
+    // Distances from texels go by steps: the mean around the place does not.
+    vec2 at = gl_FragCoord.xy * uTexel, aside = 0.7 * uScale * uTexel;
+    float mean = 0.25 * (texture(uDistance, at + aside).r + texture(uDistance, at - aside).r +
+                         texture(uDistance, at + vec2(aside.x, -aside.y)).r +
+                         texture(uDistance, at + vec2(-aside.x, aside.y)).r);
+    float away = mean * (reach + 1.0) * uScale;
     if (uClosed)
         away = 0.8 * (reach + 1.0) * uScale - away;
     float line = 1.0 - smoothstep(0.5 * uWidth - 0.5, 0.5 * uWidth + 0.5, abs(away - uOffset));

@@ -5,6 +5,7 @@
 #include "tests/support/suite.h"
 
 #include <limits>
+#include <numbers>
 
 using namespace ramure;
 using namespace ramure::test;
@@ -17,6 +18,7 @@ private slots:
 
     void badValuesAreRefused();
     void lockedNodesRefuseEverything();
+    void stepsNameTheValue();
     void badStructureIsRefused();
 
     void everyParameter_data();
@@ -81,6 +83,32 @@ void TestCommands::lockedNodesRefuseEverything()
     QVERIFY(edit::setNodeLocked(f.document, {1}, false));
     QVERIFY(!edit::removeNodes(f.document, {1})); // a locked node below
     QVERIFY(edit::setNodeName(f.document, 3, "free"));
+}
+
+/// The last one of a drag; long ones not at all.
+void TestCommands::stepsNameTheValue()
+{
+    Fixture f;
+    const auto step = [&] { return f.stack.text(f.stack.count() - 1); };
+    const auto ends = [&](const char* text) { return step().endsWith(QLatin1String(text)); };
+    QVERIFY(edit::setParam(f.document, {2}, *findParam("turtle.theta"), std::numbers::pi / 6.0));
+    QVERIFY2(step().endsWith(QStringLiteral("to 30°")), qPrintable(step()));
+    QVERIFY(edit::setParam(f.document, {2}, *findParam("grammar.iterations"), std::int64_t(3)));
+    QVERIFY2(ends("to 3"), qPrintable(step()));
+    QVERIFY(edit::setParam(f.document, {2}, *findParam("grammar.axiom"), std::string("AAA")));
+    QVERIFY2(ends("Axiom"), qPrintable(step()));
+    QVERIFY(edit::setComponent(f.document, {2}, *findParam("tree.scale"), 1, 2.5));
+    QVERIFY2(ends("Y to 2.5"), qPrintable(step()));
+    const int before = f.stack.count();
+    const GestureId gesture = newGesture();
+    for (const double decay : {0.6, 0.65, 0.7})
+        QVERIFY(edit::setParam(f.document, {2}, *findParam("turtle.decay"), decay, gesture));
+    QCOMPARE(f.stack.count(), before + 1);
+    QVERIFY2(step().contains(QLatin1String("to 0.7")) || ends("to 70 %"), qPrintable(step()));
+    QVERIFY(edit::turnBranches(f.document, 2, {{1, glm::dvec3(0.1)}, {2, glm::dvec3(0.1)}}, 0));
+    QVERIFY2(step().startsWith(QLatin1String("Bend")), qPrintable(step()));
+    QVERIFY(edit::turnBranches(f.document, 2, {{1, glm::dvec3(0.0)}}, 0));
+    QVERIFY2(step().startsWith(QLatin1String("Straighten")), qPrintable(step()));
 }
 
 void TestCommands::badStructureIsRefused()

@@ -50,10 +50,32 @@ private slots:
         expected.tree = before.tree;
         expected.physics = before.physics;
         QVERIFY(document.scene().find(tree)->params == expected);
+        QCOMPARE(document.scene().find(tree)->preset, like.preset); // what its arrows go back to
+        QCOMPARE(document.scene().find(tree)->name, like.name);
         document.undoStack()->undo();
+        QCOMPARE(document.scene().find(tree)->name, presetTree("TinyTree")->name);
+        QCOMPARE(document.scene().find(tree)->preset, std::string("TinyTree"));
         QVERIFY(document.scene().find(tree)->params == before);
         QVERIFY(edit::setNodeLocked(document, {tree}, true));
+        const int refused = document.undoStack()->count();
         QVERIFY(!edit::makeTreesLike(document, {tree}, like, QStringLiteral("Make it")));
+        QCOMPARE(document.undoStack()->count(), refused);
+    }
+    void aNameOfOnesOwnStays()
+    {
+        Document document;
+        const NodeId tree = *edit::plantTree(document, "TinyTree");
+        const Node like = *presetTree("NorwaySpruce");
+        for (const char* name : {"Grandfather's", "TinyTree of mine"}) {
+            QVERIFY(edit::setNodeName(document, tree, QString::fromLatin1(name)));
+            QVERIFY(edit::makeTreesLike(document, {tree}, like, QStringLiteral("Make it")));
+            QCOMPARE(document.scene().find(tree)->name, std::string(name));
+            document.undoStack()->undo();
+        }
+        const std::string usual = presetTree("TinyTree")->name + " 2";
+        QVERIFY(edit::setNodeName(document, tree, QString::fromStdString(usual)));
+        QVERIFY(edit::makeTreesLike(document, {tree}, like, QStringLiteral("Make it")));
+        QCOMPARE(document.scene().find(tree)->name, like.name);
     }
     void theFirstStandsInTheOrigin()
     {

@@ -12,7 +12,7 @@ void NumberDrag::begin(const NumberScale& scale, const Start& start, std::option
     m_start = start;
     m_before = before;
     m_x = start.x;
-    m_position = scale.positionOf(start.value);
+    m_position = start.held.value_or(scale.positionOf(start.value));
     m_on = true;
     // Whoever has the focus: Esc is the drag's.
     QCoreApplication::instance()->installEventFilter(this);
@@ -26,8 +26,10 @@ void NumberDrag::moveTo(double x, Qt::KeyboardModifiers modifiers)
                          : modifiers.testFlag(Qt::ControlModifier) ? 10.0
                                                                    : 1.0;
     const double precision = speed / m_start.length;
-    m_position = std::clamp(m_position + (x - m_x) * precision, m_scale.positionOf(m_start.least),
-                            m_scale.positionOf(m_start.most));
+    m_position += (x - m_x) * precision;
+    if (!m_start.held)
+        m_position =
+            std::clamp(m_position, m_scale.positionOf(m_start.least), m_scale.positionOf(m_start.most));
     m_x = x;
     emit moved(
         std::clamp(m_scale.numberAt(m_position, precision, m_start.factor), m_start.least, m_start.most));

@@ -12,7 +12,7 @@ class NumberDrag : public QObject
 {
     Q_OBJECT
 public:
-    /// From one end of the scale to the other, without keys; sliders that are longer take their own length.
+    /// From one end of the scale to the other, without keys; sliders take their own length.
     static constexpr double pixels = 300.0;
 
     using QObject::QObject;
@@ -24,6 +24,9 @@ public:
         double factor = 1.0;            ///< shown = value * factor: what is shown gets round
         double x = 0.0;                 ///< of the mouse, pixels
         double length = pixels;
+        /// Of a handle, that stays under the mouse: where on the scale it is held. As far as the mouse goes
+        /// beyond an end it comes back before the number changes again.
+        std::optional<double> held{};
     };
     /// \param before what Esc brings back; without one, as where several nodes had several values, it only
     /// ends the drag.

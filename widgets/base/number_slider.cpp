@@ -3,9 +3,11 @@
 #include "widgets/base/number_drag.h"
 #include "widgets/base/theme.h"
 #include "widgets/base/wheel_guard.h"
+#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QToolTip>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -45,8 +47,8 @@ void NumberSlider::setSoftRange(double minimum, double maximum, double step, boo
 
 double NumberSlider::numberAt(int position) const
 {
-    const double number = m_scale.numberAt(static_cast<double>(position) / resolution,
-                                           1.0 / std::max(NumberDrag::pixels, grooveLength()), m_factor);
+    const double number =
+        m_scale.numberAt(static_cast<double>(position) / resolution, 1.0 / grooveLength(), m_factor);
     return std::clamp(number, m_scale.minimum(), m_scale.maximum());
 }
 
@@ -81,6 +83,21 @@ void NumberSlider::moveBy(double steps)
         to = from + (steps > 0 ? std::max(1.0, std::round(step)) : std::min(-1.0, std::round(step)));
     edit(std::clamp(to, std::min(m_scale.minimum(), from), std::max(m_scale.maximum(), from)));
     setNumber(m_number);
+}
+
+bool NumberSlider::event(QEvent* event)
+{
+    if (event->type() != QEvent::ToolTip)
+        return QSlider::event(event);
+    const QWidget* row = this;
+    while (row->toolTip().isEmpty() && !row->isWindow())
+        row = row->parentWidget();
+    const QString tip = row->toolTip(), fine = tr("Drag with Shift: ten times as fine");
+    const QString line = tip.isEmpty()              ? fine
+                         : Qt::mightBeRichText(tip) ? tip + QStringLiteral("<p>%1</p>").arg(fine)
+                                                    : tip + u'\n' + fine;
+    QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), line, this);
+    return true;
 }
 
 void NumberSlider::focusInEvent(QFocusEvent* event)
@@ -139,6 +156,11 @@ int NumberSlider::positionAt(double x) const
     return static_cast<int>(std::lround((layoutDirection() == Qt::RightToLeft ? 1.0 - t : t) * resolution));
 }
 
+double NumberSlider::along(double x) const
+{
+    return layoutDirection() == Qt::RightToLeft ? width() - x : x;
+}
+
 void NumberSlider::mousePressEvent(QMouseEvent* event)
 {
     if (event->button() != Qt::LeftButton) {
@@ -148,15 +170,18 @@ void NumberSlider::mousePressEvent(QMouseEvent* event)
     emit gestureBegan();
     const std::optional<double> before = m_number;
     const double x = event->position().x();
-    if (!m_number || std::abs(x - knobAt()) > knobMargin)
-        QSlider::setValue(positionAt(x));
+    const bool isBeside = !m_number || std::abs(x - knobAt()) > knobMargin;
+    const int held = isBeside ? positionAt(x) : QSlider::value();
+    if (isBeside)
+        QSlider::setValue(held);
     NumberDrag::Start start;
-    start.value = m_number.value_or(m_scale.minimum());
-    start.least = std::min(m_scale.minimum(), start.value);
-    start.most = std::max(m_scale.maximum(), start.value);
+    start.least = m_scale.minimum();
+    start.most = m_scale.maximum();
+    start.value = std::clamp(m_number.value_or(start.least), start.least, start.most);
     start.factor = m_factor;
-    start.x = x;
-    start.length = std::max(NumberDrag::pixels, grooveLength());
+    start.x = along(x);
+    start.length = grooveLength();
+    start.held = static_cast<double>(held) / resolution;
     m_drag->begin(m_scale, start, before);
 }
 
@@ -166,8 +191,7 @@ void NumberSlider::mouseMoveEvent(QMouseEvent* event)
         event->ignore();
         return;
     }
-    const double x = event->position().x();
-    m_drag->moveTo(layoutDirection() == Qt::RightToLeft ? width() - x : x, event->modifiers());
+    m_drag->moveTo(along(event->position().x()), event->modifiers() & Qt::ShiftModifier);
 }
 
 void NumberSlider::mouseReleaseEvent(QMouseEvent* event)

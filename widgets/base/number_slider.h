@@ -1,7 +1,6 @@
 /// \file
 /// A slider over the soft range of a real or whole number. A press beside the handle brings it there; from
-/// then on it is dragged as the number's field is (widgets/base/number_drag.h), so that a short slider is
-/// as exact as a long one.
+/// then on the handle stays under the mouse, and with Shift it is ten times as fine (the tooltip says so).
 #pragma once
 
 #include "widgets/base/number_scale.h"
@@ -33,6 +32,7 @@ signals:
     void gestureEnded();
 
 protected:
+    bool event(QEvent* event) override; ///< the tooltip: that of the row around it, and what Shift does
     void focusInEvent(QFocusEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
@@ -49,6 +49,7 @@ private:
     void moveBy(double steps);
     [[nodiscard]] double grooveLength() const;
     [[nodiscard]] double knobAt() const;
+    [[nodiscard]] double along(double x) const; ///< pixels from the end of small numbers
     [[nodiscard]] int positionAt(double x) const;
     void edit(double value);
 

@@ -19,6 +19,7 @@ ViewportHost::ViewportHost(Document* document, QWidget* parent)
         m_viewport = new Viewport(document, m_settings, this);
         m_viewport->setSoftware(probe.software);
         layout->addWidget(m_viewport);
+        setFocusProxy(m_viewport);
         return;
     }
     m_placeholder = new QLabel(this);

@@ -37,6 +37,7 @@
 #include "widgets/panels/validation/validation_panel.h"
 #include "widgets/view/viewport.h"
 #include "widgets/view/viewport_host.h"
+#include "widgets/window/field_leaver.h"
 #include "widgets/window/hint_line.h"
 #include "widgets/window/problem_button.h"
 #include "widgets/window/view_menu.h"
@@ -109,6 +110,7 @@ MainWindow::MainWindow(Document* document, Recompute* recompute, Preferences* pr
     connect(m_document, &Document::changed, this, &MainWindow::follow);
     connect(m_document->undoStack(), &QUndoStack::cleanChanged, this, &MainWindow::updateTitle);
     qApp->installEventFilter(new SpaceKeeper(this));
+    new FieldLeaver(this, m_host);
     retranslate();
     restoreLayout();
 }

@@ -170,8 +170,8 @@ private slots:
         send(m_text, QEvent::MouseButtonRelease, 66);
     }
 
-    /// Turn went from 8.6 to 39 degrees in 30 pixels.
-    void slidersAreAsFineAsFields()
+    /// Also back from beyond the ends; Shift is for what is finer than a pixel.
+    void theHandleStaysUnderTheMouse()
     {
         const ParamDef& def = *findParam("turtle.theta");
         NumberSlider slider;
@@ -186,9 +186,15 @@ private slots:
         send(&slider, QEvent::MouseButtonPress, knob);
         QCOMPARE(edited.count(), 0); // taken where it is
         send(&slider, QEvent::MouseMove, knob + 30);
-        QVERIFY(degrees() > 12.0 && degrees() < 17.0);
-        send(&slider, QEvent::MouseMove, knob, Qt::ShiftModifier);
-        QVERIFY(degrees() > 12.0); // ten times as fine
+        const double most = def.softMax * 180.0 / std::numbers::pi, perPixel = most / (90 - 16);
+        const double before = 0.15 * 180.0 / std::numbers::pi;
+        QVERIFY(std::abs(degrees() - before - 30 * perPixel) < perPixel);
+        send(&slider, QEvent::MouseMove, 150); // beyond the end
+        QVERIFY(std::abs(degrees() - most) < 1e-9);
+        send(&slider, QEvent::MouseMove, knob + 10);
+        QVERIFY(std::abs(degrees() - before - 10 * perPixel) < perPixel);
+        send(&slider, QEvent::MouseMove, knob + 40, Qt::ShiftModifier); // ten times as fine
+        QVERIFY(std::abs(degrees() - before - 13 * perPixel) < perPixel);
         QTest::keyClick(&slider, Qt::Key_Escape);
         QCOMPARE(edited.back()[0].toDouble(), 0.15);
         QCOMPARE(ended.count(), 1);

@@ -7,6 +7,7 @@
 #include "widgets/base/action_set.h"
 #include "widgets/base/language.h"
 #include "widgets/base/message_banner.h"
+#include "widgets/base/number_field.h"
 #include "widgets/base/preferences.h"
 #include "widgets/base/theme.h"
 #include "widgets/panels/inspector/branch_inspector.h"
@@ -14,6 +15,7 @@
 #include "widgets/panels/properties/param_row.h"
 #include "widgets/panels/properties/properties_panel.h"
 #include "widgets/panels/scene/scene_panel.h"
+#include "widgets/view/viewport_host.h"
 #include "widgets/window/main_window.h"
 #include "widgets/window/problem_button.h"
 #include "widgets/window/status_panel.h"
@@ -68,6 +70,37 @@ private slots:
         m_window.reset();
         m_recompute.reset();
         m_document.reset();
+    }
+
+    void whatIsTypedIsDoneWithReturnOrEscape_data()
+    {
+        QTest::addColumn<int>("key");
+        QTest::newRow("Return") << int(Qt::Key_Return);
+        QTest::newRow("Enter") << int(Qt::Key_Enter);
+        QTest::newRow("Escape") << int(Qt::Key_Escape);
+    }
+    void whatIsTypedIsDoneWithReturnOrEscape()
+    {
+        QFETCH(int, key);
+        auto* host = m_window->findChild<ViewportHost*>();
+        auto* row = m_window->properties()->row(*findParam("grammar.iterations"));
+        auto* field = row->findChild<NumberField*>();
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClicks(field, "x"); // no number: it stays where it is typed, and is marked
+        QTest::keyClick(field, Qt::Key_Return);
+        QCoreApplication::processEvents();
+        QCOMPARE(QApplication::focusWidget(), field);
+        field->selectAll();
+        QTest::keyClicks(field, "4");
+        QTest::keyClick(field, Qt::Key(key));
+        QTRY_VERIFY(!field->hasFocus());
+        QVERIFY(host == QApplication::focusWidget() || host->isAncestorOf(QApplication::focusWidget()));
+        auto* lines = m_window->findChild<GrammarEdit*>();
+        lines->setFocus();
+        QTest::keyClick(lines, Qt::Key(key)); // a text of several lines
+        QCoreApplication::processEvents();
+        QCOMPARE(QApplication::focusWidget(), lines);
     }
 
     void wrongGrammarsShowWhereAndKeepTheTree()

@@ -36,12 +36,12 @@ KeyActions::KeyActions(KeyCommands* commands, ActionSet* set, QObject* parent)
           {"keys.removeHere", QT_TRANSLATE_NOOP("Actions", "&Remove key here"), nullptr,
            QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_I),
            QT_TRANSLATE_NOOP("Actions", "Take out all keys that the selected nodes have at this frame")}))
-    , m_auto(set->add({"keys.auto",
-                       QT_TRANSLATE_NOOP("Actions", "Auto-ke&y"),
-                       "key-auto",
-                       {},
-                       QT_TRANSLATE_NOOP(
-                           "Actions", "Changed parameters that may have keys get one at the frame on show")}))
+    , m_auto(set->add(
+          {"keys.auto",
+           QT_TRANSLATE_NOOP("Actions", "Auto-ke&y"),
+           "key-auto",
+           {},
+           QT_TRANSLATE_NOOP("Actions", "Parameters without keys get one, too, where they are changed")}))
     , m_previous(set->add({"keys.previous", QT_TRANSLATE_NOOP("Actions", "Pre&vious key"), "key-previous",
                            QKeySequence(Qt::ALT | Qt::Key_Comma),
                            QT_TRANSLATE_NOOP("Actions", "Go to the key before this frame")}))

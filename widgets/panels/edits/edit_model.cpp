@@ -80,19 +80,22 @@ void EditModel::update()
     auto report = result ? result->tree.edits : nullptr;
     static const std::vector<TreeEdit> none;
     const std::vector<TreeEdit>& edits = node ? node->params.edits : none;
+    std::vector<BendRow> bends = bendRows(*m_document, tree);
     const bool sameTree = tree == m_tree;
-    if (sameTree && edits == m_edits && report == m_report)
+    if (sameTree && edits == m_edits && report == m_report && bends == m_bends)
         return;
-    const bool sameRows = sameTree && std::ranges::equal(edits, m_edits, {}, &TreeEdit::id, &TreeEdit::id);
+    const bool sameRows = sameTree && std::ranges::equal(edits, m_edits, {}, &TreeEdit::id, &TreeEdit::id) &&
+                          std::ranges::equal(bends, m_bends, {}, &BendRow::id, &BendRow::id);
     if (!sameRows)
         beginResetModel();
     m_tree = tree;
     m_edits = edits;
+    m_bends = std::move(bends);
     m_report = std::move(report);
     updateLimbs();
     if (!sameRows)
         endResetModel();
-    else if (!m_edits.empty())
+    else if (rowCount() > 0)
         emit dataChanged(index(0, 0), index(rowCount() - 1, Columns - 1));
     emit listChanged();
 }
@@ -106,7 +109,7 @@ void EditModel::updateLimbs()
         return;
     const BranchRows rows(result->tree.simplified);
     const BranchNames names;
-    for (int row = 0; row < rowCount(); ++row) {
+    for (int row = 0; row < editCount(); ++row) {
         const auto branches = finder.limb(*m_document, m_tree, addressAt(row));
         if (!branches.empty())
             m_limbs[std::size_t(row)] = names.axis(rows, rows.axisOf(branches.front()));
@@ -117,14 +120,35 @@ void EditModel::retranslate()
 {
     beginResetModel();
     updateLimbs();
+    m_bends = bendRows(*m_document, m_tree);
     endResetModel();
     emit listChanged();
 }
 
+const BendRow* EditModel::bendAt(int row) const
+{
+    return row < editCount() ? nullptr : &m_bends[std::size_t(row - editCount())];
+}
+
+std::uint64_t EditModel::idAt(int row) const
+{
+    const BendRow* bend = bendAt(row);
+    return bend ? bend->id() : m_edits[std::size_t(row)].id;
+}
+
+std::vector<Index> EditModel::branchesAt(int row) const
+{
+    if (const BendRow* bend = bendAt(row))
+        return bend->branches;
+    return LimbFinder().limb(*m_document, m_tree, addressAt(row));
+}
+
 int EditModel::rowOf(std::uint64_t id) const
 {
-    const auto found = std::ranges::find(m_edits, id, &TreeEdit::id);
-    return found == m_edits.end() ? -1 : static_cast<int>(found - m_edits.begin());
+    for (int row = 0; row < rowCount(); ++row)
+        if (idAt(row) == id)
+            return row;
+    return -1;
 }
 
 const EditOutcome* EditModel::outcome(int row) const
@@ -152,7 +176,7 @@ std::uint64_t EditModel::addressAt(int row) const
 
 int EditModel::rowCount(const QModelIndex& parent) const
 {
-    return parent.isValid() ? 0 : static_cast<int>(m_edits.size());
+    return parent.isValid() ? 0 : static_cast<int>(m_edits.size() + m_bends.size());
 }
 
 int EditModel::columnCount(const QModelIndex& parent) const
@@ -162,6 +186,8 @@ int EditModel::columnCount(const QModelIndex& parent) const
 
 QVariant EditModel::data(const QModelIndex& index, int role) const
 {
+    if (const BendRow* bend = bendAt(index.row()))
+        return bendData(*bend, index.column(), role);
     const TreeEdit& edit = m_edits[std::size_t(index.row())];
     const bool lost = edit.enabled && isLost(index.row());
     switch (role) {
@@ -187,6 +213,16 @@ QVariant EditModel::data(const QModelIndex& index, int role) const
     }
 }
 
+QVariant EditModel::bendData(const BendRow& bend, int column, int role) const
+{
+    if (role == Qt::DisplayRole)
+        return column == Name ? tr("Bend of %n branch(es)", nullptr, static_cast<int>(bend.names.size()))
+                              : bend.limb;
+    if (role == Qt::ToolTipRole)
+        return tr("A bend acts after the other edits; it cannot be switched off, moved or copied");
+    return {};
+}
+
 QVariant EditModel::headerData(int section, Qt::Orientation orientation, int role) const
 {
     if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
@@ -203,6 +239,8 @@ bool EditModel::report(const Expected<void>& done)
 
 bool EditModel::setData(const QModelIndex& index, const QVariant& value, int role)
 {
+    if (bendAt(index.row()))
+        return false;
     const std::uint64_t id = idAt(index.row());
     if (role == Qt::CheckStateRole)
         return report(
@@ -216,6 +254,8 @@ Qt::ItemFlags EditModel::flags(const QModelIndex& index) const
 {
     if (!index.isValid())
         return Qt::ItemIsDropEnabled;
+    if (bendAt(index.row()))
+        return Qt::ItemIsEnabled | Qt::ItemIsSelectable;
     const Qt::ItemFlags all = Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsDragEnabled;
     return index.column() == Name ? all | Qt::ItemIsUserCheckable | Qt::ItemIsEditable : all;
 }
@@ -239,9 +279,9 @@ bool EditModel::dropMimeData(const QMimeData* data, Qt::DropAction, int row, int
 {
     bool good = false;
     const int from = data->data(rowType).toInt(&good);
-    if (!good || from < 0 || from >= rowCount())
+    if (!good || from < 0 || from >= editCount())
         return false;
-    int to = row >= 0 ? row : parent.isValid() ? parent.row() : rowCount();
+    int to = std::min(row >= 0 ? row : parent.isValid() ? parent.row() : rowCount(), editCount());
     to -= to > from ? 1 : 0;
     if (to != from)
         report(edit::moveTreeEdit(*m_document, m_tree, idAt(from), to));

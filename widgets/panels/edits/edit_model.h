@@ -1,11 +1,12 @@
 /// \file
 /// The edits that a hand made to one tree, in the order in which they act: a row each, to be renamed,
-/// switched on and off and moved.
+/// switched on and off and moved. Behind them its bends (bend_rows.h), which can only be chosen and deleted.
 #pragma once
 
 #include "core/document/document.h"
 #include "core/params/tree_edit.h"
 #include "core/skeleton/edits/edit_report.h"
+#include "widgets/panels/edits/bend_rows.h"
 #include <QAbstractTableModel>
 
 namespace ramure {
@@ -25,9 +26,15 @@ public:
     /// The tree that is selected, or the only one; noNode where there is none.
     [[nodiscard]] NodeId tree() const { return m_tree; }
     [[nodiscard]] const std::vector<TreeEdit>& edits() const { return m_edits; }
-    [[nodiscard]] std::uint64_t idAt(int row) const { return m_edits[std::size_t(row)].id; }
+    [[nodiscard]] std::uint64_t idAt(int row) const;
     /// -1: there is none.
     [[nodiscard]] int rowOf(std::uint64_t id) const;
+    /// Rows of edits; those of bends follow.
+    [[nodiscard]] int editCount() const { return static_cast<int>(m_edits.size()); }
+    /// Null: it is an edit.
+    [[nodiscard]] const BendRow* bendAt(int row) const;
+    /// Of the simplified skeleton: what the row is about.
+    [[nodiscard]] std::vector<Index> branchesAt(int row) const;
     /// Without a place in the tree as it is now.
     [[nodiscard]] bool isLost(int row) const;
     /// Of the axis that the edit acts on; 0: none.
@@ -57,11 +64,13 @@ private:
     void updateLimbs();
     [[nodiscard]] NodeId treeMeant() const;
     [[nodiscard]] const EditOutcome* outcome(int row) const;
+    [[nodiscard]] QVariant bendData(const BendRow& bend, int column, int role) const;
     bool report(const Expected<void>& done);
 
     Document* m_document;
     NodeId m_tree = noNode;
     std::vector<TreeEdit> m_edits;
+    std::vector<BendRow> m_bends;
     std::shared_ptr<const EditReport> m_report;
     std::vector<QString> m_limbs; ///< by row: what it acts on
 };

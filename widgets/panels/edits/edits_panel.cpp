@@ -5,7 +5,6 @@
 #include "widgets/base/empty_page.h"
 #include "widgets/base/icons.h"
 #include "widgets/panels/edits/edit_model.h"
-#include "widgets/view/tools/limb_finder.h"
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
@@ -13,6 +12,7 @@
 #include <QStackedWidget>
 #include <QToolButton>
 #include <QTreeView>
+#include <QUndoStack>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -143,27 +143,50 @@ std::vector<std::uint64_t> EditsPanel::selectedIds() const
 void EditsPanel::updateButtons()
 {
     const auto ids = selectedIds();
-    const int row = ids.size() == 1 ? m_model->rowOf(ids.front()) : -1;
+    const bool edits = !hasBend(ids);
+    const int row = ids.size() == 1 && edits ? m_model->rowOf(ids.front()) : -1;
     const auto isTree = [](const Node& node) { return node.kind == NodeKind::Tree; };
     m_up->setEnabled(row > 0);
-    m_down->setEnabled(row >= 0 && row + 1 < m_model->rowCount());
+    m_down->setEnabled(row >= 0 && row + 1 < m_model->editCount());
     m_delete->setEnabled(!ids.empty());
-    m_copy->setEnabled(!ids.empty() && std::ranges::count_if(m_document->scene().nodes(), isTree) > 1);
+    m_copy->setEnabled(!ids.empty() && edits &&
+                       std::ranges::count_if(m_document->scene().nodes(), isTree) > 1);
 }
 
 void EditsPanel::removeSelected()
 {
-    if (const auto ids = selectedIds(); !ids.empty())
+    std::vector<std::uint64_t> ids = selectedIds();
+    std::map<std::uint64_t, glm::dvec3> straight;
+    std::erase_if(ids, [&](std::uint64_t id) {
+        const BendRow* bend = m_model->bendAt(m_model->rowOf(id));
+        for (std::size_t i = 0; bend && i < bend->names.size(); ++i)
+            straight[bend->names[i]] = glm::dvec3(0.0);
+        return bend != nullptr;
+    });
+    const bool both = !ids.empty() && !straight.empty(); // one step
+    if (both)
+        m_document->undoStack()->beginMacro(tr("Delete edits"));
+    if (!straight.empty())
+        report(edit::turnBranches(*m_document, m_model->tree(), straight));
+    if (!ids.empty())
         report(edit::removeTreeEdits(*m_document, m_model->tree(), ids));
+    if (both)
+        m_document->undoStack()->endMacro();
+}
+
+bool EditsPanel::hasBend(const std::vector<std::uint64_t>& ids) const
+{
+    return std::ranges::any_of(
+        ids, [this](std::uint64_t id) { return m_model->bendAt(m_model->rowOf(id)) != nullptr; });
 }
 
 void EditsPanel::moveCurrent(int rows)
 {
     const auto ids = selectedIds();
-    if (ids.size() != 1)
+    if (ids.size() != 1 || hasBend(ids))
         return;
     const int to = m_model->rowOf(ids.front()) + rows;
-    if (to >= 0 && to < m_model->rowCount())
+    if (to >= 0 && to < m_model->editCount())
         report(edit::moveTreeEdit(*m_document, m_model->tree(), ids.front(), to));
 }
 
@@ -171,9 +194,8 @@ void EditsPanel::selectBranches()
 {
     Selection next;
     next.nodes = {m_model->tree()};
-    LimbFinder finder;
     for (const std::uint64_t id : selectedIds()) {
-        const auto limb = finder.limb(*m_document, m_model->tree(), m_model->addressAt(m_model->rowOf(id)));
+        const auto limb = m_model->branchesAt(m_model->rowOf(id));
         next.branches.insert(next.branches.end(), limb.begin(), limb.end());
     }
     if (!next.branches.empty()) {
@@ -208,11 +230,14 @@ void EditsPanel::showMenu(const QPoint& at)
     QMenu menu(this);
     QAction* rename = menu.addAction(icon("rename"), tr("Rename"), this,
                                      [this] { m_view->edit(m_view->currentIndex().siblingAtColumn(0)); });
-    rename->setEnabled(ids.size() == 1);
+    const bool edits = !hasBend(ids);
+    rename->setEnabled(ids.size() == 1 && edits);
     for (const bool on : {true, false})
-        menu.addAction(on ? tr("Switch on") : tr("Switch off"), this, [this, on] {
-            report(edit::setTreeEditsEnabled(*m_document, m_model->tree(), selectedIds(), on));
-        });
+        menu.addAction(on ? tr("Switch on") : tr("Switch off"), this,
+                       [this, on] {
+                           report(edit::setTreeEditsEnabled(*m_document, m_model->tree(), selectedIds(), on));
+                       })
+            ->setEnabled(edits);
     menu.addSeparator();
     menu.addAction(m_up->icon(), tr("Earlier"), this, [this] { moveCurrent(-1); })
         ->setEnabled(m_up->isEnabled());

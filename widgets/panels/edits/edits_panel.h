@@ -45,6 +45,7 @@ private:
     void follow();
     void fillCopyMenu();
     void showMenu(const QPoint& at);
+    [[nodiscard]] bool hasBend(const std::vector<std::uint64_t>& ids) const;
     void updateButtons();
     void retranslate();
     void report(const Expected<void>& done);

@@ -106,12 +106,37 @@ void GroupSection::setFolded(bool folded)
 
 int GroupSection::filter(std::uint8_t kinds, const QStringList& words)
 {
+    const bool isOther = m_words != words;
     m_kinds = kinds;
     m_words = words;
+    if (isOther)
+        arrange();
     applyVisibility();
     return static_cast<int>(std::ranges::count_if(m_rows, [&](const ParamRow* row) {
         return (row->def().kinds & kinds) == kinds && row->matches(words);
     }));
+}
+
+bool GroupSection::isFoundByName() const
+{
+    return !m_words.isEmpty() && std::ranges::any_of(m_rows, [this](const ParamRow* row) {
+        return (row->def().kinds & m_kinds) == m_kinds && row->isCalled(m_words);
+    });
+}
+
+/// While searching by name first; else as in the table, advanced rows below the button that shows them.
+void GroupSection::arrange()
+{
+    std::vector<ParamRow*> rows = m_rows;
+    if (!m_words.isEmpty())
+        std::ranges::stable_partition(rows, [this](const ParamRow* row) { return row->isCalled(m_words); });
+    for (ParamRow* row : rows)
+        m_contentLayout->removeWidget(row);
+    int place = 0; // above the button
+    for (ParamRow* row : rows) {
+        const bool below = m_words.isEmpty() && (row->def().flags & paramAdvanced) != 0;
+        m_contentLayout->insertWidget(below ? m_contentLayout->count() : place++, row);
+    }
 }
 
 void GroupSection::applyVisibility()

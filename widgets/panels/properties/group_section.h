@@ -30,7 +30,10 @@ public:
     [[nodiscard]] bool showsAdvanced() const { return m_showAdvanced; }
     /// Shows the rows that exist for the selected nodes and hold all \p words. While searching, neither folds
     /// nor the "advanced" rows hide anything. Returns how many rows are shown.
+    /// Those that are called so stand before those that only speak of it.
     int filter(std::uint8_t kinds, const QStringList& words);
+    /// While searching: one of the rows that are shown is called so.
+    [[nodiscard]] bool isFoundByName() const;
     void updateHeading();
     /// Shows and hides again what fits; after rows became relevant or ceased to be.
     void applyVisibility();
@@ -47,6 +50,7 @@ protected:
 private:
     void retranslate();
     void buildMenu();
+    void arrange();
 
     const char* m_group;
     std::vector<ParamRow*> m_rows;

@@ -194,6 +194,12 @@ bool ParamRow::matches(const QStringList& words) const
     return std::ranges::all_of(words, [&](const QString& word) { return text.contains(word); });
 }
 
+bool ParamRow::isCalled(const QStringList& words) const
+{
+    const QString name = coreText(def().label).toLower();
+    return std::ranges::all_of(words, [&](const QString& word) { return name.contains(word); });
+}
+
 void ParamRow::contextMenuEvent(QContextMenuEvent* event)
 {
     emit menuRequested(event->globalPos());

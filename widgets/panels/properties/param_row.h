@@ -39,6 +39,8 @@ public:
     [[nodiscard]] int labelWidth() const;
     /// \param words lower case; true where label, tooltip, group and key together hold all of them.
     [[nodiscard]] bool matches(const QStringList& words) const;
+    /// Its name alone holds all words.
+    [[nodiscard]] bool isCalled(const QStringList& words) const;
     [[nodiscard]] bool isChanged() const { return m_changed; }
     /// Whether it has an effect on any of the nodes; one that has none is hidden unless searched for.
     [[nodiscard]] bool isRelevant() const { return m_relevant; }

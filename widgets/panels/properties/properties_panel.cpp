@@ -21,6 +21,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QStyle>
 #include <QToolButton>
@@ -77,8 +78,13 @@ PropertiesPanel::PropertiesPanel(Document* document, Preferences* preferences, Q
     m_empty->setAlignment(Qt::AlignHCenter | Qt::AlignTop);
     m_empty->setWordWrap(true);
     m_empty->setContentsMargins(24, 32, 24, 24);
-    layout->addWidget(m_empty, 1);
+    m_clear = new QPushButton(this);
+    m_clear->setObjectName(QStringLiteral("clearSearch"));
+    layout->addWidget(m_empty);
+    layout->addWidget(m_clear, 0, Qt::AlignHCenter);
     layout->addWidget(m_scroll, 1);
+    layout->addStretch();
+    connect(m_clear, &QPushButton::clicked, m_search, &QLineEdit::clear);
 
     buildRows();
     connect(m_search, &QLineEdit::textChanged, this, &PropertiesPanel::applyFilter);
@@ -304,14 +310,28 @@ void PropertiesPanel::showProblem()
         m_problem->setText(errorTextWithPlace(*error));
 }
 
+QStringList PropertiesPanel::searchWords() const
+{
+    return m_search->text().toLower().split(u' ', Qt::SkipEmptyParts);
+}
+
 void PropertiesPanel::applyFilter()
 {
-    const QStringList words = m_search->text().toLower().split(u' ', Qt::SkipEmptyParts);
+    const QStringList words = searchWords();
     int shown = 0;
     for (GroupSection* section : m_sections)
         shown += section->filter(m_kinds, words);
+    std::vector<GroupSection*> order = m_sections;
+    std::ranges::stable_partition(order, &GroupSection::isFoundByName);
+    auto* layout = static_cast<QVBoxLayout*>(m_content->layout());
+    for (int place = 0; place < static_cast<int>(order.size()); ++place)
+        if (layout->indexOf(order[std::size_t(place)]) != place)
+            layout->insertWidget(place, order[std::size_t(place)]);
     m_scroll->setVisible(m_kinds != 0 && shown > 0);
     m_empty->setVisible(m_kinds == 0 || shown == 0);
+    m_clear->setVisible(m_kinds != 0 && shown == 0);
+    if (m_clear->isVisibleTo(this))
+        m_empty->setText(tr("No parameter of what is selected is called “%1”.").arg(m_search->text()));
 }
 
 void PropertiesPanel::applyPreferences()
@@ -494,13 +514,15 @@ void PropertiesPanel::focusSearch()
 /// To the first parameter in sight, its value marked: the next key replaces it.
 void PropertiesPanel::focusFirstFound()
 {
-    for (const ParamRow* row : m_rows) {
-        if (!row->isVisibleTo(this) || !row->editor()->isEnabled())
-            continue;
-        m_scroll->ensureWidgetVisible(row->editor());
-        row->editor()->setFocus(Qt::TabFocusReason);
-        return;
-    }
+    const QStringList words = searchWords();
+    for (const bool byName : {true, false})
+        for (const ParamRow* row : m_rows) {
+            if (!row->isVisibleTo(this) || !row->editor()->isEnabled() || (byName && !row->isCalled(words)))
+                continue;
+            m_scroll->ensureWidgetVisible(row->editor());
+            row->editor()->setFocus(Qt::TabFocusReason);
+            return;
+        }
 }
 
 void PropertiesPanel::showParam(const QString& key)
@@ -560,8 +582,10 @@ void PropertiesPanel::retranslate()
         m_title->setText(tr("%n node(s) selected", nullptr, static_cast<int>(m_nodes.size())));
     }
     m_scroll->setAccessibleName(tr("Parameters"));
-    m_empty->setText(m_kinds == 0 ? tr("Select a tree in the scene or in the view to change it.")
-                                  : tr("No parameter is called like this."));
+    m_empty->setText(m_kinds == 0
+                         ? tr("Select a tree in the scene or in the view to change it.")
+                         : tr("No parameter of what is selected is called “%1”.").arg(m_search->text()));
+    m_clear->setText(tr("Clear the search"));
     alignLabels();
     updateGeometry();
 }

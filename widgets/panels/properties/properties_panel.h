@@ -12,6 +12,7 @@
 
 class QLabel;
 class QLineEdit;
+class QPushButton;
 class QScrollArea;
 
 namespace ramure {
@@ -60,6 +61,7 @@ private:
     void showRelevance();
     void showKeys();
     void showProblem();
+    [[nodiscard]] QStringList searchWords() const;
     void applyFilter();
     void applyPreferences();
     void retranslate();
@@ -101,6 +103,7 @@ private:
     SurfacePreview* m_object = nullptr;
     LeafDialog* m_largeLeaf = nullptr; ///< once it was wished for; the window owns it
     QLabel* m_empty = nullptr;
+    QPushButton* m_clear = nullptr; ///< where a search finds nothing
     QLineEdit* m_search = nullptr;
     QScrollArea* m_scroll = nullptr;
     QWidget* m_content = nullptr;

@@ -10,7 +10,8 @@ namespace {
 constexpr int reach = 4;             ///< texels, as in outline_spread.frag
 constexpr Index runLength = 64;      ///< faces that a thinned mesh keeps or leaves out together
 constexpr float fineOffset = 3.0f;   ///< logical pixels from a branch to the line's middle
-constexpr float coarseOffset = 6.0f; ///< from a whole node
+constexpr float wholeOffset = 4.0f;  ///< from a whole node
+constexpr float coarseOffset = 6.0f; ///< from one with a crown
 constexpr float lineWidth = 2.0f;    ///< logical pixels
 
 /// Adds where a box is on the screen; false where part of it is behind the eye.
@@ -33,7 +34,7 @@ std::optional<OutlineExtent> outlineExtent(const RenderScene& scene, const Camer
 {
     const double aspect = double(picture.x) / std::max(1.0, double(picture.y));
     glm::dvec2 low(1.0), high(-1.0);
-    bool any = false, all = true, coarse = true;
+    bool any = false, all = true, whole = true, dense = false;
     const auto add = [&](const Box& box) {
         if (box.empty())
             return;
@@ -44,18 +45,20 @@ std::optional<OutlineExtent> outlineExtent(const RenderScene& scene, const Camer
         if (!item.outlined)
             continue;
         add((item.motion.moves() ? item.box : item.outlined->box).transformed(item.world));
-        coarse = coarse && !item.outlined->ofBranches;
+        whole = whole && !item.outlined->ofBranches;
+        // Leaves and fruit, or a mesh that is not drawn whole: what shows between them is no shape.
+        dense = dense || item.copies || !item.outlined->runs.empty();
     }
     for (const LineItem& item : scene.lines) {
         if (item.outlined == OutlinedLines::None)
             continue;
         add(item.lines->box.transformed(item.world));
         all = all && !item.motion.moves();
-        coarse = coarse && item.outlined == OutlinedLines::All && item.pickable;
+        whole = whole && item.outlined == OutlinedLines::All && item.pickable;
     }
     if (!any)
         return std::nullopt;
-    OutlineExtent extent{glm::vec2(0.0f), picture, coarse};
+    OutlineExtent extent{glm::vec2(0.0f), picture, whole, whole && dense};
     if (!all)
         return extent;
     const float room = 4.0f * coarseOffset;
@@ -186,7 +189,7 @@ bool Outline::begin(const OutlineExtent& extent, const glm::vec2& picture, doubl
     m_extent = extent;
     m_picture = picture;
     m_ratio = static_cast<float>(pixelRatio);
-    m_scale = std::max(1.0f, std::round(m_ratio * (extent.coarse ? 4.0f : 2.0f)));
+    m_scale = std::max(1.0f, std::round(m_ratio * (extent.dense ? 4.0f : 2.0f)));
     GLint before = 0;
     m_gl.glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &before);
     allocate(int(std::ceil(picture.x / m_scale)), int(std::ceil(picture.y / m_scale)));
@@ -261,7 +264,9 @@ void Outline::end(GLuint target, const Programs& programs)
     programs.ink.set("uTexel", 1.0f / m_picture);
     programs.ink.set("uClosed", m_extent.coarse);
     programs.ink.set("uScale", m_scale);
-    programs.ink.set("uOffset", m_ratio * (m_extent.coarse ? coarseOffset : fineOffset));
+    programs.ink.set("uOffset", m_ratio * (m_extent.dense    ? coarseOffset
+                                           : m_extent.coarse ? wholeOffset
+                                                             : fineOffset));
     programs.ink.set("uWidth", m_ratio * lineWidth);
     m_gl.glDrawArrays(GL_TRIANGLES, 0, 3);
     m_gl.glDisable(GL_SCISSOR_TEST);

@@ -15,7 +15,8 @@ namespace ramure {
 struct OutlineExtent
 {
     glm::vec2 low{0.0f}, high{0.0f}; ///< device pixels from the lower left
-    bool coarse = false;             ///< whole nodes only: gaps in a crown are closed
+    bool coarse = false;             ///< whole nodes only: narrow gaps are closed
+    bool dense = false;              ///< with a crown among them: wider ones, too
 };
 
 /// Nothing where nothing is outlined, or nothing of it can be seen. \param picture device pixels.

@@ -446,6 +446,15 @@ std::vector<NodeId> outlinedNodes(const Scene& scene, const std::vector<NodeId>&
     return nodes;
 }
 
+/// Nothing of the tree but its bark, and that is not too much to draw once more.
+bool isBare(const RenderScene& built, NodeId tree)
+{
+    constexpr Index most = 1'000'000; // faces
+    return std::ranges::all_of(built.meshes, [tree](const MeshItem& item) {
+        return item.node != tree || item.isMark || (!item.copies && item.mesh->faceCount() <= most);
+    });
+}
+
 /// What the outline goes around: selected branches, else selected nodes.
 void outlineSelected(RenderScene& built, ScenePartCache& cache, const Scene& scene,
                      const SceneBuilder::ResultOf& resultOf, const SceneView& view)
@@ -461,10 +470,10 @@ void outlineSelected(RenderScene& built, ScenePartCache& cache, const Scene& sce
         if (isWhole(item.node)) {
             const Node* node = scene.find(item.node);
             const bool isTree = node && node->kind == NodeKind::Tree;
-            const Index most = isTree && !item.copies ? mostBark : 0;
-            item.outlined = cache.get<OutlinedFaces>(ScenePart::Outlined, item.mesh, item.mesh, {}, [&] {
-                return outlinedWhole(*item.mesh, item.box, most);
-            });
+            const Index most = isTree && !item.copies && !isBare(built, item.node) ? mostBark : 0;
+            item.outlined =
+                cache.get<OutlinedFaces>(ScenePart::Outlined, item.mesh, item.mesh, {double(most)},
+                                         [&] { return outlinedWhole(*item.mesh, item.box, most); });
         } else if (item.node == branchNode && item.material.name == barkMaterial().name &&
                    item.mesh->branch.size() == item.mesh->positions.size()) {
             item.outlined = cache.get<OutlinedFaces>(

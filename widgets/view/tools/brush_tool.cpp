@@ -136,11 +136,11 @@ bool BrushTool::take(const ToolPoint& point, const std::optional<LimbHit>& limb)
     const auto place = limb ? std::optional(limb->seen + limb->aside) : besideTree(point, m_tree);
     if (!place) {
         m_context.host.raiseMessage(tr("Press on the tree that is meant, or select it first."));
-        return false;
+        return true; // the drag that follows selects nothing
     }
     auto gesture = HandEdit::begin(m_context.document, m_tree);
     if (!gesture)
-        return report(tl::unexpected(gesture.error()));
+        return refuse(gesture.error());
     m_centre = m_touched = *place;
     m_done = {};
     start(std::move(*gesture), point);

@@ -90,7 +90,7 @@ bool DrawTool::take(const ToolPoint& point, const std::optional<LimbHit>& limb)
     }
     auto edit = HandEdit::begin(m_context.document, from->node);
     if (!edit)
-        return report(tl::unexpected(edit.error()));
+        return refuse(edit.error());
     m_edit = std::move(*edit);
     m_limb = *from;
     m_world = worldOf(from->node);

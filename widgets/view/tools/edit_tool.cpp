@@ -74,15 +74,8 @@ bool EditTool::press(const ToolPoint& point)
     others.setFlag(Qt::ShiftModifier, !takesShift());
     if (!isChosen() || point.button != Qt::LeftButton || (point.held & others))
         return false;
-    const auto motion = m_context.player ? m_context.player->motion() : nullptr;
-    const auto limb = m_context.isPlaying() ? std::nullopt : limbAt(point);
-    const NodeMotion* moved = motion && limb ? motion->of(limb->node) : nullptr;
-    if (m_context.isPlaying() || (moved && moved->moves())) {
-        m_context.host.raiseMessage(Words::tr("Trees are shaped at rest: stop, and go to the first frame."));
-        return false;
-    }
     m_eye = point.view.camera.eye();
-    return take(point, limb);
+    return take(point, limbAt(point));
 }
 
 void EditTool::documentChanged(const Change& change)
@@ -145,6 +138,12 @@ void EditTool::reportFall()
 {
     if (fallsAfter())
         m_context.host.raiseMessage(Words::tr("Cut: what hangs there falls when the timeline plays."));
+}
+
+bool EditTool::refuse(const Error& why)
+{
+    m_context.host.raiseMessage(errorText(why));
+    return true;
 }
 
 bool EditTool::report(const Expected<void>& done)

@@ -22,7 +22,8 @@ public:
     void documentChanged(const Change& change) override;
 
 protected:
-    /// What a press on \p limb begins; \p limb is nothing beside all trees.
+    /// What a press on \p limb begins; \p limb is nothing beside all trees. Everything is at rest: see
+    /// RestTool.
     /// \return whether the tool takes it
     virtual bool take(const ToolPoint& point, const std::optional<LimbHit>& limb) = 0;
     /// Presses with Shift are the tool's, too; else they select.
@@ -52,6 +53,9 @@ protected:
     [[nodiscard]] std::optional<double> fallsAfter() const;
     /// What was cut is still there: why, goes to the status bar.
     void reportFall();
+    /// A press that cannot be done: why, goes to the status bar. \return true, so that take() has the
+    /// gesture: what was meant to shape a tree must not select
+    bool refuse(const Error& why);
     /// What went wrong goes to the status bar. \return whether nothing did
     bool report(const Expected<void>& done);
     [[nodiscard]] glm::dmat4 worldOf(NodeId node) const;

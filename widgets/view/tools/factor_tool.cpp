@@ -144,7 +144,7 @@ bool FactorTool::take(const ToolPoint& point, const std::optional<LimbHit>& hit)
         m_handle = std::min(handle->share, 0.75);
     auto gesture = HandEdit::begin(m_context.document, limb->node);
     if (!gesture)
-        return report(tl::unexpected(gesture.error()));
+        return refuse(gesture.error());
     m_limb = *limb;
     const glm::dvec3 eye(glm::inverse(worldOf(limb->node)) * glm::dvec4(point.view.camera.eye(), 1.0));
     m_sight = TurnedLimb(m_context.document, *limb).direction(glm::normalize(eye - limb->seen));

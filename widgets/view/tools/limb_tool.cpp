@@ -73,12 +73,6 @@ bool LimbTool::press(const ToolPoint& point)
     const Node* node = hit ? m_context.document.scene().find(hit->node) : nullptr;
     if (!node || node->kind != NodeKind::Tree)
         return false;
-    const auto motion = m_context.player ? m_context.player->motion() : nullptr;
-    const NodeMotion* moved = motion ? motion->of(hit->node) : nullptr;
-    if (moved && moved->moves()) { // a bend is of the tree at rest: what is seen is not
-        m_context.host.raiseMessage(tr("A limb is bent at the first frame; while it plays it is pulled."));
-        return false;
-    }
     m_drag = LimbDrag::grab(m_context.document, *hit, m_branches);
     if (!m_drag)
         return false;

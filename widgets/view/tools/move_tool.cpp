@@ -104,7 +104,7 @@ bool MoveTool::take(const ToolPoint& point, const std::optional<LimbHit>& limb)
         return false;
     auto gesture = HandEdit::begin(m_context.document, limb->node);
     if (!gesture)
-        return report(tl::unexpected(gesture.error()));
+        return refuse(gesture.error());
     m_node = limb->node;
     m_limb = *limb;
     m_slid = m_turned = 0.0;

@@ -19,6 +19,8 @@ namespace ramure {
 namespace {
 
 constexpr double least = 0.01; ///< m, of a radius
+constexpr double aslant =
+    0.27; ///< of the other way in the picture: a drag that goes less far is straight (15°)
 constexpr int sides = 64;
 
 class PruneTool : public EditTool
@@ -56,6 +58,7 @@ private:
     std::unique_ptr<HandEdit> m_edit;
     glm::dmat4 m_world{1.0}, m_inverse{1.0};
     glm::dvec3 m_middle{0.0}; ///< m, tree space: where the drag began
+    glm::dvec2 m_reach{0.0};  ///< m, from there to the ends of the tree: level, upright
     EditShape m_shape;
     glm::dvec3 m_foot{0.0}; ///< m, tree space, of the trunk: an outline turns about the vertical there
     std::vector<glm::dvec2> m_outline{}; ///< m from that, and above the foot
@@ -82,17 +85,19 @@ bool PruneTool::take(const ToolPoint& point, const std::optional<LimbHit>& limb)
     const NodeId tree = limb ? limb->node : treeMeant(m_context.document);
     if (tree == noNode) {
         m_context.host.raiseMessage(tr("Press on the tree that is to be pruned, or select it first."));
-        return false;
+        return true; // the drag that follows selects nothing
     }
     auto edit = HandEdit::begin(m_context.document, tree);
     if (!edit)
-        return report(tl::unexpected(edit.error()));
+        return refuse(edit.error());
     m_edit = std::move(*edit);
     m_world = worldOf(tree);
     m_inverse = glm::inverse(m_world);
     const SkeletonStats stats = skeletonStats(m_context.document.result(tree)->tree.simplified->skeleton);
     const glm::dvec3 centre(m_world * glm::dvec4(0.5 * (stats.min + stats.max), 1.0));
     m_middle = glm::dvec3(m_inverse * glm::dvec4(pulledTo(point.view, point.pixel(), centre), 1.0));
+    const glm::dvec3 reach = glm::max(m_middle - stats.min, stats.max - m_middle) + least;
+    m_reach = {std::hypot(reach.x, reach.z), reach.y};
     m_foot = m_context.document.result(tree)->tree.simplified->skeleton.p0[0];
     m_outline.clear();
     addToOutline(point);
@@ -115,7 +120,7 @@ bool PruneTool::takeSolid(const ToolPoint& point)
     }
     const auto gesture = HandEdit::begin(m_context.document, tree);
     if (!gesture)
-        return report(tl::unexpected(gesture.error()));
+        return refuse(gesture.error());
     const auto done = meshShape(m_context.document.scene(), tree, solid->id).and_then([&](EditShape&& shape) {
         TreeEdit edit;
         edit.operation = EditOperation::Prune;
@@ -164,13 +169,17 @@ EditShape PruneTool::outline() const
     return shape;
 }
 
-/// A sphere or a box about the place of the press, or a cone that stands there.
+/// A sphere or a box about the place of the press, or a cone that stands there. Box and cone have two
+/// measures: a drag straight to the side or straight up sets one, and the other leaves the tree whole.
 EditShape PruneTool::shapeTo(const PickView& view, QPointF at) const
 {
     const glm::dvec3 middle(m_world * glm::dvec4(m_middle, 1.0));
     const glm::dvec3 hand(m_inverse * glm::dvec4(pulledTo(view, {at.x(), at.y()}, middle), 1.0));
     const glm::dvec3 way = hand - m_middle;
-    const double flat = std::max(std::hypot(way.x, way.z), least), high = std::max(std::abs(way.y), least);
+    const glm::dvec2 drag = glm::abs(glm::dvec2(at.x(), at.y()) - view.pixel(middle).value_or(glm::dvec2()));
+    const bool isUp = drag.x < aslant * drag.y, isAside = drag.y < aslant * drag.x;
+    const double flat = isUp ? m_reach.x : std::max(std::hypot(way.x, way.z), least);
+    const double high = isAside ? m_reach.y : std::max(std::abs(way.y), least);
     EditShape shape;
     shape.kind = m_context.hand.options().shape;
     const glm::dvec3& m = m_middle;

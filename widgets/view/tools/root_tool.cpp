@@ -91,7 +91,7 @@ bool RootTool::take(const ToolPoint& point, const std::optional<LimbHit>& limb)
         return false;
     auto gesture = HandEdit::begin(m_context.document, limb->node);
     if (!gesture)
-        return report(tl::unexpected(gesture.error()));
+        return refuse(gesture.error());
     m_node = limb->node;
     m_world = worldOf(m_node);
     m_foot = rootOf(*limb);

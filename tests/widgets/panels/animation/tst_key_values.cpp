@@ -44,7 +44,7 @@ private:
 private slots:
     void init() { test::failOnWidgetWarning(); }
 
-    void parametersWithKeysRefuseEditsBetweenThem()
+    void parametersWithKeysGetKeysWhereTheyAreEdited()
     {
         KeyDock dock(test::keyScene(1, 1));
         AutoKey keys(&dock.document, &dock.player);
@@ -56,12 +56,17 @@ private slots:
         dock.player.seek(20);
         QVERIFY(keys.state({node}, radius) == KeyState::Animated);
         const QByteArray before = dock.bytes();
-        QVERIFY(!keys.set({node}, radius, ParamValue(2.0), std::nullopt, 0));
-        keys.setOn(true);
+        QVERIFY(keys.takes({node}, radius) && !keys.isOn());
         QVERIFY(!keys.set({node}, radius, ParamValue(-1.0), std::nullopt, 0)); // out of range
         QCOMPARE(dock.bytes(), before);
         QVERIFY(keys.set({node}, radius, ParamValue(2.0), std::nullopt, 0));
         QCOMPARE(std::get<double>(keys.value(node, radius)), 2.0);
+        dock.player.seek(0);
+        QVERIFY(std::get<double>(keys.value(node, radius)) != 2.0);
+        dock.player.seek(20);
+        dock.document.undoStack()->undo();
+        QCOMPARE(dock.bytes(), before);
+        dock.document.undoStack()->redo();
         QVERIFY(keys.toggle({node}, radius));
         QVERIFY(keys.state({node}, radius) == KeyState::Animated);
     }
@@ -83,7 +88,6 @@ private slots:
         row->keyButton()->click();
         QCOMPARE(dock.document.scene().find(node)->animation.tracks().size(), std::size_t(1 + 3));
         dock.player.seek(24);
-        keys.setOn(true);
         const GestureId gesture = newGesture();
         for (int i = 0; i < 5; ++i)
             emit row->editor()->componentEdited(1, 2.0 + i, gesture);
@@ -149,13 +153,13 @@ private slots:
 
         dock.player.seek(20);
         QVERIFY(keys.state({node.id}, place) == KeyState::Animated);
-        QVERIFY(!keys.set({node.id}, place, ParamValue(glm::dvec3(0.0)), 1, 0)); // no key here
-        keys.setOn(true);
         const GestureId gesture = newGesture();
         for (const double y : {3.0, 4.0, 5.0})
             QVERIFY(keys.set({node.id}, place, ParamValue(glm::dvec3(0.0, y, 0.0)), 1, gesture));
         QCOMPARE(dock.steps(), 2);
         QCOMPARE(std::get<glm::dvec3>(keys.value(node.id, place)), glm::dvec3(1.0, 5.0, 3.0));
+        QVERIFY(!keys.takes({node.id}, turn)); // it has no keys
+        keys.setOn(true);
         QVERIFY(keys.takes({node.id}, turn));
         QVERIFY(keys.set({node.id}, turn, ParamValue(glm::dvec3(0.1, 0.2, 0.3)), std::nullopt, 0));
         QVERIFY(keys.set({node.id}, size, ParamValue(glm::dvec3(2.0)), std::nullopt, 0));

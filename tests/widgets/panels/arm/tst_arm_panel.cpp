@@ -169,12 +169,9 @@ void TestArmPanel::numbersHaveKeys()
     player.seek(24);
     QVERIFY(player.waitForIdle(20'000));
     auto* message = desk.panel.findChild<QLabel*>(QStringLiteral("problem"));
-    emit desk.field(0)->valueEdited(2.5); // no key here
-    QVERIFY(message->isVisibleTo(&desk.panel) && !message->text().isEmpty());
-    QCOMPARE(desk.field(0)->value().value_or(0.0), 1.5);
-    keys.setOn(true);
-    emit desk.field(0)->valueEdited(2.5);
+    emit desk.field(0)->valueEdited(2.5); // another key
     QVERIFY(!message->isVisibleTo(&desk.panel));
+    keys.setOn(true);
     emit desk.field(1)->valueEdited(0.7); // phi gets its first key
     QCOMPARE(tracks(), std::size_t(2));
     QCOMPARE(desk.joints()[1].length, 1.5);

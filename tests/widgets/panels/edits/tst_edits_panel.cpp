@@ -73,6 +73,38 @@ private slots:
         bench.document.reset(Scene(), {});
         QVERIFY(empty->text().contains(QStringLiteral("Select a tree")));
     }
+    void bendsAreListedChosenAndDeleted()
+    {
+        Bench bench;
+        QVERIFY(edit::turnBranches(bench.document, 1, {{12345, glm::dvec3(0.3)}})); // no such branch
+        QCOMPARE(bench.panel.model()->rowCount(), 0);
+        bench.shape();
+        const Index twig = bench.twig();
+        const std::uint64_t name = bench.skeleton().name(twig);
+        QVERIFY(edit::setBranchRoll(bench.document, 1, {name}, 0.2));
+        QVERIFY(edit::turnBranches(bench.document, 1, {{name, glm::dvec3(0.3)}}));
+        bench.grow();
+        QCOMPARE(bench.panel.model()->rowCount(), 4);
+        QVERIFY(bench.text(3).contains(QStringLiteral("Bend")));
+        QVERIFY(!bench.text(3, EditModel::Limb).isEmpty());
+        QVERIFY(!(bench.panel.model()->index(3, 0).flags() & (Qt::ItemIsUserCheckable | Qt::ItemIsEditable)));
+        bench.choose(3);
+        emit bench.panel.view()->clicked(bench.panel.model()->index(3, 0));
+        QCOMPARE(bench.document.selection().branches, std::vector<Index>{twig});
+        QVERIFY(!bench.button("editUp")->isEnabled() && !bench.button("editCopy")->isEnabled());
+        const int steps = bench.steps();
+        bench.button("editDelete")->click();
+        QCOMPARE(bench.panel.model()->rowCount(), 3);
+        QCOMPARE(bench.steps(), steps + 1);
+        const auto& branches = bench.document.scene().find(1)->params.branches;
+        QVERIFY(branches.at(name).bendRad == glm::dvec3(0.0) && branches.at(name).rollRad == 0.2);
+        bench.document.undoStack()->undo();
+        QCOMPARE(bench.panel.model()->rowCount(), 4);
+        bench.panel.view()->selectAll(); // edits and bends: one step again
+        bench.button("editDelete")->click();
+        QCOMPARE(bench.panel.model()->rowCount(), 0);
+        QCOMPARE(bench.steps(), steps + 1);
+    }
     void rowsSayWhatWasDone()
     {
         Bench bench;

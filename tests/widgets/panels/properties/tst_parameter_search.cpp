@@ -8,6 +8,8 @@
 #include <QClipboard>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
+#include <climits>
 
 using namespace ramure;
 
@@ -82,6 +84,49 @@ private slots:
         QVERIFY(!shown("foliage.seed"));
         search->clear();
         QVERIFY(shown("turtle.alpha"));
+    }
+
+    void whatIsFoundNowhereCanBeCleared()
+    {
+        auto* search = m_panel->findChild<QLineEdit*>();
+        auto* clear = m_panel->findChild<QPushButton*>(QStringLiteral("clearSearch"));
+        const auto* empty = m_panel->findChild<QLabel*>(QStringLiteral("hint"), Qt::FindDirectChildrenOnly);
+        QVERIFY(!clear->isVisible());
+        search->setText(QStringLiteral("no such thing"));
+        QVERIFY(clear->isVisible() && empty->text().contains(search->text()));
+        m_document->setSelection({}); // another sentence
+        QVERIFY(!clear->isVisible() && empty->isVisible());
+        Selection again;
+        again.nodes = {2};
+        m_document->setSelection(again);
+        QVERIFY(clear->isVisible() && empty->text().contains(search->text()));
+        clear->click();
+        QVERIFY(search->text().isEmpty() && !clear->isVisible() && !empty->isVisible());
+        QVERIFY(m_panel->row(param("turtle.alpha"))->isVisibleTo(m_panel.get()));
+    }
+
+    void whatIsCalledSoStandsFirst()
+    {
+        auto* search = m_panel->findChild<QLineEdit*>();
+        const auto top = [&](const char* key) {
+            const ParamRow* row = m_panel->row(param(key));
+            QCoreApplication::sendPostedEvents(); // layouts
+            return row->mapTo(m_panel.get(), QPoint()).y();
+        };
+        const bool before = top("turtle.alpha") < top("foliage.seed");
+        search->setText(QStringLiteral("length"));
+        const QStringList words{QStringLiteral("length")};
+        int firstCalled = INT_MAX, firstOther = INT_MAX;
+        for (const ParamDef& def : paramTable()) {
+            const ParamRow* row = m_panel->row(def);
+            if (!row->isVisibleTo(m_panel.get()))
+                continue;
+            int& first = row->isCalled(words) ? firstCalled : firstOther;
+            first = std::min(first, top(def.key));
+        }
+        QVERIFY(firstOther < INT_MAX && firstCalled < firstOther);
+        search->clear();
+        QCOMPARE(top("turtle.alpha") < top("foliage.seed"), before);
     }
 
     void enterGoesFromTheSearchToWhatItFound()

@@ -115,8 +115,9 @@ private:
     {
         if (auto* slider = row->findChild<NumberSlider*>()) {
             slider->setFocus();
-            test::drag(slider, {slider->width() / 4, slider->height() / 2},
-                       {slider->width() * 3 / 5, slider->height() / 2});
+            const bool isHigh = slider->value() > slider->maximum() / 2;
+            test::drag(slider, {slider->width() / 2, slider->height() / 2},
+                       {isHigh ? 2 : slider->width() - 2, slider->height() / 2});
         } else if (auto* box = row->findChild<QCheckBox*>()) {
             QTest::mouseClick(box, Qt::LeftButton, {}, {8, box->height() / 2});
         } else if (auto* choice = row->findChild<QComboBox*>()) {

@@ -490,6 +490,26 @@ private slots:
                 QVERIFY(item.outlined == (item.node == tree ? OutlinedLines::All : OutlinedLines::None));
         }
     }
+    /// Twigs do not melt into a blob, and nothing is left out that would leave a gap.
+    void whatHasNoCrownIsOutlinedAsItIs()
+    {
+        Trees trees;
+        SceneView view;
+        view.selectedNodes = {trees.add()};
+        view.leaves = view.apples = false;
+        RenderScene built = trees.build(view);
+        std::erase_if(built.meshes, [](const MeshItem& item) { return item.node == noNode; });
+        QVERIFY(!built.meshes.empty());
+        for (const MeshItem& item : built.meshes)
+            QVERIFY(item.outlined && item.outlined->runs.empty());
+        Camera camera;
+        camera.frame(built.box, 1.0);
+        const auto bare = outlineExtent(built, camera, {400.0f, 400.0f});
+        QVERIFY(bare && bare->coarse && !bare->dense);
+        view.leaves = view.apples = true;
+        const auto leafy = outlineExtent(trees.build(view), camera, {400.0f, 400.0f});
+        QVERIFY(leafy && leafy->coarse && leafy->dense);
+    }
     void selectedBranchesAreOutlined()
     {
         Trees trees;

@@ -33,6 +33,7 @@ private slots:
     void aLimbIsCopiedAndGrows();
     void aLimbGrowsOnAnotherTree();
     void aShapePrunesTheTree();
+    void aStraightDragPrunesOneWay();
     void anOutlinePrunesTheTree();
     void aSolidPrunesTheTree();
     void escapeTakesTheShapeBack();
@@ -440,6 +441,29 @@ void TestStrokeTools::aShapePrunesTheTree()
         bench.grow();
         QVERIFY(skeletonStats(bench.skeleton()).totalLength < before);
     }
+}
+
+/// The other measure is the tree's: nothing is flat.
+void TestStrokeTools::aStraightDragPrunesOneWay()
+{
+    for (const EditShapeKind kind : {EditShapeKind::Box, EditShapeKind::Cone})
+        for (const QPointF way : {QPointF(120.0, 0.0), QPointF(120.0, -9.0), QPointF(0.0, -120.0)}) {
+            HandBench bench(HandTool::Prune);
+            HandOptions options = bench.hand.options();
+            options.shape = kind;
+            bench.hand.setOptions(options);
+            const SkeletonStats tree = skeletonStats(bench.skeleton());
+            const QPointF from = bench.pixelOf(0.5 * (tree.min + tree.max));
+            bench.drag(from, from + way);
+            QVERIFY2(bench.edits().size() == 1, qPrintable(bench.messages.join(u'\n')));
+            const auto& n = bench.edits().front().shape.numbers;
+            const bool isBox = kind == EditShapeKind::Box;
+            const double high = isBox ? n[4] - n[1] : 2.0 * n[4], wide = isBox ? n[3] - n[0] : 2.0 * n[3];
+            if (way.x() > 0.0)
+                QVERIFY(high >= tree.max.y - tree.min.y && wide < tree.max.x - tree.min.x + 2.0);
+            else
+                QVERIFY(wide >= tree.max.x - tree.min.x);
+        }
 }
 
 void TestStrokeTools::anOutlinePrunesTheTree()
