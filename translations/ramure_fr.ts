@@ -7370,6 +7370,38 @@
         <source>only the finest level of detail is taken</source>
         <translation>seul le niveau de détail le plus fin est pris</translation>
     </message>
+    <message>
+        <source>%1 levels of detail change %2 times: as many distances or shares expected, not %3</source>
+        <translation>%1 niveaux de détail changent %2 fois : il faut autant de distances ou de parts, et non %3</translation>
+    </message>
+    <message>
+        <source>level %1: its share of the picture&apos;s height must be over 0</source>
+        <translation>niveau %1 : sa part de la hauteur de l’image doit dépasser 0</translation>
+    </message>
+    <message>
+        <source>level %1: its distance must be over 0</source>
+        <translation>niveau %1 : sa distance doit dépasser 0</translation>
+    </message>
+    <message>
+        <source>level %1: %2 % of the picture&apos;s height is more than the most, %3 %</source>
+        <translation>niveau %1 : %2 % de la hauteur de l’image dépasse le maximum, %3 %</translation>
+    </message>
+    <message>
+        <source>level %1: shares of the picture must fall, and %2 % is not less than %3 %</source>
+        <translation>niveau %1 : les parts de l’image doivent décroître, et %2 % n’est pas moins que %3 %</translation>
+    </message>
+    <message>
+        <source>level %1: distances must rise, and %2 m is not farther than %3 m</source>
+        <translation>niveau %1 : les distances doivent croître, et %2 m n’est pas plus loin que %3 m</translation>
+    </message>
+    <message>
+        <source>levels change at distances or at shares of the picture, not at both</source>
+        <translation>les niveaux changent à des distances ou à des parts de l’image, pas aux deux</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: a distance in metres, or a share of the picture such as 30 %, expected</source>
+        <translation>« %1 » : il faut une distance en mètres, ou une part de l’image comme 30 %</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>
@@ -9883,6 +9915,26 @@ OpenGL&#xa0;: %4
         <comment>the tree</comment>
         <translation>tel quel, puis un quart</translation>
     </message>
+    <message>
+        <source>From</source>
+        <translation>À partir de</translation>
+    </message>
+    <message>
+        <source>60 %, then half of it each</source>
+        <translation>60 %, puis la moitié</translation>
+    </message>
+    <message>
+        <source>60 % of the picture&apos;s height, then half of it each</source>
+        <translation>60 % de la hauteur de l’image, puis la moitié</translation>
+    </message>
+    <message>
+        <source>When each level but the first takes the place of the one before. Metres from the eye, rising, such as 20; 60, for a vertical angle of view of 40°. Or shares of the picture&apos;s height that the tree has, falling, such as 60 %; 30 %, as engines have them: they suit a tree of any size. Nothing here: 60 %, then half of it each.</source>
+        <translation>Quand chaque niveau sauf le premier remplace le précédent. Des mètres depuis l’œil, croissants, comme 20; 60, pour un angle de vue vertical de 40°. Ou des parts de la hauteur de l’image que l’arbre occupe, décroissantes, comme 60 %; 30 %, comme dans les moteurs de jeu : elles conviennent à un arbre de toute taille. Rien ici : 60 %, puis chaque fois la moitié.</translation>
+    </message>
+    <message>
+        <source>When each level is shown</source>
+        <translation>Quand chaque niveau se montre</translation>
+    </message>
 </context>
 <context>
     <name>ramure::LevelModel</name>
@@ -9899,10 +9951,6 @@ OpenGL&#xa0;: %4
     <message>
         <source>The finest level</source>
         <translation>Le niveau le plus fin</translation>
-    </message>
-    <message>
-        <source>Takes the place of level %1 from %2 on, where the details in which they differ, %3 mm, are one pixel of a screen 1080 pixels high</source>
-        <translation>Remplace le niveau %1 à partir de %2, où les détails par lesquels ils diffèrent, %3 mm, sont un pixel d’un écran haut de 1080 pixels</translation>
     </message>
     <message>
         <source>%1 of %2 leaves, %3 times as large</source>
@@ -9949,20 +9997,28 @@ OpenGL&#xa0;: %4
         <translation>Reste</translation>
     </message>
     <message>
-        <source>Distance in metres from which the level takes the place of the one before: on a screen 1080 pixels high, with an angle of view of 40°</source>
-        <translation>Distance en mètres à partir de laquelle le niveau remplace le précédent&#xa0;: sur un écran haut de 1080 pixels, avec un angle de vue de 40°</translation>
-    </message>
-    <message>
         <source>From</source>
         <translation>Dès</translation>
     </message>
     <message>
-        <source>Share of a screen of 1920 × 1080 pixels down to which the level is needed, as a GLB says it (MSFT_screencoverage)</source>
-        <translation>Part d’un écran de 1920 × 1080 pixels jusqu’à laquelle le niveau est nécessaire, comme le dit un GLB (MSFT_screencoverage)</translation>
+        <source>Takes the place of level %1 from %2 on, where the tree has %3 of the picture&apos;s height. The details in which they differ, %4 mm, are one pixel of a screen 1080 pixels high from %5 on.</source>
+        <translation>Remplace le niveau %1 à partir de %2, où l’arbre occupe %3 de la hauteur de l’image. Les détails qui les distinguent, %4 mm, font un pixel d’un écran haut de 1080 pixels à partir de %5.</translation>
     </message>
     <message>
-        <source>Screen</source>
-        <translation>Écran</translation>
+        <source>A GLB says that it is needed while the tree covers %1 of the screen or more (MSFT_screencoverage).</source>
+        <translation>Un GLB dit qu’il est nécessaire tant que l’arbre couvre %1 de l’écran ou plus (MSFT_screencoverage).</translation>
+    </message>
+    <message>
+        <source>Distance in metres from which the level takes the place of the one before, with a vertical angle of view of 40°. Double-click one to change it.</source>
+        <translation>Distance en mètres à partir de laquelle le niveau remplace le précédent, pour un angle de vue vertical de 40°. Un double-clic la change.</translation>
+    </message>
+    <message>
+        <source>Share of the picture&apos;s height that the tree has there, whatever the angle of view. Double-click one to change it.</source>
+        <translation>Part de la hauteur de l’image que l’arbre y occupe, quel que soit l’angle de vue. Un double-clic la change.</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Hauteur</translation>
     </message>
 </context>
 <context>
@@ -10001,10 +10057,6 @@ OpenGL&#xa0;: %4
     <message>
         <source>Cancelled</source>
         <translation>Annulé</translation>
-    </message>
-    <message>
-        <source>A level takes over where what it lacks is no larger than a pixel.</source>
-        <translation>Un niveau prend le relais où ce qui lui manque n’est pas plus grand qu’un pixel.</translation>
     </message>
     <message>
         <source>Go to its &amp;distance</source>
@@ -10100,6 +10152,10 @@ OpenGL&#xa0;: %4
     <message>
         <source>At %1 the tree is %2 pixels high on a screen of 1080.</source>
         <translation>À %1, l’arbre fait %2 pixels de haut sur un écran de 1080.</translation>
+    </message>
+    <message>
+        <source>Double-click a distance or a height to change it.</source>
+        <translation>Un double-clic sur une distance ou une hauteur la change.</translation>
     </message>
 </context>
 <context>

@@ -121,44 +121,40 @@ void ExportDialog::forgetKept()
 /// All that was chosen, but not where to.
 QVariantMap ExportDialog::settings() const
 {
-    QVariantList budgets;
-    const LevelOptions levels = m_levels->options();
-    for (const std::int64_t budget : levels.budgets)
-        budgets += qlonglong(budget);
     const PrintOptions print = m_printing->options();
     const FrameSequence frames = m_moments->frames();
-    return {{"use", keyOf(m_use)},
-            {"format", m_format->currentData()},
-            {"model", m_model->currentIndex()},
-            {"branches", m_branches->isChecked()},
-            {"leaves", m_leaves->isChecked()},
-            {"apples", m_apples->isChecked()},
-            {"texture", m_texture->isChecked()},
-            {"instances", m_foliage->currentIndex()},
-            {"maps", m_maps->currentData()},
-            {"joints", m_joints->currentData()},
-            {"compressed", m_compressed->isChecked()},
-            {"wind", m_wind->currentIndex()},
-            {"levels", qlonglong(levels.count)},
-            {"budgets", budgets},
-            {"space", QString::fromStdString(m_space->space().comment())},
-            {"selection", m_selection->isChecked()},
-            {"hidden", m_hidden->isChecked()},
-            {"moment", static_cast<int>(m_moments->moment())},
-            {"first", qlonglong(frames.first)},
-            {"last", qlonglong(frames.last)},
-            {"step", qlonglong(frames.step)},
-            {"turns", m_moments->turns()},
-            {"loop", m_moments->loopSeconds()},
-            {"print", m_printing->isWanted()},
-            {"process", static_cast<int>(print.process)},
-            {"height", print.height},
-            {"thinnest", print.thinnest},
-            {"disc", print.hasFootDisc},
-            {"shells", print.leaves == PrintLeaves::Shells},
-            {"width", m_pictures->pictureSize().width()},
-            {"pixels", m_pictures->pictureSize().height()},
-            {"transparent", m_pictures->isTransparent()}};
+    QVariantMap kept = LevelForm::settingsOf(m_levels->options());
+    kept.insert({{"use", keyOf(m_use)},
+                 {"format", m_format->currentData()},
+                 {"model", m_model->currentIndex()},
+                 {"branches", m_branches->isChecked()},
+                 {"leaves", m_leaves->isChecked()},
+                 {"apples", m_apples->isChecked()},
+                 {"texture", m_texture->isChecked()},
+                 {"instances", m_foliage->currentIndex()},
+                 {"maps", m_maps->currentData()},
+                 {"joints", m_joints->currentData()},
+                 {"compressed", m_compressed->isChecked()},
+                 {"wind", m_wind->currentIndex()},
+                 {"space", QString::fromStdString(m_space->space().comment())},
+                 {"selection", m_selection->isChecked()},
+                 {"hidden", m_hidden->isChecked()},
+                 {"moment", static_cast<int>(m_moments->moment())},
+                 {"first", qlonglong(frames.first)},
+                 {"last", qlonglong(frames.last)},
+                 {"step", qlonglong(frames.step)},
+                 {"turns", m_moments->turns()},
+                 {"loop", m_moments->loopSeconds()},
+                 {"print", m_printing->isWanted()},
+                 {"process", static_cast<int>(print.process)},
+                 {"height", print.height},
+                 {"thinnest", print.thinnest},
+                 {"disc", print.hasFootDisc},
+                 {"shells", print.leaves == PrintLeaves::Shells},
+                 {"width", m_pictures->pictureSize().width()},
+                 {"pixels", m_pictures->pictureSize().height()},
+                 {"transparent", m_pictures->isTransparent()}});
+    return kept;
 }
 
 void ExportDialog::setSettings(const QVariantMap& kept)
@@ -184,10 +180,7 @@ void ExportDialog::setSettings(const QVariantMap& kept)
     if (const int row = m_joints->findData(kept.value(QStringLiteral("joints"))); row >= 0)
         m_joints->setCurrentIndex(row);
     m_wind->setCurrentIndex(std::clamp(number("wind", 0), 0, m_wind->count() - 1));
-    LevelOptions levels{kept.value(QStringLiteral("levels")).toLongLong(), {}};
-    for (const QVariant& budget : kept.value(QStringLiteral("budgets")).toList())
-        levels.budgets.push_back(budget.toLongLong());
-    m_levels->setOptions(levels);
+    m_levels->setOptions(LevelForm::optionsIn(kept));
     const std::string space = "# " + kept.value(QStringLiteral("space")).toString().toStdString();
     m_space->setSpace(fileSpaceIn(space).value_or(FileSpace()));
     m_moments->setFrames(number("first", 0), number("last", 0), number("step", 1));

@@ -79,7 +79,7 @@ private slots:
 
     void levelsComeFromElsewhere()
     {
-        const LevelOptions wanted{2, {900, 300}};
+        const LevelOptions wanted{2, {900, 300}, {}, {0.25}};
         m_dialog->setLevels(wanted);
         QCOMPARE(m_dialog->use(), ExportUse::Game);
         QVERIFY(m_dialog->options().levels == wanted);
