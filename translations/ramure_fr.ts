@@ -7627,6 +7627,318 @@
     </message>
 </context>
 <context>
+    <name>presets</name>
+    <message>
+        <source>American Elm</source>
+        <translation>Orme d’Amérique</translation>
+    </message>
+    <message>
+        <source>Aono Kunii Tree</source>
+        <translation>Arbre d’Aono et Kunii</translation>
+    </message>
+    <message>
+        <source>Balsam Fir</source>
+        <translation>Sapin baumier</translation>
+    </message>
+    <message>
+        <source>Bamboo</source>
+        <translation>Bambou</translation>
+    </message>
+    <message>
+        <source>Baobab</source>
+        <translation>Baobab africain</translation>
+    </message>
+    <message>
+        <source>Black Locust</source>
+        <translation>Robinier faux-acacia</translation>
+    </message>
+    <message>
+        <source>Black Tupelo</source>
+        <translation>Tupélo noir</translation>
+    </message>
+    <message>
+        <source>Blue Gum</source>
+        <translation>Gommier bleu</translation>
+    </message>
+    <message>
+        <source>Blue Spruce</source>
+        <translation>Épicéa bleu</translation>
+    </message>
+    <message>
+        <source>Bonsai</source>
+        <translation>Bonsaï</translation>
+    </message>
+    <message>
+        <source>California Black Oak</source>
+        <translation>Chêne noir de Californie</translation>
+    </message>
+    <message>
+        <source>Coast Redwood</source>
+        <translation>Séquoia à feuilles d’if</translation>
+    </message>
+    <message>
+        <source>Coconut Palm</source>
+        <translation>Cocotier</translation>
+    </message>
+    <message>
+        <source>Common Alder</source>
+        <translation>Aulne glutineux</translation>
+    </message>
+    <message>
+        <source>Common Ash</source>
+        <translation>Frêne élevé</translation>
+    </message>
+    <message>
+        <source>Common Walnut</source>
+        <translation>Noyer commun</translation>
+    </message>
+    <message>
+        <source>Common Yew</source>
+        <translation>If commun</translation>
+    </message>
+    <message>
+        <source>Date Palm</source>
+        <translation>Palmier dattier</translation>
+    </message>
+    <message>
+        <source>Dead Snag</source>
+        <translation>Tronc mort</translation>
+    </message>
+    <message>
+        <source>Deodar Cedar</source>
+        <translation>Cèdre de l’Himalaya</translation>
+    </message>
+    <message>
+        <source>Douglas Fir</source>
+        <translation>Douglas vert</translation>
+    </message>
+    <message>
+        <source>Eastern Cottonwood</source>
+        <translation>Peuplier deltoïde</translation>
+    </message>
+    <message>
+        <source>Eastern White Pine</source>
+        <translation>Pin blanc d’Amérique</translation>
+    </message>
+    <message>
+        <source>English Oak</source>
+        <translation>Chêne pédonculé</translation>
+    </message>
+    <message>
+        <source>European Beech</source>
+        <translation>Hêtre commun</translation>
+    </message>
+    <message>
+        <source>European Larch</source>
+        <translation>Mélèze d’Europe</translation>
+    </message>
+    <message>
+        <source>Fan Palm</source>
+        <translation>Palmier de Californie</translation>
+    </message>
+    <message>
+        <source>Fan Tree</source>
+        <translation>Arbre en éventail</translation>
+    </message>
+    <message>
+        <source>Fern2D</source>
+        <translation>Fougère 2D</translation>
+    </message>
+    <message>
+        <source>Field Elm</source>
+        <translation>Orme champêtre</translation>
+    </message>
+    <message>
+        <source>Giant Sequoia</source>
+        <translation>Séquoia géant</translation>
+    </message>
+    <message>
+        <source>Ginkgo</source>
+        <translation>Arbre aux quarante écus</translation>
+    </message>
+    <message>
+        <source>Hawthorn</source>
+        <translation>Aubépine monogyne</translation>
+    </message>
+    <message>
+        <source>Hedge</source>
+        <translation>Haie</translation>
+    </message>
+    <message>
+        <source>Honda Tree</source>
+        <translation>Arbre de Honda</translation>
+    </message>
+    <message>
+        <source>Honey Locust</source>
+        <translation>Févier d’Amérique</translation>
+    </message>
+    <message>
+        <source>Hornbeam</source>
+        <translation>Charme commun</translation>
+    </message>
+    <message>
+        <source>Horse Chestnut</source>
+        <translation>Marronnier d’Inde</translation>
+    </message>
+    <message>
+        <source>Italian Cypress</source>
+        <translation>Cyprès d’Italie</translation>
+    </message>
+    <message>
+        <source>Jacaranda</source>
+        <translation>Flamboyant bleu</translation>
+    </message>
+    <message>
+        <source>Japanese Maple</source>
+        <translation>Érable du Japon</translation>
+    </message>
+    <message>
+        <source>Joshua Tree</source>
+        <translation>Arbre de Josué</translation>
+    </message>
+    <message>
+        <source>Lebanon Cedar</source>
+        <translation>Cèdre du Liban</translation>
+    </message>
+    <message>
+        <source>Live Oak</source>
+        <translation>Chêne de Virginie</translation>
+    </message>
+    <message>
+        <source>Lombardy Poplar</source>
+        <translation>Peuplier d’Italie</translation>
+    </message>
+    <message>
+        <source>London Plane</source>
+        <translation>Platane commun</translation>
+    </message>
+    <message>
+        <source>Norway Maple</source>
+        <translation>Érable plane</translation>
+    </message>
+    <message>
+        <source>Norway Spruce</source>
+        <translation>Épicéa commun</translation>
+    </message>
+    <message>
+        <source>Olive Tree</source>
+        <translation>Olivier</translation>
+    </message>
+    <message>
+        <source>Orchard Apple</source>
+        <translation>Pommier domestique</translation>
+    </message>
+    <message>
+        <source>Park Tree</source>
+        <translation>Arbre de parc</translation>
+    </message>
+    <message>
+        <source>Quaking Aspen</source>
+        <translation>Peuplier faux-tremble</translation>
+    </message>
+    <message>
+        <source>Rain Tree</source>
+        <translation>Arbre à pluie</translation>
+    </message>
+    <message>
+        <source>Red Oak</source>
+        <translation>Chêne rouge d’Amérique</translation>
+    </message>
+    <message>
+        <source>Rowan</source>
+        <translation>Sorbier des oiseleurs</translation>
+    </message>
+    <message>
+        <source>Saguaro</source>
+        <translation>Cactus saguaro</translation>
+    </message>
+    <message>
+        <source>Sapling</source>
+        <translation>Jeune bouleau</translation>
+    </message>
+    <message>
+        <source>Sassafras</source>
+        <translation>Sassafras officinal</translation>
+    </message>
+    <message>
+        <source>Scots Pine</source>
+        <translation>Pin sylvestre</translation>
+    </message>
+    <message>
+        <source>Silver Birch</source>
+        <translation>Bouleau verruqueux</translation>
+    </message>
+    <message>
+        <source>Small Leaved Linden</source>
+        <translation>Tilleul à petites feuilles</translation>
+    </message>
+    <message>
+        <source>Small Tree</source>
+        <translation>Petit arbre</translation>
+    </message>
+    <message>
+        <source>Southern Magnolia</source>
+        <translation>Magnolia à grandes fleurs</translation>
+    </message>
+    <message>
+        <source>Stone Pine</source>
+        <translation>Pin parasol</translation>
+    </message>
+    <message>
+        <source>Sugar Maple</source>
+        <translation>Érable à sucre</translation>
+    </message>
+    <message>
+        <source>Sweet Chestnut</source>
+        <translation>Châtaignier commun</translation>
+    </message>
+    <message>
+        <source>Sweetgum</source>
+        <translation>Copalme d’Amérique</translation>
+    </message>
+    <message>
+        <source>Ternary Tree</source>
+        <translation>Arbre ternaire</translation>
+    </message>
+    <message>
+        <source>Tiny Tree</source>
+        <translation>Arbre minuscule</translation>
+    </message>
+    <message>
+        <source>Tree Fern</source>
+        <translation>Fougère arborescente</translation>
+    </message>
+    <message>
+        <source>Tulip Tree</source>
+        <translation>Tulipier de Virginie</translation>
+    </message>
+    <message>
+        <source>Umbrella Acacia</source>
+        <translation>Acacia parasol</translation>
+    </message>
+    <message>
+        <source>Weeping Willow</source>
+        <translation>Saule pleureur</translation>
+    </message>
+    <message>
+        <source>White Willow</source>
+        <translation>Saule blanc</translation>
+    </message>
+    <message>
+        <source>Wild Cherry</source>
+        <translation>Merisier</translation>
+    </message>
+    <message>
+        <source>Winter Oak</source>
+        <translation>Chêne en hiver</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>Latin name: habit</comment>
+        <translation>%1 : %2</translation>
+    </message>
+</context>
+<context>
     <name>ramure::AboutDialog</name>
     <message>
         <source>not available</source>
@@ -11059,11 +11371,6 @@ OpenGL&#xa0;: %4
     <message>
         <source>Search trees</source>
         <translation>Chercher des arbres</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <comment>Latin name: habit</comment>
-        <translation>%1 : %2</translation>
     </message>
     <message>
         <source>%1: a tree that you have kept</source>

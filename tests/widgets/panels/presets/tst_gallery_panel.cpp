@@ -2,7 +2,10 @@
 #include "core/params/presets.h"
 #include "core/scene/preset_scene.h"
 #include "tests/widgets/base/fixture.h"
+#include "widgets/base/core_text.h"
+#include "widgets/base/language.h"
 #include "widgets/base/preferences.h"
+#include "widgets/base/preset_title.h"
 #include "widgets/panels/presets/gallery_panel.h"
 #include "widgets/panels/presets/picture_button.h"
 #include "widgets/panels/presets/preset_gallery.h"
@@ -109,6 +112,53 @@ private slots:
         QCOMPARE(m_panel->gallery()->first() != nullptr, !found.isEmpty());
         m_panel->gallery()->search()->clear();
         QCOMPARE(shown().size(), qsizetype(presets().size()));
+    }
+
+    /// Each has a text of its own for those who translate.
+    void everyPresetHasATitle()
+    {
+        QVERIFY(presetTitle(QStringLiteral("NoSuchTree")) == QStringLiteral("No Such Tree"));
+        QFile list(QStringLiteral(RAMURE_SOURCE_DIR "/widgets/base/preset_title.cpp"));
+        QVERIFY(list.open(QIODevice::ReadOnly));
+        const QByteArray text = list.readAll();
+        qsizetype titles = 0;
+        for (const Preset& preset : presets())
+            titles += text.count("\"presets\", \"" + spacedName(QLatin1String(preset.name)).toUtf8() + '"');
+        QCOMPARE(titles, qsizetype(presets().size()));
+        QCOMPARE(text.count("QT_TRANSLATE_NOOP"), titles);
+    }
+
+    void frenchNamesAreShownAndFound_data()
+    {
+        QTest::addColumn<QString>("typed");
+        QTest::addColumn<QString>("found");
+        QTest::newRow("no such") << "bouleaux verts"
+                                 << "";
+        QTest::newRow("French") << "bouleau verruqueux"
+                                << "SilverBirch";
+        QTest::newRow("without accents") << "chene pedoncule"
+                                         << "EnglishOak";
+        QTest::newRow("English") << "silver birch"
+                                 << "SilverBirch";
+        QTest::newRow("Latin") << "betula pendula"
+                               << "SilverBirch";
+    }
+    void frenchNamesAreShownAndFound()
+    {
+        QFETCH(const QString, typed);
+        QFETCH(const QString, found);
+        const Language language(m_preferences.get());
+        m_preferences->setLanguage(QStringLiteral("fr"));
+        QTRY_COMPARE(picture("EnglishOak")->text(), QStringLiteral("Chêne pédonculé"));
+        m_panel->gallery()->search()->setText(typed);
+        QCOMPARE(shown(), found.isEmpty() ? QStringList() : QStringList{found});
+        picture("SilverBirch")->click();
+        QCOMPARE(m_document->scene().nodes().back().name, std::string("Bouleau verruqueux"));
+        m_preferences->setLanguage(QStringLiteral("en"));
+        QTRY_COMPARE(picture("EnglishOak")->text(), QStringLiteral("English Oak"));
+        QVERIFY(shown().size() <= 1);
+        picture("SilverBirch")->click();
+        QCOMPARE(m_document->scene().nodes().back().name, std::string("SilverBirch"));
     }
 
     void clicksAddTrees()
