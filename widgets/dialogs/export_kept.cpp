@@ -22,7 +22,9 @@ namespace ramure {
 /// Before the names that users gave: nothing chosen, and the last export of this use.
 enum KeptEntry { OwnRow, LastRow };
 
-static const QString lastKey = QStringLiteral("last"), namedKey = QStringLiteral("named");
+static const QString lastKey = QStringLiteral("last"), namedKey = QStringLiteral("named"),
+                     pageKey = QStringLiteral("page");
+static constexpr const char* ofDocument[] = {"selection", "first", "last", "step"};
 
 QLayout* ExportDialog::buildKept()
 {
@@ -198,6 +200,40 @@ void ExportDialog::setSettings(const QVariantMap& kept)
     m_printing->setWanted(is("print"));
     m_pictures->setPictureSize({number("width", 1920), number("pixels", 1080)});
     m_pictures->setTransparent(is("transparent"));
+}
+
+/// What it had when it was left, in this dialog or the one before; else the usual. The format is that of the
+/// page by now.
+void ExportDialog::turnPage(ExportUse use)
+{
+    if (const auto left = m_pages.find(use); left != m_pages.end())
+        return setSettings(left->second);
+    const QVariantMap kept = keptOf(pageKey);
+    const bool isNew = kept.isEmpty();
+    QVariantMap page = m_usual;
+    page.remove(QStringLiteral("format"));
+    page.insert(kept);
+    page.insert(QStringLiteral("use"), keyOf(use));
+    page.insert(QStringLiteral("print"), use == ExportUse::Print);
+    for (const auto& [key, now] : {std::pair("width", m_pictures->pictureSize().width()),
+                                   std::pair("pixels", m_pictures->pictureSize().height())})
+        if (isNew || use != ExportUse::Pictures) // those of the view
+            page.insert(QLatin1String(key), now);
+    for (const char* key : ofDocument) // frames and nodes of another document are none of this one
+        page.insert(QLatin1String(key), m_usual.value(QLatin1String(key)));
+    setSettings(page);
+    if (isNew)
+        takeFormat(); // the parts that it usually has
+}
+
+void ExportDialog::keepPages()
+{
+    m_pages[m_use] = settings();
+    for (const auto& [use, page] : m_pages) {
+        QVariantMap all = m_preferences->exportSettings();
+        all.insert(pageKey + u'/' + keyOf(use), page);
+        m_preferences->setExportSettings(all);
+    }
 }
 
 /// As it was, over what it wrote.
