@@ -11152,6 +11152,29 @@ OpenGL&#xa0;: %4
     </message>
 </context>
 <context>
+    <name>ramure::PictureDialog</name>
+    <message>
+        <source>Save a picture</source>
+        <translation>Enregistrer une image</translation>
+    </message>
+    <message>
+        <source>Grid and axes</source>
+        <translation>Grille et axes</translation>
+    </message>
+    <message>
+        <source>The lines on the ground</source>
+        <translation>Les lignes au sol</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Enregistrer…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+</context>
+<context>
     <name>ramure::PictureEditor</name>
     <message>
         <source>Pictures (*.png *.jpg *.jpeg)</source>
@@ -11203,6 +11226,18 @@ OpenGL&#xa0;: %4
     <message>
         <source>Without sky and ground, to put the trees in front of something else</source>
         <translation>Sans ciel ni sol, pour placer les arbres devant autre chose</translation>
+    </message>
+    <message>
+        <source>As the view, %1 × %2</source>
+        <translation>Comme la vue, %1 × %2</translation>
+    </message>
+    <message>
+        <source>Keep the view&apos;s ratio</source>
+        <translation>Garder le rapport de la vue</translation>
+    </message>
+    <message>
+        <source>One side follows the other, so that the picture shows what the view shows; else it shows more or less at its sides</source>
+        <translation>Un côté suit l’autre, pour que l’image montre ce que montre la vue ; sinon elle en montre plus ou moins sur ses bords</translation>
     </message>
 </context>
 <context>
