@@ -132,10 +132,6 @@
         <translation>Fe&amp;uilles</translation>
     </message>
     <message>
-        <source>A&amp;pples</source>
-        <translation>&amp;Pommes</translation>
-    </message>
-    <message>
         <source>&amp;Grid</source>
         <translation>&amp;Grille</translation>
     </message>
@@ -1130,6 +1126,10 @@
     <message>
         <source>Cut a branch where you click: what lies above goes, or falls</source>
         <translation>Couper une branche là où vous cliquez : ce qui est au-dessus s’en va, ou tombe</translation>
+    </message>
+    <message>
+        <source>F&amp;ruit</source>
+        <translation>&amp;Fruits</translation>
     </message>
 </context>
 <context>
@@ -3351,20 +3351,12 @@
         <translation>Finesse des rameaux</translation>
     </message>
     <message>
-        <source>Branches thinner than this share of the trunk&apos;s radius carry leaves and apples. 0 leaves the tree bare.</source>
-        <translation>Les branches plus fines que cette part du rayon du tronc portent feuilles et pommes. 0 laisse l’arbre nu.</translation>
-    </message>
-    <message>
         <source>Leaves per twig</source>
         <translation>Feuilles par rameau</translation>
     </message>
     <message>
         <source>How many leaves grow on each branch that is thin enough.</source>
         <translation>Combien de feuilles poussent sur chaque branche assez fine.</translation>
-    </message>
-    <message>
-        <source>Apples</source>
-        <translation>Pommes</translation>
     </message>
     <message>
         <source>Another seed arranges leaves and apples anew; the branches stay as they are.</source>
@@ -5237,10 +5229,6 @@
     <message>
         <source>the picture could not be made: %1</source>
         <translation>l’image n’a pas pu être faite : %1</translation>
-    </message>
-    <message>
-        <source>The chance that a branch which is thin enough carries an apple, or what else is chosen as fruit: 0 for none, 1 for one on each.</source>
-        <translation>La probabilité qu&apos;une branche assez fine porte une pomme, ou l&apos;autre fruit choisi : 0 pour aucune, 1 pour une sur chacune.</translation>
     </message>
     <message>
         <source>Fruit</source>
@@ -7402,6 +7390,18 @@
         <source>&quot;%1&quot;: a distance in metres, or a share of the picture such as 30 %, expected</source>
         <translation>« %1 » : il faut une distance en mètres, ou une part de l’image comme 30 %</translation>
     </message>
+    <message>
+        <source>Branches thinner than this share of the trunk&apos;s radius carry leaves and fruit. 0 leaves the tree bare.</source>
+        <translation>Les branches plus minces que cette part du rayon du tronc portent des feuilles et des fruits. 0 laisse l’arbre nu.</translation>
+    </message>
+    <message>
+        <source>Amount of fruit</source>
+        <translation>Quantité de fruits</translation>
+    </message>
+    <message>
+        <source>The chance that a branch which is thin enough carries fruit, of the kind below: 0 for none, 1 for one on each.</source>
+        <translation>La chance qu’une branche assez mince porte des fruits, de la sorte ci-dessous : 0 pour aucun, 1 pour chacune.</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>
@@ -8993,10 +8993,6 @@ OpenGL&#xa0;: %4
         <translation>Feuilles</translation>
     </message>
     <message>
-        <source>Apples</source>
-        <translation>Pommes</translation>
-    </message>
-    <message>
         <source>Only what is selected</source>
         <translation>Seulement la sélection</translation>
     </message>
@@ -9109,14 +9105,6 @@ OpenGL&#xa0;: %4
     <message>
         <source>PNG pictures</source>
         <translation>Images PNG</translation>
-    </message>
-    <message>
-        <source>%1 has no objects: leaves and apples would be mixed into the one closed mesh of the branches. Tick them to write them all the same.</source>
-        <translation>%1 ne connaît pas d’objets : feuilles et pommes seraient mêlées au seul maillage fermé des branches. Cochez-les pour les écrire quand même.</translation>
-    </message>
-    <message>
-        <source>Where each corner lies on the bark, on the picture of a leaf or an apple. The size of one repeat of the bark, in metres, is the tree&apos;s parameter &quot;Bark tile&quot;. Beside an .obj, the pictures of the bark are written too.</source>
-        <translation>Où chaque coin se trouve sur l’écorce, sur l’image d’une feuille ou d’une pomme. La taille d’une répétition de l’écorce, en mètres, est le paramètre «&#xa0;Carreau d’écorce&#xa0;» de l’arbre. À côté d’un .obj, les images de l’écorce sont écrites aussi.</translation>
     </message>
     <message>
         <source>Merged into one mesh</source>
@@ -9252,6 +9240,18 @@ OpenGL&#xa0;: %4
     <message>
         <source>Wind for</source>
         <translation>Vent pour</translation>
+    </message>
+    <message>
+        <source>%1 has no objects: leaves and fruit would be mixed into the one closed mesh of the branches. Tick them to write them all the same.</source>
+        <translation>%1 n’a pas d’objets : feuilles et fruits seraient mêlés à l’unique maillage fermé des branches. Cochez-les pour les écrire quand même.</translation>
+    </message>
+    <message>
+        <source>Fruit</source>
+        <translation>Fruits</translation>
+    </message>
+    <message>
+        <source>Where each corner lies on the bark, on the picture of a leaf or a fruit. The size of one repeat of the bark, in metres, is the tree&apos;s parameter &quot;Bark tile&quot;. Beside an .obj, the pictures of the bark are written too.</source>
+        <translation>Où chaque coin se trouve sur l’écorce, sur l’image d’une feuille ou d’un fruit. La taille d’une répétition de l’écorce, en mètres, est le paramètre « Carreau d’écorce » de l’arbre. À côté d’un .obj, les images de l’écorce sont écrites aussi.</translation>
     </message>
 </context>
 <context>
@@ -9766,6 +9766,10 @@ OpenGL&#xa0;: %4
     <message>
         <source>Objects, keys and trees (%1)</source>
         <translation>Objets, clés et arbres (%1)</translation>
+    </message>
+    <message>
+        <source>Something stands at its place: it was put %1 m beside it. Undo once puts it where the file has it.</source>
+        <translation>Quelque chose se trouve à sa place : il est posé %1 m à côté. Une annulation le remet où le fichier le dit.</translation>
     </message>
 </context>
 <context>
@@ -11265,6 +11269,13 @@ OpenGL&#xa0;: %4
     <message>
         <source>This tree blooms: a flower was put there. “Fruit” in its parameters makes fruit of all.</source>
         <translation>Cet arbre est en fleurs : il y en a une de plus. « Fruits », dans ses paramètres, en fait des fruits.</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::Planting</name>
+    <message>
+        <source>Move beside the others</source>
+        <translation>Poser à côté des autres</translation>
     </message>
 </context>
 <context>
@@ -12772,10 +12783,6 @@ OpenGL&#xa0;: %4
         <translation>Feuilles</translation>
     </message>
     <message>
-        <source>Apples</source>
-        <translation>Pommes</translation>
-    </message>
-    <message>
         <source>vertices</source>
         <translation>sommets</translation>
     </message>
@@ -12824,6 +12831,10 @@ OpenGL&#xa0;: %4
     <message>
         <source>A click opens the Validation panel.</source>
         <translation>Un clic ouvre le panneau Validation.</translation>
+    </message>
+    <message>
+        <source>Fruit</source>
+        <translation>Fruits</translation>
     </message>
 </context>
 <context>

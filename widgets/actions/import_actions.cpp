@@ -7,6 +7,7 @@
 #include "widgets/base/core_text.h"
 #include "widgets/base/preferences.h"
 #include <QFileInfo>
+#include <QLocale>
 #include <QProgressDialog>
 #include <utility>
 
@@ -59,10 +60,21 @@ bool ImportActions::isRunning() const
 
 void ImportActions::chooseFile()
 {
+    choose(false);
+}
+
+void ImportActions::chooseToWear()
+{
+    choose(true);
+}
+
+/// \param stays at the place that the file has it
+void ImportActions::choose(bool stays)
+{
     const QString path = m_chooser->openFile(tr("Import"), m_preferences->lastFolder(),
                                              fileFilter() + QStringLiteral(";;") + tr("All files (*)"));
     if (!path.isEmpty())
-        importPath(path);
+        importPath(path, stays);
 }
 
 void ImportActions::chooseFolder()
@@ -72,10 +84,11 @@ void ImportActions::chooseFolder()
         importPath(path);
 }
 
-void ImportActions::importPath(const QString& path)
+void ImportActions::importPath(const QString& path, bool stays)
 {
     if (m_task->isRunning())
         return;
+    m_task->setStays(stays);
     begin(path, tr("Import"), tr("Importing “%1”…"));
     m_task->start(path);
 }
@@ -123,7 +136,12 @@ void ImportActions::finish(NodeId top, const std::optional<Error>& error)
         return;
     }
     if (!take) {
-        tellNotes(tr("“%1” was imported.").arg(name));
+        QString text = tr("“%1” was imported.").arg(name);
+        if (const double by = m_task->movedBy(); by != 0.0)
+            text += u'\n' + tr("Something stands at its place: it was put %1 m beside it. Undo once puts it "
+                               "where the file has it.")
+                                .arg(QLocale().toString(by, 'f', by < 10.0 ? 1 : 0));
+        tellNotes(text);
         emit imported(top);
     } else if (take(m_task->takeScene()) && !m_task->notes().empty()) {
         tellNotes(tr("“%1” was opened.").arg(name));

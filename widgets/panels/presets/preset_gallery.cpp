@@ -285,7 +285,7 @@ void PresetGallery::describe(const Item& item)
     if (!item.preset)
         return item.picture->setToolTip(tr("%1: a tree that you have kept").arg(item.picture->text()));
     item.picture->setText(presetTitle(item.picture->preset()));
-    item.picture->setToolTip(presetTip(*item.preset));
+    item.picture->setToolTip(item.picture->text() + u'\n' + presetTip(*item.preset));
     item.picture->setAccessibleDescription(coreText(item.preset->description));
 }
 

@@ -136,8 +136,8 @@ private slots:
                                  << "";
         QTest::newRow("French") << "bouleau verruqueux"
                                 << "SilverBirch";
-        QTest::newRow("without accents") << "chene pedoncule"
-                                         << "EnglishOak";
+        QTest::newRow("without accents") << "chene rouge"
+                                         << "RedOak";
         QTest::newRow("English") << "silver birch"
                                  << "SilverBirch";
         QTest::newRow("Latin") << "betula pendula"
@@ -159,6 +159,22 @@ private slots:
         QVERIFY(shown().size() <= 1);
         picture("SilverBirch")->click();
         QCOMPARE(m_document->scene().nodes().back().name, std::string("SilverBirch"));
+    }
+
+    void speciesStandBeforeTheExamples()
+    {
+        const QStringList all = shown();
+        const auto isSpecies = [](const QString& name) {
+            return presetParams(name.toStdString())->generator.kind == TreeGenerator::WeberPenn;
+        };
+        QVERIFY(isSpecies(all.front()));
+        const auto examples = std::ranges::find(all, QStringLiteral("SmallTree"));
+        for (auto name = examples; name != all.end(); ++name)
+            QVERIFY2(!isSpecies(*name), qPrintable(*name));
+        for (const char* first : {"FanTree", "HondaTree", "ParkTree"})
+            QVERIFY(all.indexOf(QLatin1String(first)) > all.indexOf(QStringLiteral("Sapling")));
+        for (const PictureButton* each : m_panel->findChildren<PictureButton*>())
+            QVERIFY2(!each->picture().isNull(), qPrintable(each->preset()));
     }
 
     void clicksAddTrees()
@@ -297,8 +313,8 @@ private slots:
                 left.insert(picture(name)->mapTo(m_panel.get(), QPoint()).x());
             return left.size();
         };
-        QTRY_COMPARE(columns(), std::size_t(2));
-        m_panel->resize(240, 500);
+        QTRY_COMPARE(columns(), std::size_t(3));
+        m_panel->resize(200, 500);
         QTRY_COMPARE(columns(), std::size_t(1));
     }
 };
