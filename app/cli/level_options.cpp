@@ -24,7 +24,7 @@ void addLevelOptions(CommandLine& line, const QString& others)
                        "metres, rising, for a vertical angle of view of 40°, such as 20,60; or shares of "
                        "the picture's height that the tree has, falling, such as 60%,30%. A .glb holds it "
                        "as MSFT_screencoverage. Without it 60%, and half of that for each further level."),
-        QStringLiteral("D1,D2,...|P1%,P2%,..."));
+        QStringLiteral("D1,D2,..."));
 }
 
 Expected<LevelOptions> levelsFrom(const CommandLine& line)
