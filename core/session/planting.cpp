@@ -30,6 +30,17 @@ Box boxOf(const Document& document, const Node& node)
     return box;
 }
 
+/// With the leaves, which reach beyond their twigs.
+Box crownOf(const Document& document, const Node& node)
+{
+    Box box = boxOf(document, node);
+    const NodeResult* result = document.result(node.id);
+    if (result && result->tree.leaves)
+        for (const glm::vec3& p : result->tree.leaves->positions)
+            box.add(glm::dvec3(p));
+    return box;
+}
+
 /// Trees stand on a terrain, and nobody stumbles over a camera.
 bool isObstacle(const Scene& scene, const Node& node)
 {
@@ -104,7 +115,7 @@ Expected<double> edit::moveBeside(Document& document, const std::vector<NodeId>&
             return 0.0;
         if (!isObstacle(scene, node))
             continue;
-        const Box world = boxOf(document, node).transformed(worldMatrix(scene, node.id));
+        const Box world = crownOf(document, node).transformed(worldMatrix(scene, node.id));
         (isOwn ? own : others).add(world);
         if (!isOwn)
             boxes.push_back(world);

@@ -9,6 +9,7 @@
 #include <QFileInfo>
 #include <QLocale>
 #include <QProgressDialog>
+#include <algorithm>
 #include <utility>
 
 namespace ramure {
@@ -160,7 +161,8 @@ void ImportActions::tellNotes(const QString& text)
     }
     if (notes.size() > mostNotes)
         told += u'\n' + tr("… and %n more note(s)", nullptr, static_cast<int>(notes.size() - mostNotes));
-    m_chooser->report(notes.empty() ? Severity::Info : Severity::Warning, told);
+    const bool isFine = std::ranges::all_of(notes, [](const Note& note) { return note.code == remark; });
+    m_chooser->report(isFine ? Severity::Info : Severity::Warning, told);
 }
 
 } // namespace ramure
