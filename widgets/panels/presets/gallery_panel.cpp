@@ -144,6 +144,8 @@ void GalleryPanel::askName(const QString& title, const QString& suggestion,
     dialog->setWindowTitle(title);
     dialog->setLabelText(tr("Name:"));
     dialog->setTextValue(suggestion);
+    constexpr int buttons = 180; // of the window's frame, beside its title
+    dialog->setMinimumWidth(fontMetrics().horizontalAdvance(title) + buttons);
     connect(dialog, &QInputDialog::textValueSelected, this,
             [this, use = std::move(use)](const QString& name) {
                 const auto done = use(name.trimmed());
