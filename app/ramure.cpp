@@ -29,6 +29,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <string_view>
 #include <utility>
 
 using namespace ramure;
@@ -38,6 +39,7 @@ namespace {
 constexpr int fullResultMs = 120'000;
 constexpr int layoutDepth = 10; ///< at most so many layouts in each other
 constexpr int paintMs = 20'000;
+constexpr const char* measureStartName = "measure-start";
 
 struct Arguments
 {
@@ -61,9 +63,20 @@ void complain(const QString& text)
     std::fprintf(stderr, "ramure: %s\n", qPrintable(text));
 }
 
-Arguments readArguments(const QApplication& application)
+/// Those of the whole program: they are asked for where there is no screen as well.
+void tellAndLeave(QCommandLineParser& parser, int argc, char** argv)
 {
-    QCommandLineParser parser;
+    for (int i = 1; i < argc && std::string_view(argv[i]) != "--"; ++i)
+        if (const std::string_view option = argv[i]; option == "--help" || option == "-h" ||
+                                                     option == "--help-all" || option == "--version" ||
+                                                     option == "-v") {
+            const QCoreApplication plain(argc, argv);
+            parser.process(plain);
+        }
+}
+
+void describe(QCommandLineParser& parser)
+{
     parser.setApplicationDescription(QLatin1String(editorSummary));
     parser.addHelpOption();
     parser.addVersionOption();
@@ -74,9 +87,13 @@ Arguments readArguments(const QApplication& application)
     for (const EditorOption& option : editorOptions)
         parser.addOption(
             {QLatin1String(option.name), QLatin1String(option.description), QLatin1String(option.value)});
-    QCommandLineOption measureStart(QStringLiteral("measure-start")); // see tests/bench/interaction
+    QCommandLineOption measureStart{QLatin1String(measureStartName)}; // see tests/bench/interaction
     measureStart.setFlags(QCommandLineOption::HiddenFromHelp);
     parser.addOption(measureStart);
+}
+
+Arguments readArguments(QCommandLineParser& parser, const QApplication& application)
+{
     parser.process(application);
     Arguments arguments;
     if (parser.positionalArguments().size() > 1) {
@@ -87,7 +104,7 @@ Arguments readArguments(const QApplication& application)
         arguments.input = parser.positionalArguments().constFirst();
     arguments.screenshot = parser.value(QLatin1String(screenshotOption.name));
     arguments.exports = parser.values(QLatin1String(exportOption.name));
-    arguments.measureStart = parser.isSet(measureStart);
+    arguments.measureStart = parser.isSet(QLatin1String(measureStartName));
     const QStringList sides = parser.value(QLatin1String(sizeOption.name)).split(u'x');
     if (sides.size() == 2)
         arguments.size = {sides[0].toInt(), sides[1].toInt()};
@@ -257,18 +274,21 @@ int edit(QApplication& application, const Arguments& arguments)
 
 int main(int argc, char** argv)
 {
+    QCoreApplication::setApplicationName(QStringLiteral("ramure"));
+    QCoreApplication::setOrganizationName(QStringLiteral("Ramure"));
+    QCoreApplication::setApplicationVersion(QStringLiteral(RAMURE_VERSION));
+    QCommandLineParser parser;
+    describe(parser);
+    tellAndLeave(parser, argc, argv);
     keepFreedMemory();
     makeFileLimitAnError();
     prepareOpenGl();
     QApplication application(argc, argv);
-    QCoreApplication::setApplicationName(QStringLiteral("ramure"));
-    QCoreApplication::setOrganizationName(QStringLiteral("Ramure"));
-    QCoreApplication::setApplicationVersion(QStringLiteral(RAMURE_VERSION));
     QGuiApplication::setApplicationDisplayName(QString());
     QGuiApplication::setDesktopFileName(QStringLiteral("org.ramure.Ramure"));
     // What runs in the background ends all at once when the last window is closed, not one after the other.
     QObject::connect(&application, &QCoreApplication::aboutToQuit, &Job::stopAll);
-    const Arguments arguments = readArguments(application);
+    const Arguments arguments = readArguments(parser, application);
     const int code = edit(application, arguments);
     if (Job::abandonedCount() > 0) { // it uses what the end of the program takes apart
         std::fflush(nullptr);

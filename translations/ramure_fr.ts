@@ -132,10 +132,6 @@
         <translation>Fe&amp;uilles</translation>
     </message>
     <message>
-        <source>A&amp;pples</source>
-        <translation>&amp;Pommes</translation>
-    </message>
-    <message>
         <source>&amp;Grid</source>
         <translation>&amp;Grille</translation>
     </message>
@@ -1128,8 +1124,12 @@
         <translation>Couper une branche là où vous cliquez : ce qui est au-dessus s’en va, ou tombe</translation>
     </message>
     <message>
+        <source>F&amp;ruit</source>
+        <translation>&amp;Fruits</translation>
+    </message>
+    <message>
         <source>Parameters without keys get one, too, where they are changed</source>
-        <translation>Les paramètres sans clés en reçoivent une aussi là où on les modifie</translation>
+        <translation>Les paramètres sans clé en reçoivent une, eux aussi, là où on les modifie</translation>
     </message>
 </context>
 <context>
@@ -2123,14 +2123,6 @@
         <translation>Elle est invisible, coûte du temps et n’a pas de normale&#xa0;: points sombres, et les cartes de normales échouent.</translation>
     </message>
     <message>
-        <source>Branches without length</source>
-        <translation>Branches sans longueur</translation>
-    </message>
-    <message>
-        <source>A branch without length was passed over: its children start at its parent&apos;s end. Nothing that could be seen is lost.</source>
-        <translation>Une branche sans longueur a été sautée&#xa0;: ses enfants partent du bout de son parent. Rien de visible n’est perdu.</translation>
-    </message>
-    <message>
         <source>Roots without length</source>
         <translation>Racines sans longueur</translation>
     </message>
@@ -2149,10 +2141,6 @@
     <message>
         <source>Siblings inside a longer one</source>
         <translation>Sœurs dans une plus longue</translation>
-    </message>
-    <message>
-        <source>A branch lies inside a longer one of the same parent: the longer one goes on from its end, as one tube.</source>
-        <translation>Une branche est à l’intérieur d’une plus longue du même parent&#xa0;: la plus longue continue depuis son bout, en un seul tube.</translation>
     </message>
     <message>
         <source>Radii too small</source>
@@ -2325,6 +2313,18 @@
     <message>
         <source>Stems that start within a radius of each other stand on one plate at the ground, so that they are one mesh. Two meshes there would run through each other.</source>
         <translation>Des troncs qui partent à moins d’un rayon les uns des autres reposent sur un même plateau au sol, de sorte qu’ils ne font qu’un maillage. Deux maillages s’y traverseraient.</translation>
+    </message>
+    <message>
+        <source>Branches that do not show</source>
+        <translation>Branches qu&apos;on ne voit pas</translation>
+    </message>
+    <message>
+        <source>A branch without length, or with all of it inside a thicker one, was passed over: its children start at its parent&apos;s end. Nothing that could be seen is lost.</source>
+        <translation>Une branche sans longueur, ou tout entière dans une plus épaisse, a été passée : ses enfants partent de la fin de son parent. Rien de visible n&apos;est perdu.</translation>
+    </message>
+    <message>
+        <source>A branch leaves one of the same parent only at its end, or beyond: it starts there.</source>
+        <translation>Une branche ne quitte une autre du même parent qu&apos;à la fin de celle-ci, ou plus loin : elle part de là.</translation>
     </message>
 </context>
 <context>
@@ -3378,20 +3378,12 @@
         <translation>Finesse des rameaux</translation>
     </message>
     <message>
-        <source>Branches thinner than this share of the trunk&apos;s radius carry leaves and apples. 0 leaves the tree bare.</source>
-        <translation>Les branches plus fines que cette part du rayon du tronc portent feuilles et pommes. 0 laisse l’arbre nu.</translation>
-    </message>
-    <message>
         <source>Leaves per twig</source>
         <translation>Feuilles par rameau</translation>
     </message>
     <message>
         <source>How many leaves grow on each branch that is thin enough.</source>
         <translation>Combien de feuilles poussent sur chaque branche assez fine.</translation>
-    </message>
-    <message>
-        <source>Apples</source>
-        <translation>Pommes</translation>
     </message>
     <message>
         <source>Another seed arranges leaves and apples anew; the branches stay as they are.</source>
@@ -5260,10 +5252,6 @@
     <message>
         <source>the picture could not be made: %1</source>
         <translation>l’image n’a pas pu être faite : %1</translation>
-    </message>
-    <message>
-        <source>The chance that a branch which is thin enough carries an apple, or what else is chosen as fruit: 0 for none, 1 for one on each.</source>
-        <translation>La probabilité qu&apos;une branche assez fine porte une pomme, ou l&apos;autre fruit choisi : 0 pour aucune, 1 pour une sur chacune.</translation>
     </message>
     <message>
         <source>Fruit</source>
@@ -7393,6 +7381,50 @@
         <source>only the finest level of detail is taken</source>
         <translation>seul le niveau de détail le plus fin est pris</translation>
     </message>
+    <message>
+        <source>%1 levels of detail change %2 times: as many distances or shares expected, not %3</source>
+        <translation>%1 niveaux de détail changent %2 fois : il faut autant de distances ou de parts, et non %3</translation>
+    </message>
+    <message>
+        <source>level %1: its share of the picture&apos;s height must be over 0</source>
+        <translation>niveau %1 : sa part de la hauteur de l’image doit dépasser 0</translation>
+    </message>
+    <message>
+        <source>level %1: its distance must be over 0</source>
+        <translation>niveau %1 : sa distance doit dépasser 0</translation>
+    </message>
+    <message>
+        <source>level %1: %2 % of the picture&apos;s height is more than the most, %3 %</source>
+        <translation>niveau %1 : %2 % de la hauteur de l’image dépasse le maximum, %3 %</translation>
+    </message>
+    <message>
+        <source>level %1: shares of the picture must fall, and %2 % is not less than %3 %</source>
+        <translation>niveau %1 : les parts de l’image doivent décroître, et %2 % n’est pas moins que %3 %</translation>
+    </message>
+    <message>
+        <source>level %1: distances must rise, and %2 m is not farther than %3 m</source>
+        <translation>niveau %1 : les distances doivent croître, et %2 m n’est pas plus loin que %3 m</translation>
+    </message>
+    <message>
+        <source>levels change at distances or at shares of the picture, not at both</source>
+        <translation>les niveaux changent à des distances ou à des parts de l’image, pas aux deux</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: a distance in metres, or a share of the picture such as 30 %, expected</source>
+        <translation>« %1 » : il faut une distance en mètres, ou une part de l’image comme 30 %</translation>
+    </message>
+    <message>
+        <source>Branches thinner than this share of the trunk&apos;s radius carry leaves and fruit. 0 leaves the tree bare.</source>
+        <translation>Les branches plus minces que cette part du rayon du tronc portent des feuilles et des fruits. 0 laisse l’arbre nu.</translation>
+    </message>
+    <message>
+        <source>Amount of fruit</source>
+        <translation>Quantité de fruits</translation>
+    </message>
+    <message>
+        <source>The chance that a branch which is thin enough carries fruit, of the kind below: 0 for none, 1 for one on each.</source>
+        <translation>La chance qu’une branche assez mince porte des fruits, de la sorte ci-dessous : 0 pour aucun, 1 pour chacune.</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>
@@ -7615,6 +7647,318 @@
     <message>
         <source>Own scale</source>
         <translation>Échelle propre</translation>
+    </message>
+</context>
+<context>
+    <name>presets</name>
+    <message>
+        <source>American Elm</source>
+        <translation>Orme d’Amérique</translation>
+    </message>
+    <message>
+        <source>Aono Kunii Tree</source>
+        <translation>Arbre d’Aono et Kunii</translation>
+    </message>
+    <message>
+        <source>Balsam Fir</source>
+        <translation>Sapin baumier</translation>
+    </message>
+    <message>
+        <source>Bamboo</source>
+        <translation>Bambou</translation>
+    </message>
+    <message>
+        <source>Baobab</source>
+        <translation>Baobab africain</translation>
+    </message>
+    <message>
+        <source>Black Locust</source>
+        <translation>Robinier faux-acacia</translation>
+    </message>
+    <message>
+        <source>Black Tupelo</source>
+        <translation>Tupélo noir</translation>
+    </message>
+    <message>
+        <source>Blue Gum</source>
+        <translation>Gommier bleu</translation>
+    </message>
+    <message>
+        <source>Blue Spruce</source>
+        <translation>Épicéa bleu</translation>
+    </message>
+    <message>
+        <source>Bonsai</source>
+        <translation>Bonsaï</translation>
+    </message>
+    <message>
+        <source>California Black Oak</source>
+        <translation>Chêne noir de Californie</translation>
+    </message>
+    <message>
+        <source>Coast Redwood</source>
+        <translation>Séquoia à feuilles d’if</translation>
+    </message>
+    <message>
+        <source>Coconut Palm</source>
+        <translation>Cocotier</translation>
+    </message>
+    <message>
+        <source>Common Alder</source>
+        <translation>Aulne glutineux</translation>
+    </message>
+    <message>
+        <source>Common Ash</source>
+        <translation>Frêne élevé</translation>
+    </message>
+    <message>
+        <source>Common Walnut</source>
+        <translation>Noyer commun</translation>
+    </message>
+    <message>
+        <source>Common Yew</source>
+        <translation>If commun</translation>
+    </message>
+    <message>
+        <source>Date Palm</source>
+        <translation>Palmier dattier</translation>
+    </message>
+    <message>
+        <source>Dead Snag</source>
+        <translation>Tronc mort</translation>
+    </message>
+    <message>
+        <source>Deodar Cedar</source>
+        <translation>Cèdre de l’Himalaya</translation>
+    </message>
+    <message>
+        <source>Douglas Fir</source>
+        <translation>Douglas vert</translation>
+    </message>
+    <message>
+        <source>Eastern Cottonwood</source>
+        <translation>Peuplier deltoïde</translation>
+    </message>
+    <message>
+        <source>Eastern White Pine</source>
+        <translation>Pin blanc d’Amérique</translation>
+    </message>
+    <message>
+        <source>English Oak</source>
+        <translation>Chêne pédonculé</translation>
+    </message>
+    <message>
+        <source>European Beech</source>
+        <translation>Hêtre commun</translation>
+    </message>
+    <message>
+        <source>European Larch</source>
+        <translation>Mélèze d’Europe</translation>
+    </message>
+    <message>
+        <source>Fan Palm</source>
+        <translation>Palmier de Californie</translation>
+    </message>
+    <message>
+        <source>Fan Tree</source>
+        <translation>Arbre en éventail</translation>
+    </message>
+    <message>
+        <source>Fern2D</source>
+        <translation>Fougère 2D</translation>
+    </message>
+    <message>
+        <source>Field Elm</source>
+        <translation>Orme champêtre</translation>
+    </message>
+    <message>
+        <source>Giant Sequoia</source>
+        <translation>Séquoia géant</translation>
+    </message>
+    <message>
+        <source>Ginkgo</source>
+        <translation>Arbre aux quarante écus</translation>
+    </message>
+    <message>
+        <source>Hawthorn</source>
+        <translation>Aubépine monogyne</translation>
+    </message>
+    <message>
+        <source>Hedge</source>
+        <translation>Haie</translation>
+    </message>
+    <message>
+        <source>Honda Tree</source>
+        <translation>Arbre de Honda</translation>
+    </message>
+    <message>
+        <source>Honey Locust</source>
+        <translation>Févier d’Amérique</translation>
+    </message>
+    <message>
+        <source>Hornbeam</source>
+        <translation>Charme commun</translation>
+    </message>
+    <message>
+        <source>Horse Chestnut</source>
+        <translation>Marronnier d’Inde</translation>
+    </message>
+    <message>
+        <source>Italian Cypress</source>
+        <translation>Cyprès d’Italie</translation>
+    </message>
+    <message>
+        <source>Jacaranda</source>
+        <translation>Flamboyant bleu</translation>
+    </message>
+    <message>
+        <source>Japanese Maple</source>
+        <translation>Érable du Japon</translation>
+    </message>
+    <message>
+        <source>Joshua Tree</source>
+        <translation>Arbre de Josué</translation>
+    </message>
+    <message>
+        <source>Lebanon Cedar</source>
+        <translation>Cèdre du Liban</translation>
+    </message>
+    <message>
+        <source>Live Oak</source>
+        <translation>Chêne de Virginie</translation>
+    </message>
+    <message>
+        <source>Lombardy Poplar</source>
+        <translation>Peuplier d’Italie</translation>
+    </message>
+    <message>
+        <source>London Plane</source>
+        <translation>Platane commun</translation>
+    </message>
+    <message>
+        <source>Norway Maple</source>
+        <translation>Érable plane</translation>
+    </message>
+    <message>
+        <source>Norway Spruce</source>
+        <translation>Épicéa commun</translation>
+    </message>
+    <message>
+        <source>Olive Tree</source>
+        <translation>Olivier</translation>
+    </message>
+    <message>
+        <source>Orchard Apple</source>
+        <translation>Pommier domestique</translation>
+    </message>
+    <message>
+        <source>Park Tree</source>
+        <translation>Arbre de parc</translation>
+    </message>
+    <message>
+        <source>Quaking Aspen</source>
+        <translation>Peuplier faux-tremble</translation>
+    </message>
+    <message>
+        <source>Rain Tree</source>
+        <translation>Arbre à pluie</translation>
+    </message>
+    <message>
+        <source>Red Oak</source>
+        <translation>Chêne rouge d’Amérique</translation>
+    </message>
+    <message>
+        <source>Rowan</source>
+        <translation>Sorbier des oiseleurs</translation>
+    </message>
+    <message>
+        <source>Saguaro</source>
+        <translation>Cactus saguaro</translation>
+    </message>
+    <message>
+        <source>Sapling</source>
+        <translation>Jeune bouleau</translation>
+    </message>
+    <message>
+        <source>Sassafras</source>
+        <translation>Sassafras officinal</translation>
+    </message>
+    <message>
+        <source>Scots Pine</source>
+        <translation>Pin sylvestre</translation>
+    </message>
+    <message>
+        <source>Silver Birch</source>
+        <translation>Bouleau verruqueux</translation>
+    </message>
+    <message>
+        <source>Small Leaved Linden</source>
+        <translation>Tilleul à petites feuilles</translation>
+    </message>
+    <message>
+        <source>Small Tree</source>
+        <translation>Petit arbre</translation>
+    </message>
+    <message>
+        <source>Southern Magnolia</source>
+        <translation>Magnolia à grandes fleurs</translation>
+    </message>
+    <message>
+        <source>Stone Pine</source>
+        <translation>Pin parasol</translation>
+    </message>
+    <message>
+        <source>Sugar Maple</source>
+        <translation>Érable à sucre</translation>
+    </message>
+    <message>
+        <source>Sweet Chestnut</source>
+        <translation>Châtaignier commun</translation>
+    </message>
+    <message>
+        <source>Sweetgum</source>
+        <translation>Copalme d’Amérique</translation>
+    </message>
+    <message>
+        <source>Ternary Tree</source>
+        <translation>Arbre ternaire</translation>
+    </message>
+    <message>
+        <source>Tiny Tree</source>
+        <translation>Arbre minuscule</translation>
+    </message>
+    <message>
+        <source>Tree Fern</source>
+        <translation>Fougère arborescente</translation>
+    </message>
+    <message>
+        <source>Tulip Tree</source>
+        <translation>Tulipier de Virginie</translation>
+    </message>
+    <message>
+        <source>Umbrella Acacia</source>
+        <translation>Acacia parasol</translation>
+    </message>
+    <message>
+        <source>Weeping Willow</source>
+        <translation>Saule pleureur</translation>
+    </message>
+    <message>
+        <source>White Willow</source>
+        <translation>Saule blanc</translation>
+    </message>
+    <message>
+        <source>Wild Cherry</source>
+        <translation>Merisier</translation>
+    </message>
+    <message>
+        <source>Winter Oak</source>
+        <translation>Chêne en hiver</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>Latin name: habit</comment>
+        <translation>%1 : %2</translation>
     </message>
 </context>
 <context>
@@ -8683,10 +9027,6 @@ OpenGL&#xa0;: %4
         <translation>Feuilles</translation>
     </message>
     <message>
-        <source>Apples</source>
-        <translation>Pommes</translation>
-    </message>
-    <message>
         <source>Only what is selected</source>
         <translation>Seulement la sélection</translation>
     </message>
@@ -8799,14 +9139,6 @@ OpenGL&#xa0;: %4
     <message>
         <source>PNG pictures</source>
         <translation>Images PNG</translation>
-    </message>
-    <message>
-        <source>%1 has no objects: leaves and apples would be mixed into the one closed mesh of the branches. Tick them to write them all the same.</source>
-        <translation>%1 ne connaît pas d’objets : feuilles et pommes seraient mêlées au seul maillage fermé des branches. Cochez-les pour les écrire quand même.</translation>
-    </message>
-    <message>
-        <source>Where each corner lies on the bark, on the picture of a leaf or an apple. The size of one repeat of the bark, in metres, is the tree&apos;s parameter &quot;Bark tile&quot;. Beside an .obj, the pictures of the bark are written too.</source>
-        <translation>Où chaque coin se trouve sur l’écorce, sur l’image d’une feuille ou d’une pomme. La taille d’une répétition de l’écorce, en mètres, est le paramètre «&#xa0;Carreau d’écorce&#xa0;» de l’arbre. À côté d’un .obj, les images de l’écorce sont écrites aussi.</translation>
     </message>
     <message>
         <source>Merged into one mesh</source>
@@ -8942,6 +9274,18 @@ OpenGL&#xa0;: %4
     <message>
         <source>Wind for</source>
         <translation>Vent pour</translation>
+    </message>
+    <message>
+        <source>%1 has no objects: leaves and fruit would be mixed into the one closed mesh of the branches. Tick them to write them all the same.</source>
+        <translation>%1 n’a pas d’objets : feuilles et fruits seraient mêlés à l’unique maillage fermé des branches. Cochez-les pour les écrire quand même.</translation>
+    </message>
+    <message>
+        <source>Fruit</source>
+        <translation>Fruits</translation>
+    </message>
+    <message>
+        <source>Where each corner lies on the bark, on the picture of a leaf or a fruit. The size of one repeat of the bark, in metres, is the tree&apos;s parameter &quot;Bark tile&quot;. Beside an .obj, the pictures of the bark are written too.</source>
+        <translation>Où chaque coin se trouve sur l’écorce, sur l’image d’une feuille ou d’un fruit. La taille d’une répétition de l’écorce, en mètres, est le paramètre « Carreau d’écorce » de l’arbre. À côté d’un .obj, les images de l’écorce sont écrites aussi.</translation>
     </message>
 </context>
 <context>
@@ -9457,6 +9801,10 @@ OpenGL&#xa0;: %4
         <source>Objects, keys and trees (%1)</source>
         <translation>Objets, clés et arbres (%1)</translation>
     </message>
+    <message>
+        <source>Something stands at its place: it was put %1 m beside it. Undo once puts it where the file has it.</source>
+        <translation>Quelque chose se trouve à sa place : il est posé %1 m à côté. Une annulation le remet où le fichier le dit.</translation>
+    </message>
 </context>
 <context>
     <name>ramure::ImportTask</name>
@@ -9917,6 +10265,26 @@ OpenGL&#xa0;: %4
         <comment>the tree</comment>
         <translation>tel quel, puis un quart</translation>
     </message>
+    <message>
+        <source>From</source>
+        <translation>À partir de</translation>
+    </message>
+    <message>
+        <source>60 %, then half of it each</source>
+        <translation>60 %, puis la moitié</translation>
+    </message>
+    <message>
+        <source>60 % of the picture&apos;s height, then half of it each</source>
+        <translation>60 % de la hauteur de l’image, puis la moitié</translation>
+    </message>
+    <message>
+        <source>When each level but the first takes the place of the one before. Metres from the eye, rising, such as 20; 60, for a vertical angle of view of 40°. Or shares of the picture&apos;s height that the tree has, falling, such as 60 %; 30 %, as engines have them: they suit a tree of any size. Nothing here: 60 %, then half of it each.</source>
+        <translation>Quand chaque niveau sauf le premier remplace le précédent. Des mètres depuis l’œil, croissants, comme 20; 60, pour un angle de vue vertical de 40°. Ou des parts de la hauteur de l’image que l’arbre occupe, décroissantes, comme 60 %; 30 %, comme dans les moteurs de jeu : elles conviennent à un arbre de toute taille. Rien ici : 60 %, puis chaque fois la moitié.</translation>
+    </message>
+    <message>
+        <source>When each level is shown</source>
+        <translation>Quand chaque niveau se montre</translation>
+    </message>
 </context>
 <context>
     <name>ramure::LevelModel</name>
@@ -9933,10 +10301,6 @@ OpenGL&#xa0;: %4
     <message>
         <source>The finest level</source>
         <translation>Le niveau le plus fin</translation>
-    </message>
-    <message>
-        <source>Takes the place of level %1 from %2 on, where the details in which they differ, %3 mm, are one pixel of a screen 1080 pixels high</source>
-        <translation>Remplace le niveau %1 à partir de %2, où les détails par lesquels ils diffèrent, %3 mm, sont un pixel d’un écran haut de 1080 pixels</translation>
     </message>
     <message>
         <source>%1 of %2 leaves, %3 times as large</source>
@@ -9983,20 +10347,28 @@ OpenGL&#xa0;: %4
         <translation>Reste</translation>
     </message>
     <message>
-        <source>Distance in metres from which the level takes the place of the one before: on a screen 1080 pixels high, with an angle of view of 40°</source>
-        <translation>Distance en mètres à partir de laquelle le niveau remplace le précédent&#xa0;: sur un écran haut de 1080 pixels, avec un angle de vue de 40°</translation>
-    </message>
-    <message>
         <source>From</source>
         <translation>Dès</translation>
     </message>
     <message>
-        <source>Share of a screen of 1920 × 1080 pixels down to which the level is needed, as a GLB says it (MSFT_screencoverage)</source>
-        <translation>Part d’un écran de 1920 × 1080 pixels jusqu’à laquelle le niveau est nécessaire, comme le dit un GLB (MSFT_screencoverage)</translation>
+        <source>Takes the place of level %1 from %2 on, where the tree has %3 of the picture&apos;s height. The details in which they differ, %4 mm, are one pixel of a screen 1080 pixels high from %5 on.</source>
+        <translation>Remplace le niveau %1 à partir de %2, où l’arbre occupe %3 de la hauteur de l’image. Les détails qui les distinguent, %4 mm, font un pixel d’un écran haut de 1080 pixels à partir de %5.</translation>
     </message>
     <message>
-        <source>Screen</source>
-        <translation>Écran</translation>
+        <source>A GLB says that it is needed while the tree covers %1 of the screen or more (MSFT_screencoverage).</source>
+        <translation>Un GLB dit qu’il est nécessaire tant que l’arbre couvre %1 de l’écran ou plus (MSFT_screencoverage).</translation>
+    </message>
+    <message>
+        <source>Distance in metres from which the level takes the place of the one before, with a vertical angle of view of 40°. Double-click one to change it.</source>
+        <translation>Distance en mètres à partir de laquelle le niveau remplace le précédent, pour un angle de vue vertical de 40°. Un double-clic la change.</translation>
+    </message>
+    <message>
+        <source>Share of the picture&apos;s height that the tree has there, whatever the angle of view. Double-click one to change it.</source>
+        <translation>Part de la hauteur de l’image que l’arbre y occupe, quel que soit l’angle de vue. Un double-clic la change.</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Hauteur</translation>
     </message>
 </context>
 <context>
@@ -10035,10 +10407,6 @@ OpenGL&#xa0;: %4
     <message>
         <source>Cancelled</source>
         <translation>Annulé</translation>
-    </message>
-    <message>
-        <source>A level takes over where what it lacks is no larger than a pixel.</source>
-        <translation>Un niveau prend le relais où ce qui lui manque n’est pas plus grand qu’un pixel.</translation>
     </message>
     <message>
         <source>Go to its &amp;distance</source>
@@ -10134,6 +10502,10 @@ OpenGL&#xa0;: %4
     <message>
         <source>At %1 the tree is %2 pixels high on a screen of 1080.</source>
         <translation>À %1, l’arbre fait %2 pixels de haut sur un écran de 1080.</translation>
+    </message>
+    <message>
+        <source>Double-click a distance or a height to change it.</source>
+        <translation>Un double-clic sur une distance ou une hauteur la change.</translation>
     </message>
 </context>
 <context>
@@ -10821,6 +11193,29 @@ OpenGL&#xa0;: %4
     </message>
 </context>
 <context>
+    <name>ramure::PictureDialog</name>
+    <message>
+        <source>Save a picture</source>
+        <translation>Enregistrer une image</translation>
+    </message>
+    <message>
+        <source>Grid and axes</source>
+        <translation>Grille et axes</translation>
+    </message>
+    <message>
+        <source>The lines on the ground</source>
+        <translation>Les lignes au sol</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Enregistrer…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+</context>
+<context>
     <name>ramure::PictureEditor</name>
     <message>
         <source>Pictures (*.png *.jpg *.jpeg)</source>
@@ -10873,6 +11268,18 @@ OpenGL&#xa0;: %4
         <source>Without sky and ground, to put the trees in front of something else</source>
         <translation>Sans ciel ni sol, pour placer les arbres devant autre chose</translation>
     </message>
+    <message>
+        <source>As the view, %1 × %2</source>
+        <translation>Comme la vue, %1 × %2</translation>
+    </message>
+    <message>
+        <source>Keep the view&apos;s ratio</source>
+        <translation>Garder le rapport de la vue</translation>
+    </message>
+    <message>
+        <source>One side follows the other, so that the picture shows what the view shows; else it shows more or less at its sides</source>
+        <translation>Un côté suit l’autre, pour que l’image montre ce que montre la vue ; sinon elle en montre plus ou moins sur ses bords</translation>
+    </message>
 </context>
 <context>
     <name>ramure::PlaceTool</name>
@@ -10899,6 +11306,13 @@ OpenGL&#xa0;: %4
     <message>
         <source>This tree blooms: a flower was put there. “Fruit” in its parameters makes fruit of all.</source>
         <translation>Cet arbre est en fleurs : il y en a une de plus. « Fruits », dans ses paramètres, en fait des fruits.</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::Planting</name>
+    <message>
+        <source>Move beside the others</source>
+        <translation>Poser à côté des autres</translation>
     </message>
 </context>
 <context>
@@ -11040,11 +11454,6 @@ OpenGL&#xa0;: %4
     <message>
         <source>Search trees</source>
         <translation>Chercher des arbres</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <comment>Latin name: habit</comment>
-        <translation>%1 : %2</translation>
     </message>
     <message>
         <source>%1: a tree that you have kept</source>
@@ -12426,10 +12835,6 @@ OpenGL&#xa0;: %4
         <translation>Feuilles</translation>
     </message>
     <message>
-        <source>Apples</source>
-        <translation>Pommes</translation>
-    </message>
-    <message>
         <source>vertices</source>
         <translation>sommets</translation>
     </message>
@@ -12478,6 +12883,10 @@ OpenGL&#xa0;: %4
     <message>
         <source>A click opens the Validation panel.</source>
         <translation>Un clic ouvre le panneau Validation.</translation>
+    </message>
+    <message>
+        <source>Fruit</source>
+        <translation>Fruits</translation>
     </message>
 </context>
 <context>

@@ -242,6 +242,8 @@ QByteArray inputsHash(const BatchPlan& plan, const BatchRow& row)
             levels << QLatin1String(facts.name);
     for (const std::int64_t budget : plan.levels.budgets)
         levels << QString::number(budget);
+    if (const std::string switches = switchesText(plan.levels); !switches.empty())
+        levels << QString::fromStdString(switches);
     const QJsonObject inputs{
         {QStringLiteral("program"), versionText().trimmed()},
         {QStringLiteral("input"), isFile ? QString::fromLatin1(contentHash(row.input)) : row.input},

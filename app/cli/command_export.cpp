@@ -295,8 +295,8 @@ Expected<void> exportMesh(const ReadMesh& mesh, const Request& request, const Pr
     if (request.needsTree)
         return fail(
             ErrorCode::Invalid,
-            "--part, --model, --leaves, --texture, --levels, --budget and --wind need a tree: the input is a "
-            "mesh");
+            "--part, --model, --leaves, --texture, --levels, --budget, --switch and --wind need a tree: the "
+            "input is a mesh");
     const auto placed = [&request](TriangleMesh object) {
         if (!request.texture) {
             object.uv.clear();

@@ -55,7 +55,7 @@ QStringList passedOn(const CommandLine& line, const PoolOptions& pool)
     for (const QString& file : templatesOf(line))
         out << QStringLiteral("--file") << file;
     out << QStringLiteral("--jobs") << QString::number(pool.processes);
-    for (const char* name : {"memory", "map-size", "levels", "budget", "compress", "wind", "size"})
+    for (const char* name : {"memory", "map-size", "levels", "budget", "switch", "compress", "wind", "size"})
         if (line.has(name))
             out << QStringLiteral("--") + QLatin1String(name) << line.value(name);
     return out;

@@ -18,13 +18,23 @@ void addLevelOptions(CommandLine& line, const QString& others)
         QStringLiteral("Triangles of each level, bark, leaves and fruit together, separated by commas; each "
                        "less than the one before. Levels keep them within 2 %."),
         QStringLiteral("T0,T1,..."));
+    line.add(
+        {QStringLiteral("switch")},
+        QStringLiteral("When each level but the first takes the place of the one before: distances in "
+                       "metres, rising, for a vertical angle of view of 40°, such as 20,60; or shares of "
+                       "the picture's height that the tree has, falling, such as 60%,30%. A .glb holds it "
+                       "as MSFT_screencoverage. Without it 60%, and half of that for each further level."),
+        QStringLiteral("D1,D2,..."));
 }
 
 Expected<LevelOptions> levelsFrom(const CommandLine& line)
 {
     LevelOptions out;
-    if (!line.has("levels") && !line.has("budget"))
+    if (!line.has("levels") && !line.has("budget")) {
+        if (line.has("switch"))
+            return fail(ErrorCode::Invalid, "--switch needs --levels");
         return out;
+    }
     const QStringList budgets =
         line.has("budget") ? line.value("budget").split(QLatin1Char(',')) : QStringList();
     for (const QString& budget : budgets) {
@@ -39,8 +49,11 @@ Expected<LevelOptions> levelsFrom(const CommandLine& line)
     if (!isNumber)
         return fail(ErrorCode::Invalid, "--levels \"%1\": 1 to %2 expected",
                     {line.value("levels").toStdString(), std::to_string(mostLevels)});
-    if (const auto fine = checkLevels(out); !fine)
-        return fail(fine.error());
+    auto fine = readSwitches(line.value("switch").toStdString(), out);
+    if (fine)
+        fine = checkLevels(out);
+    if (!fine)
+        return fail(std::move(fine.error()));
     return out;
 }
 

@@ -1,5 +1,5 @@
 /// \file
-/// --levels, --budget, --compress and --wind, of `export` and of what starts it for many trees.
+/// --levels, --budget, --switch, --compress and --wind, of `export` and of what starts it for many trees.
 #pragma once
 
 #include "app/cli/command_line.h"
@@ -10,7 +10,7 @@ namespace ramure::cli {
 
 /// \param others what becomes of other formats than GLB
 void addLevelOptions(CommandLine& line, const QString& others);
-/// None where neither option is given. Errors: Invalid.
+/// None where neither --levels nor --budget is given. Errors: Invalid.
 Expected<LevelOptions> levelsFrom(const CommandLine& line);
 
 void addCompression(CommandLine& line);

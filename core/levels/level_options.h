@@ -4,6 +4,8 @@
 
 #include "core/base/error.h"
 #include <cstdint>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace ramure {
@@ -15,6 +17,13 @@ inline constexpr double levelSlack = 0.02;
 inline constexpr double levelStep = 0.25;
 /// And of the bark's alone, at most.
 inline constexpr double levelBarkStep = 0.5;
+/// Of the picture's height, what the tree has where the second level takes over and nobody said when, as in
+/// the groups of levels of game engines; and what of that remains for each further level.
+inline constexpr double usualShare = 0.6, usualShareStep = 0.5;
+/// Of the picture's height, at most: nearer than that nobody sees the tree as a whole.
+inline constexpr double mostShare = 10.0;
+/// rad: the vertical angle of view for which distances are told, that of the view.
+inline constexpr double levelFovRad = 0.69;
 
 struct LevelOptions
 {
@@ -23,15 +32,32 @@ struct LevelOptions
     /// the first level is the tree as it is, each further one has a quarter of the triangles, or less
     /// where that would give it more than half of the bark's.
     std::vector<std::int64_t> budgets{};
+    /// When each level but the first takes the place of the one before; at most one of the two is not empty,
+    /// and with neither it is the usual shares. Metres in the scene, from the eye to the tree, rising; or
+    /// shares of the picture's height that the tree has, falling.
+    std::vector<double> distances{}, shares{};
     bool operator==(const LevelOptions&) const = default;
 
     [[nodiscard]] bool isWanted() const { return count > 0; }
     /// The finest level is the tree itself, whose meshes are needed then.
     [[nodiscard]] bool beginsWhole() const { return budgets.empty(); }
+    /// Their meshes are the same, whenever they are shown.
+    [[nodiscard]] bool makesLike(const LevelOptions& other) const
+    {
+        return count == other.count && budgets == other.budgets;
+    }
 };
 
 /// Errors: Invalid (a count out of range, as many budgets as levels, a budget below leastBudget or over
-/// mostBudget, budgets that do not fall).
+/// mostBudget, budgets that do not fall; distances that do not rise from more than 0, shares that do not fall
+/// or are over mostShare, not one of them for each level but the first).
 Expected<void> checkLevels(const LevelOptions& options);
+
+/// Takes "20, 60" or "20 m, 60 m" as distances, "60%, 30%" as shares, and nothing as the usual ones. Where
+/// semicolons part the numbers, a comma in one is a decimal point. Error: Invalid (what is no number, or both
+/// kinds in one text); the options are as they were.
+Expected<void> readSwitches(std::string_view text, LevelOptions& options);
+/// What readSwitches() takes: "20; 60.5", "60 %; 30 %".
+std::string switchesText(const LevelOptions& options);
 
 } // namespace ramure

@@ -16,7 +16,7 @@ inline constexpr std::array dressRows{
         ParamUnit::None, {}, Stage::Foliage),
     row<&NodeParams::foliage, &FoliageParams::leavesCutoff>(
         {"foliage.leavesCutoff", foliageGroup, RAMURE_NOOP("Twig thickness"),
-         RAMURE_NOOP("Branches thinner than this share of the trunk's radius carry leaves and apples. 0 leaves the tree "
+         RAMURE_NOOP("Branches thinner than this share of the trunk's radius carry leaves and fruit. 0 leaves the tree "
                      "bare.")},
         ParamUnit::Ratio, {0, 10, 0, 1, 0.01, 3}, Stage::Foliage, paramAnimatable),
     row<&NodeParams::foliage, &FoliageParams::leavesDensity>(
@@ -96,8 +96,8 @@ inline constexpr std::array dressRows{
          RAMURE_NOOP("1 draws a leaf with the fewest triangles, 3 with the smoothest outline.")},
         ParamUnit::Count, {1, 3, 1, 3, 1, 0}, Stage::Foliage, paramAdvanced, treeOnly, isOfPlant),
     row<&NodeParams::foliage, &FoliageParams::applesProbability>(
-        {"foliage.applesProbability", foliageGroup, RAMURE_NOOP("Apples"),
-         RAMURE_NOOP("The chance that a branch which is thin enough carries an apple, or what else is chosen as fruit: 0 for none, "
+        {"foliage.applesProbability", foliageGroup, RAMURE_NOOP("Amount of fruit"),
+         RAMURE_NOOP("The chance that a branch which is thin enough carries fruit, of the kind below: 0 for none, "
                      "1 for one on each.")},
         ParamUnit::Ratio, {0, 1, 0, 1, 0.01, 3}, Stage::Foliage, paramAnimatable),
     row<&NodeParams::fruit, &FruitParams::kind>(

@@ -381,7 +381,7 @@ Expected<void> addLevels(ExportScene& out, const Candidate& tree, EvaluatedScene
             mesh.isLevel = true;
             mesh.level = static_cast<int>(k);
             mesh.finest = first.second ? noIndex : first.first->second;
-            mesh.coverage = made->coverage[k];
+            mesh.coverage = made->switches.coverage[k];
             mesh.name += "_LOD" + std::to_string(k);
         }
     }

@@ -2,6 +2,7 @@
 
 #include "core/document/commands.h"
 #include "core/scene/world_transforms.h"
+#include "core/session/planting.h"
 
 #include <QFile>
 #include <algorithm>
@@ -41,6 +42,7 @@ void ImportTask::read(const QString& path)
 void ImportTask::finish(Expected<BlenderImport>&& result)
 {
     Expected<NodeId> top = noNode;
+    m_movedBy = 0.0;
     if (!result)
         top = fail(result.error());
     else
@@ -66,6 +68,7 @@ static TimelineSettings timelineFor(const Scene& scene, const TimelineSettings& 
 Expected<NodeId> ImportTask::apply(const BlenderImport& result)
 {
     const TimelineSettings timeline = timelineFor(m_document->scene(), result.timeline);
+    const std::vector<NodeId> before = m_document->scene().children(noNode);
     QUndoStack* stack = m_document->undoStack();
     stack->beginMacro(tr("Import %1").arg(QString::fromStdString(result.nodes.front().name)));
     auto top = edit::insertNodes(*m_document, result.nodes, noNode,
@@ -74,6 +77,12 @@ Expected<NodeId> ImportTask::apply(const BlenderImport& result)
         if (auto set = edit::setTimeline(*m_document, timeline); !set)
             top = fail(std::move(set.error()));
     stack->endMacro();
+    if (!top || m_stays)
+        return top;
+    std::vector<NodeId> added = m_document->scene().children(noNode);
+    std::erase_if(added, [&](NodeId id) { return std::ranges::find(before, id) != before.end(); });
+    const auto moved = edit::moveBeside(*m_document, added);
+    m_movedBy = moved.value_or(0.0);
     return top;
 }
 

@@ -24,6 +24,10 @@ public:
     [[nodiscard]] Scene takeScene() { return std::move(m_scene); }
     void cancel() { m_job.cancel(); }
     [[nodiscard]] bool isRunning() const { return m_job.isRunning(); }
+    /// What is imported into the document stays where the file has it, whatever stands there.
+    void setStays(bool stays) { m_stays = stays; }
+    /// m: how far beside its place the last one stands (edit::moveBeside), a step of undo of its own.
+    [[nodiscard]] double movedBy() const { return m_movedBy; }
     /// What was guessed or mended in the last one that came to its end.
     [[nodiscard]] const std::vector<Note>& notes() const { return m_notes; }
 
@@ -41,6 +45,8 @@ private:
 
     Document* m_document;
     bool m_isScene = false; ///< what is read stays out of the document
+    bool m_stays = false;
+    double m_movedBy = 0.0;
     Scene m_scene;
     std::vector<Note> m_notes;
     Job m_job;

@@ -1,47 +1,15 @@
 #include "core/session/level_export.h"
 
-#include "core/math/box.h"
 #include "core/math/reproducible.h"
-#include <algorithm>
+#include <cmath>
+#include <glm/matrix.hpp>
 
 namespace ramure {
-namespace {
 
-/// m: of a level whose details nobody sees.
-constexpr double leastDetail = 1e-9;
-
-Box boxOf(const TreeLevel& level)
+double nodeScale(const EvaluatedScene& scene, NodeId node)
 {
-    Box box;
-    for (const auto& mesh : {level.bark, level.leaves, level.apples})
-        if (mesh)
-            for (const glm::vec3& p : mesh->positions)
-                box.add(glm::dvec3(p));
-    return box;
-}
-
-} // namespace
-
-std::vector<double> coverageOf(const std::vector<TreeLevel>& levels)
-{
-    const Box box = boxOf(levels.front());
-    const glm::dvec3 size = box.size();
-    std::vector<double> coverage(levels.size(), 0.0);
-    for (std::size_t i = 0; i + 1 < levels.size(); ++i) {
-        const double pixel = std::max(levels[i + 1].detail, leastDetail);
-        const double area = size.y / pixel * std::max(size.x, size.z) / pixel;
-        coverage[i] = std::min(area / (levelScreenWidth * levelScreenHeight), i > 0 ? coverage[i - 1] : 1.0);
-    }
-    return coverage;
-}
-
-std::vector<double> distancesOf(const std::vector<TreeLevel>& levels, double fovRad)
-{
-    const double pixelsPerRatio = levelScreenHeight / (2.0 * maths::tan(0.5 * fovRad));
-    std::vector<double> distances(levels.size(), 0.0);
-    for (std::size_t i = 1; i < levels.size(); ++i)
-        distances[i] = std::max(distances[i - 1], std::max(levels[i].detail, leastDetail) * pixelsPerRatio);
-    return distances;
+    const double volume = std::abs(glm::determinant(glm::dmat3(scene.transforms(node).geometry)));
+    return volume > 0.0 ? maths::pow(volume, 1.0 / 3.0) : 1.0;
 }
 
 Expected<LevelledTree> levelsOf(const Node& node, EvaluatedScene& scene, const ExportOptions& options,
@@ -60,7 +28,7 @@ Expected<LevelledTree> levelsOf(const Node& node, EvaluatedScene& scene, const E
     if (!levels)
         return fail(std::move(levels.error()));
     out.levels = std::move(*levels);
-    out.coverage = coverageOf(out.levels);
+    out.switches = switchesOf(out.levels, options.levels, nodeScale(scene, node.id));
     out.skins.resize(out.levels.size());
     for (std::size_t i = 0; moves && i < out.levels.size(); ++i) {
         auto skins = bindLevel(out.levels[i], out.tree.rest.simplified->skeleton, params.skin.method,

@@ -1,14 +1,11 @@
 #include "core/session/level_watch.h"
 
 #include "core/evaluate/evaluator.h"
-#include "core/math/reproducible.h"
 #include "core/rig/physics/animated_physics.h"
 #include "core/session/job.h"
 #include "core/session/level_export.h"
 #include <QTimer>
 #include <algorithm>
-#include <cmath>
-#include <glm/matrix.hpp>
 #include <optional>
 #include <utility>
 
@@ -32,7 +29,7 @@ struct Request
         NodeParams placed = other.params;
         placed.tree = params.tree;
         placed.local = params.local;
-        return node == other.node && options == other.options && scale == other.scale &&
+        return node == other.node && options.makesLike(other.options) && scale == other.scale &&
                result.branches == other.result.branches && result.leaves == other.result.leaves &&
                result.apples == other.result.apples && moves == other.moves && placed == params;
     }
@@ -67,10 +64,7 @@ Expected<LevelsPointer> madeLevels(const Request& of, const LevelWatch::Function
     if (!levels)
         return fail(std::move(levels.error()));
     out->levels = std::move(*levels);
-    out->coverage = coverageOf(out->levels);
-    out->distances = distancesOf(out->levels, LevelWatch::usualFovRad);
-    for (double& distance : out->distances)
-        distance *= of.scale;
+    out->switches = switchesOf(out->levels, of.options, of.scale);
     out->box = boxOf(out->whole);
     return LevelsPointer(std::move(out));
 }
@@ -79,8 +73,9 @@ Expected<LevelsPointer> madeLevels(const Request& of, const LevelWatch::Function
 
 std::size_t TreeLevels::levelAt(double distance) const
 {
-    const auto next = std::upper_bound(distances.begin(), distances.end(), distance);
-    return next == distances.begin() ? 0 : static_cast<std::size_t>(next - distances.begin()) - 1;
+    const std::vector<double>& from = switches.distances;
+    const auto next = std::upper_bound(from.begin(), from.end(), distance);
+    return next == from.begin() ? 0 : static_cast<std::size_t>(next - from.begin()) - 1;
 }
 
 struct LevelWatch::Private
@@ -98,6 +93,7 @@ struct LevelWatch::Private
     void forget();
     void launch();
     void take(Expected<LevelsPointer>&& got);
+    void takeSwitches();
     void stopWith(State next);
     void refuse(const Error& why);
     void set(State next);
@@ -161,6 +157,8 @@ void LevelWatch::setActive(bool on)
 void LevelWatch::setOptions(const LevelOptions& options)
 {
     d->options = options;
+    if (d->levels && checkLevels(options))
+        d->takeSwitches();
     d->look();
 }
 
@@ -237,9 +235,12 @@ Request LevelWatch::Private::request() const
 {
     const Node& node = *document->scene().find(tree);
     EvaluatedScene now(document->scene());
-    const double volume = std::abs(glm::determinant(glm::dmat3(now.transforms(tree).geometry)));
-    const double scale = volume > 0.0 ? maths::pow(volume, 1.0 / 3.0) : 1.0;
-    return {tree, options, document->result(tree)->tree, now.params(node), movesShape(node.animation), scale};
+    return {tree,
+            options,
+            document->result(tree)->tree,
+            now.params(node),
+            movesShape(node.animation),
+            nodeScale(now, tree)};
 }
 
 /// Waits for a rest where something is another than what was looked at.
@@ -305,11 +306,24 @@ void LevelWatch::Private::take(Expected<LevelsPointer>&& got)
     if (got) {
         levels = std::move(*got);
         made = looked;
+        takeSwitches(); // they may have changed by now
         return set(State::Done);
     }
     levels.reset();
     error = std::move(got.error());
     set(State::Failed);
+}
+
+/// The meshes are the same, whenever they are shown.
+void LevelWatch::Private::takeSwitches()
+{
+    if (levels->levels.size() != static_cast<std::size_t>(options.count))
+        return; // others are being made
+    auto with = std::make_shared<TreeLevels>(*levels);
+    with->switches = switchesOf(with->levels, options, with->scale);
+    levels = std::move(with);
+    if (state == State::Done)
+        emit q->changed();
 }
 
 void LevelWatch::Private::stopWith(State next)

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "core/document/document.h"
-#include "core/levels/tree_levels.h"
+#include "core/levels/level_switches.h"
 #include "core/math/box.h"
 #include <QObject>
 #include <functional>
@@ -19,10 +19,9 @@ struct TreeLevels
     NodeParams params; ///< of the tree
     TreeResult whole;  ///< the tree that they were made of, at rest, with its leaves
     std::vector<TreeLevel> levels;
-    std::vector<double> coverage;  ///< coverageOf()
-    std::vector<double> distances; ///< m in the scene, as the node is scaled: distancesOf() for usualFovRad
-    Box box;                       ///< m, of the whole tree, in its own space
-    double scale = 1.0;            ///< of the node: metres of the scene for one of the tree
+    LevelSwitches switches; ///< as the node is scaled
+    Box box;                ///< m, of the whole tree, in its own space
+    double scale = 1.0;     ///< of the node: metres of the scene for one of the tree
 
     /// Which one is shown at a distance, m in the scene.
     [[nodiscard]] std::size_t levelAt(double distance) const;
@@ -32,9 +31,6 @@ class LevelWatch : public QObject
 {
     Q_OBJECT
 public:
-    /// rad: the angle of view for which distances are told, that of the view.
-    static constexpr double usualFovRad = 0.69;
-
     enum class State {
         None,    ///< no tree to look at
         Growing, ///< the tree itself is still being computed
@@ -56,6 +52,7 @@ public:
 
     /// Nothing is computed while nobody looks; off at first.
     void setActive(bool on);
+    /// Where they alone differ, when levels change is told at once.
     void setOptions(const LevelOptions& options);
     [[nodiscard]] const LevelOptions& options() const;
     /// The active node where it is a tree, or the tree whose branches are selected, or the first selected

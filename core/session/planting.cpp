@@ -7,8 +7,10 @@
 #include "core/params/param_def.h"
 #include "core/scene/object_mesh.h"
 #include "core/scene/preset_scene.h"
+#include <QCoreApplication>
 #include <QUndoStack>
 #include <algorithm>
+#include <glm/vector_relational.hpp>
 #include <string_view>
 
 namespace ramure {
@@ -31,6 +33,30 @@ Box boxOf(const Document& document, const Node& node)
     return box;
 }
 
+/// With the leaves, which reach beyond their twigs.
+Box crownOf(const Document& document, const Node& node)
+{
+    Box box = boxOf(document, node);
+    const NodeResult* result = document.result(node.id);
+    if (result && result->tree.leaves)
+        for (const glm::vec3& p : result->tree.leaves->positions)
+            box.add(glm::dvec3(p));
+    return box;
+}
+
+/// Trees stand on a terrain, and nobody stumbles over a camera.
+bool isObstacle(const Scene& scene, const Node& node)
+{
+    return node.kind != NodeKind::Group && node.kind != NodeKind::Camera && node.kind != NodeKind::Terrain &&
+           scene.isShown(node.id);
+}
+
+bool overlap(const Box& a, const Box& b)
+{
+    const glm::dvec3 least = 1e-6 * glm::min(a.size(), b.size()); // those that touch do not
+    return glm::all(glm::lessThan(a.min + least, b.max)) && glm::all(glm::lessThan(b.min + least, a.max));
+}
+
 } // namespace
 
 double usualReach(const NodeParams& params)
@@ -51,10 +77,7 @@ glm::dvec3 freePlace(const Document& document, double reach)
     const Scene& scene = document.scene();
     std::optional<double> right;
     for (const Node& node : scene.nodes()) {
-        // Trees stand on a terrain, and nobody stumbles over a camera.
-        const bool counts = node.kind != NodeKind::Group && node.kind != NodeKind::Camera &&
-                            node.kind != NodeKind::Terrain && scene.isShown(node.id);
-        if (!counts)
+        if (!isObstacle(scene, node))
             continue;
         const Box world = boxOf(document, node).transformed(worldMatrix(scene, node.id));
         right = std::max(right.value_or(world.max.x), world.max.x);
@@ -80,6 +103,44 @@ Expected<NodeId> edit::plantTree(Document& document, Node tree, NodeId parent,
     tree.id = 1; // replaced by the document
     const int row = static_cast<int>(document.scene().children(parent).size());
     return insertNodes(document, {std::move(tree)}, parent, row);
+}
+
+Expected<double> edit::moveBeside(Document& document, const std::vector<NodeId>& tops)
+{
+    constexpr double gap = 0.1; // of how wide they are
+    const Scene& scene = document.scene();
+    Box own, others;
+    std::vector<Box> boxes; // of the others
+    for (const Node& node : scene.nodes()) {
+        const bool isOwn = std::ranges::any_of(
+            tops, [&](NodeId top) { return top == node.id || scene.isAncestor(top, node.id); });
+        if (isOwn && std::ranges::find(tops, node.id) != tops.end() && !node.animation.empty())
+            return 0.0;
+        if (!isObstacle(scene, node))
+            continue;
+        const Box world = crownOf(document, node).transformed(worldMatrix(scene, node.id));
+        (isOwn ? own : others).add(world);
+        if (!isOwn)
+            boxes.push_back(world);
+    }
+    if (std::ranges::none_of(boxes, [&](const Box& box) { return overlap(own, box); }))
+        return 0.0;
+    const double by = others.max.x - own.min.x + gap * own.size().x;
+    QUndoStack* stack = document.undoStack();
+    stack->beginMacro(QCoreApplication::translate("ramure::Planting", "Move beside the others"));
+    Expected<void> moved;
+    for (const NodeId top : tops) {
+        const Node& node = *scene.find(top);
+        const glm::dmat4 above = worldMatrix(scene, node.parent);
+        const glm::dvec3 step = decomposePlacement(above)
+                                    ? glm::dvec3(glm::inverse(above) * glm::dvec4(by, 0.0, 0.0, 0.0))
+                                    : glm::dvec3(by, 0.0, 0.0);
+        if (moved)
+            moved = setParam(document, {top}, *findParam("tree.translation"),
+                             node.params.tree.translation + step);
+    }
+    stack->endMacro();
+    return moved ? Expected<double>(by) : fail(std::move(moved.error()));
 }
 
 /// What a species is, without where a tree stands and what holds it.

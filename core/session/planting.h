@@ -22,6 +22,10 @@ Expected<NodeId> plantTree(Document& document, const std::string& preset, NodeId
 /// The same of any tree, which needs no id.
 Expected<NodeId> plantTree(Document& document, Node tree, NodeId parent = noNode,
                            const std::optional<glm::dvec3>& place = {});
+/// Where the boxes of these nodes and what is below them run into those of the others, moves them along +X
+/// until they stand beside all of them: one step of undo of its own. \returns by how many m in the world; 0:
+/// they stay, because there is room or because keys move them. Errors: those of setParam.
+Expected<double> moveBeside(Document& document, const std::vector<NodeId>& tops);
 /// These trees get the numbers that make \p like what it is; where they stand, what holds them and what was
 /// done to their branches stays. They are of its preset then, and get its name where they had that of their
 /// old one. One step of undo, with this text. Errors: those of setParams.

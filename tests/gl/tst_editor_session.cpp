@@ -131,6 +131,32 @@ private slots:
         QVERIFY(colours(QImage(picturePath)) > 200);
     }
 
+    /// Asked over a line without a screen, too.
+    void helpNeedsNoScreen()
+    {
+        QProcess program;
+        QProcessEnvironment bare = QProcessEnvironment::systemEnvironment();
+        for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
+            bare.remove(QLatin1String(name));
+        program.setProcessEnvironment(bare);
+        const std::pair<const char*, const char*> rows[] = {{"--nonsense", nullptr},
+                                                            {"--help", "--screenshot"},
+                                                            {"-h", "--screenshot"},
+                                                            {"--version", RAMURE_VERSION}};
+        for (const auto& [option, about] : rows) {
+            program.start(QStringLiteral(RAMURE_EDITOR), {QLatin1String(option)});
+            QVERIFY(program.waitForFinished(patienceMs));
+            const QByteArray said = program.readAllStandardOutput();
+            if (!about) {
+                QVERIFY(program.exitStatus() != QProcess::NormalExit || program.exitCode() != 0);
+                continue;
+            }
+            QCOMPARE(program.exitStatus(), QProcess::NormalExit);
+            QCOMPARE(program.exitCode(), 0);
+            QVERIFY2(said.contains(about), said.constData());
+        }
+    }
+
     void theProgramSaysWhatItCannotOpen()
     {
         QProcess program;

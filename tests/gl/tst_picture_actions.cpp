@@ -4,10 +4,14 @@
 #include "widgets/actions/picture_actions.h"
 #include "widgets/base/action_set.h"
 #include "widgets/base/preferences.h"
+#include "widgets/dialogs/picture_dialog.h"
+#include "widgets/dialogs/picture_form.h"
 #include "widgets/view/render/gl_setup.h"
 #include "widgets/view/viewport.h"
 #include "widgets/view/viewport_host.h"
 #include <QClipboard>
+#include <QSpinBox>
+#include <functional>
 
 using namespace ramure;
 
@@ -37,25 +41,53 @@ private slots:
         host.resize(320, 200);
         host.show();
         QVERIFY(QTest::qWaitForWindowExposed(&host));
-        QAction* save = set.find(QStringLiteral("view.savePicture"));
-        save->trigger(); // cancelled
+        const auto dialog = [&host] { return host.window()->findChild<PictureDialog*>(); };
+        const auto ask = [&](const std::function<void(PictureDialog&)>& choose) {
+            set.find(QStringLiteral("view.savePicture"))->trigger();
+            PictureDialog* asked = dialog();
+            QVERIFY(asked);
+            choose(*asked);
+            QTRY_VERIFY(!dialog());
+        };
+        const auto save = [&] { ask([](PictureDialog& asked) { asked.accept(); }); };
+        ask([](PictureDialog& asked) { asked.reject(); });
+        QCOMPARE(chooser.saves, 0);
+        save(); // and no file is chosen
         QCOMPARE(chooser.saves, 1);
         QVERIFY(chooser.reports.isEmpty() && messages.isEmpty());
         QTemporaryDir folder;
         for (const char* bad : {"tree.nonsense", "no/such/folder/tree.png"}) {
             chooser.reports.clear();
             chooser.answer = folder.filePath(QString::fromLatin1(bad));
-            save->trigger();
+            save();
             QCOMPARE(chooser.reports.size(), 1);
             QVERIFY(!QFile::exists(chooser.answer));
         }
         chooser.answer = folder.filePath(QStringLiteral("tree.png"));
-        save->trigger();
+        save();
         QCOMPARE(messages.count(), 1);
         QCOMPARE(QImage(chooser.answer).size(), QSize(320, 200));
         QCOMPARE(preferences.lastFolder(), folder.path());
-        set.find(QStringLiteral("view.copyPicture"))->trigger();
+        ask([](PictureDialog& asked) {
+            asked.form()->findChild<QSpinBox*>(QStringLiteral("pictureWidth"))->setValue(640);
+            QCOMPARE(asked.form()->pictureSize(), QSize(640, 400)); // the view's ratio
+            asked.form()->setPictureSize({1000, 400});
+            asked.form()->findChild<QSpinBox*>(QStringLiteral("pictureWidth"))->setValue(400);
+            QCOMPARE(asked.form()->pictureSize(), QSize(400, 400)); // no longer
+            asked.form()->setTransparent(true);
+            asked.accept();
+        });
+        const QImage clear(chooser.answer);
+        QCOMPARE(clear.size(), QSize(400, 400));
+        QCOMPARE(qAlpha(clear.pixel(0, 0)), 0);
+        ask([](PictureDialog& asked) { // as the last time
+            QCOMPARE(asked.form()->pictureSize(), QSize(400, 400));
+            QVERIFY(asked.form()->isTransparent() && !*asked.wish().grid);
+            asked.reject();
+        });
         QCOMPARE(messages.count(), 2);
+        set.find(QStringLiteral("view.copyPicture"))->trigger();
+        QCOMPARE(messages.count(), 3);
         QCOMPARE(QGuiApplication::clipboard()->image().size(), QSize(320, 200));
     }
 

@@ -166,6 +166,40 @@ private slots:
         QVERIFY(!nodeNamed(json, "Box")->contains("extensions"));
     }
 
+    void aGlbSaysWhenLevelsChange()
+    {
+        LevelOptions levels{3, {4'000, 1'000, 300}};
+        const auto coverage = [&](double scale) {
+            Scene scene = sceneOf("TinyTree");
+            Node tree = *scene.find(1);
+            tree.params.tree.scale = glm::dvec3(scale);
+            ExportOptions options = levelled(levels.budgets);
+            options.levels = levels;
+            if (!write(*Scene::fromNodes({tree}), options, "s.glb"))
+                qFatal("not written");
+            const Json json = jsonOf(test::fileBytes(path("s.glb")));
+            return (*nodeNamed(json, "branches_LOD0"))["extras"]["MSFT_screencoverage"]
+                .get<std::vector<double>>();
+        };
+        const auto isNear = [](double one, double other) { return std::abs(one - other) <= 1e-6 * other; };
+        const auto usual = coverage(1.0);
+        levels.shares = {0.6, 0.3};
+        QCOMPARE(coverage(3.0), usual); // of the picture, whatever the size
+        levels.shares = {0.3, 0.1};
+        const auto later = coverage(1.0);
+        QVERIFY(isNear(later[0], usual[1]) && isNear(later[1], usual[1] / 9.0));
+        levels.shares.clear();
+        levels.distances = {20.0, 60.0};
+        const auto near = coverage(1.0), large = coverage(3.0);
+        QVERIFY(isNear(near[0], 9.0 * near[1]) && isNear(large[1], near[0]));
+        levels.distances = {60.0, 20.0};
+        ExportOptions options = levelled(levels.budgets);
+        options.levels = levels;
+        const auto written = write(sceneOf("TinyTree"), options, "no.glb");
+        QVERIFY2(!written && written.error().message().find("must rise") != std::string::npos,
+                 test::why(written));
+    }
+
     void otherFormatsHaveNumberedFiles_data()
     {
         QTest::addColumn<QString>("ending");

@@ -35,6 +35,36 @@ private slots:
         QVERIFY(!planted);
         QCOMPARE(document.undoStack()->count(), 0);
     }
+    void whatHasRoomIsNotMoved()
+    {
+        Document document;
+        QCOMPARE(*edit::moveBeside(document, {}), 0.0);
+        const NodeId first = *edit::insertNodes(document, {node(1, NodeKind::Primitive, {})}, noNode, 0);
+        const NodeId far = *edit::insertNodes(document, {node(1, NodeKind::Primitive, {9, 0, 0})}, noNode, 1);
+        const int steps = document.undoStack()->count();
+        QCOMPARE(*edit::moveBeside(document, {far}), 0.0);
+        QCOMPARE(*edit::moveBeside(document, {first, far}), 0.0); // all there is
+        QCOMPARE(document.undoStack()->count(), steps);
+        QVERIFY(edit::setParam(document, {far}, *findParam("tree.translation"), glm::dvec3(0.0)));
+        QVERIFY(edit::setNodeLocked(document, {far}, true));
+        QVERIFY(!edit::moveBeside(document, {far}));
+        QCOMPARE(placeOf(document, far), glm::dvec3(0.0));
+    }
+    /// As imports do; one step of undo gives them their place back.
+    void whatOverlapsIsPutBeside()
+    {
+        Document document;
+        QVERIFY(edit::insertNodes(document, {node(1, NodeKind::Primitive, {4, 0, 0})}, noNode, 0));
+        const NodeId group = *edit::insertNodes(document, {node(1, NodeKind::Group, {3.7, 0, 0})}, noNode, 1);
+        const NodeId inside = *edit::insertNodes(document, {node(1, NodeKind::Primitive, {})}, group, 0);
+        const auto moved = edit::moveBeside(document, {group});
+        QVERIFY2(moved && *moved > 0.3, test::why(moved));
+        QVERIFY(std::abs(placeOf(document, inside).x - 3.7 - *moved) < 1e-9);
+        QCOMPARE(placeOf(document, inside).z, 0.0);
+        QCOMPARE(*edit::moveBeside(document, {group}), 0.0); // now there is room
+        document.undoStack()->undo();
+        QVERIFY(std::abs(placeOf(document, inside).x - 3.7) < 1e-9);
+    }
     /// In one step; where they stand and what holds them stays.
     void treesBecomeOthersWhereTheyStand()
     {

@@ -1,6 +1,7 @@
 #include "core/evaluate/evaluator.h"
 #include "core/params/presets.h"
 #include "core/pipeline/tree_pipeline.h"
+#include "core/scene/preset_scene.h"
 #include "core/session/sequence.h"
 #include "tests/support/suite.h"
 #include <QDir>
@@ -118,6 +119,44 @@ private slots:
         ExportOptions hidden;
         hidden.nodes = {77};
         QCOMPARE(estimatedFileBytes(m_scene, hidden, pipelineSource(m_pipeline), path("a.obj")), 0U);
+    }
+
+    /// Written sizes in bytes, as `ramure-cli export preset:NAME -o a.glb` gave them, with `--wind-loop 2`
+    /// and with `--levels 3`: a change of the format has new ones.
+    void sizesOfGlbAreWithinATenth_data()
+    {
+        QTest::addColumn<double>("still");
+        QTest::addColumn<double>("moving");
+        QTest::addColumn<double>("levels");
+        QTest::newRow("EnglishOak") << 142609372.0 << 192324804.0 << 170956340.0;
+        QTest::newRow("SilverBirch") << 59806432.0 << 80255800.0 << 84896912.0;
+        QTest::newRow("ScotsPine") << 55969436.0 << 76620472.0 << 0.0;
+        QTest::newRow("SmallTree") << 32410308.0 << 43303640.0 << 44629376.0;
+        QTest::newRow("CoconutPalm") << 3258572.0 << 4352292.0 << 0.0;
+        QTest::newRow("OrchardApple") << 40020216.0 << 53490072.0 << 0.0;
+    }
+    void sizesOfGlbAreWithinATenth()
+    {
+        QFETCH(double, still);
+        QFETCH(double, moving);
+        QFETCH(double, levels);
+        const auto scene = presetScene(QTest::currentDataTag());
+        QVERIFY(scene);
+        ExportOptions options;
+        options.texture = true;
+        const TreeSource rest = pipelineSource(m_pipeline);
+        const auto isNear = [&](double real, double slack = 0.1) {
+            const auto said = double(estimatedFileBytes(*scene, options, rest, path("a.glb")));
+            return std::abs(said - real) <= slack * real;
+        };
+        QVERIFY(isNear(still));
+        options.clip.resize(48);
+        QVERIFY(isNear(moving));
+        options.clip.clear();
+        if (levels > 0.0) {
+            options.levels.count = 3;
+            QVERIFY(isNear(levels, 0.15)); // bark and leaves share them as each tree allows
+        }
     }
 
     void cancellingLeavesWholeFilesOnly()

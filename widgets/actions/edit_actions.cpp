@@ -11,6 +11,7 @@
 #include "widgets/base/core_text.h"
 #include "widgets/base/icons.h"
 #include "widgets/base/node_words.h"
+#include "widgets/base/preset_title.h"
 #include "widgets/base/targets.h"
 #include "widgets/view/render/camera_items.h"
 #include "widgets/view/tools/hand_edit.h"
@@ -104,8 +105,9 @@ void EditActions::fillMenu(QMenu* menu)
     m_addMenu = menu->addMenu(QString());
     for (const Preset& preset : presets()) {
         const QString name = QString::fromLatin1(preset.name);
-        auto* add = new QAction(icon("tree"), name, this);
+        auto* add = new QAction(icon("tree"), QString(), this);
         addPreset(m_addMenu, preset, add);
+        m_addPresets.push_back(add);
         add->setObjectName(QStringLiteral("edit.add.") + name);
         connect(add, &QAction::triggered, this, [this, name] { addTree(name); });
     }
@@ -136,6 +138,8 @@ void EditActions::retranslate()
         m_addMenu->setTitle(tr("&Add to the scene"));
         nameGroups(m_addMenu);
     }
+    for (std::size_t i = 0; i < m_addPresets.size(); ++i)
+        describePreset(presets()[i], m_addPresets[i]);
     for (const auto& [action, label] : m_addPrimitives)
         action->setText(coreText(label));
     update();
@@ -234,8 +238,10 @@ void EditActions::addNode(Node node)
 
 void EditActions::addTree(const QString& preset, const std::optional<glm::dvec3>& place)
 {
-    reportFailure(namedTree(preset).and_then(
-        [&](Node&& tree) { return edit::plantTree(*m_document, std::move(tree), parentOfNew(), place); }));
+    reportFailure(namedTree(preset).and_then([&](Node&& tree) {
+        giveTitle(tree);
+        return edit::plantTree(*m_document, std::move(tree), parentOfNew(), place);
+    }));
 }
 
 bool EditActions::canBecome(NodeId tree) const
@@ -247,7 +253,7 @@ bool EditActions::canBecome(NodeId tree) const
 void EditActions::makeLike(NodeId tree, const QString& preset)
 {
     reportFailure(namedTree(preset).and_then([&](const Node& like) {
-        const QString name = spacedName(QString::fromStdString(like.name));
+        const QString name = presetTitle(QString::fromStdString(like.name));
         return edit::makeTreesLike(*m_document, {tree}, like,
                                    tr("Make it %1", "undo step; the name of a preset").arg(name));
     }));

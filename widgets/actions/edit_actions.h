@@ -99,6 +99,7 @@ private:
     QAction* m_visible;
     QAction* m_locked;
     QMenu* m_addMenu = nullptr;
+    std::vector<QAction*> m_addPresets;                            ///< as presets() has them
     std::vector<std::pair<QAction*, const char*>> m_addPrimitives; ///< with their labels, context "core"
 };
 

@@ -13,6 +13,7 @@
 #include "widgets/base/core_text.h"
 #include "widgets/base/icons.h"
 #include "widgets/base/preferences.h"
+#include "widgets/base/preset_title.h"
 #include "widgets/view/render/surface_images.h"
 #include <QDir>
 #include <QFile>
@@ -57,7 +58,7 @@ FileActions::FileActions(Document* document, Preferences* preferences, Chooser* 
     , m_quit(set->add({"file.quit", QT_TRANSLATE_NOOP("Actions", "&Quit"), "quit", QKeySequence::Quit}))
 {
     for (const Preset& preset : presets()) {
-        auto* action = new QAction(icon("tree"), QString::fromLatin1(preset.name), this);
+        auto* action = new QAction(icon("tree"), QString(), this);
         action->setObjectName(QStringLiteral("file.new.") + QLatin1String(preset.name));
         if (m_presets.empty())
             action->setShortcut(QKeySequence::New);
@@ -130,10 +131,8 @@ void FileActions::retranslate()
 {
     setLastExport(m_lastExport);
     std::size_t at = 0;
-    for (const Preset& preset : presets()) {
-        m_presets[at]->setToolTip(coreText(preset.description));
-        m_presets[at++]->setStatusTip(coreText(preset.description));
-    }
+    for (const Preset& preset : presets())
+        describePreset(preset, m_presets[at++]);
     at = 0;
     for (const DemoScene& demo : demoScenes())
         m_demos[at++]->setText(coreText(demo.label));
@@ -203,6 +202,7 @@ bool FileActions::newFromPreset(const QString& preset)
 {
     return startWith(namedTree(preset).and_then([](Node&& tree) {
         tree.id = 1;
+        giveTitle(tree);
         return Scene::fromNodes({std::move(tree)});
     }),
                      tr("There is no such preset."));

@@ -7,7 +7,9 @@
 #include "widgets/base/core_text.h"
 #include "widgets/base/preferences.h"
 #include <QFileInfo>
+#include <QLocale>
 #include <QProgressDialog>
+#include <algorithm>
 #include <utility>
 
 namespace ramure {
@@ -59,10 +61,21 @@ bool ImportActions::isRunning() const
 
 void ImportActions::chooseFile()
 {
+    choose(false);
+}
+
+void ImportActions::chooseToWear()
+{
+    choose(true);
+}
+
+/// \param stays at the place that the file has it
+void ImportActions::choose(bool stays)
+{
     const QString path = m_chooser->openFile(tr("Import"), m_preferences->lastFolder(),
                                              fileFilter() + QStringLiteral(";;") + tr("All files (*)"));
     if (!path.isEmpty())
-        importPath(path);
+        importPath(path, stays);
 }
 
 void ImportActions::chooseFolder()
@@ -72,10 +85,11 @@ void ImportActions::chooseFolder()
         importPath(path);
 }
 
-void ImportActions::importPath(const QString& path)
+void ImportActions::importPath(const QString& path, bool stays)
 {
     if (m_task->isRunning())
         return;
+    m_task->setStays(stays);
     begin(path, tr("Import"), tr("Importing “%1”…"));
     m_task->start(path);
 }
@@ -123,7 +137,12 @@ void ImportActions::finish(NodeId top, const std::optional<Error>& error)
         return;
     }
     if (!take) {
-        tellNotes(tr("“%1” was imported.").arg(name));
+        QString text = tr("“%1” was imported.").arg(name);
+        if (const double by = m_task->movedBy(); by != 0.0)
+            text += u'\n' + tr("Something stands at its place: it was put %1 m beside it. Undo once puts it "
+                               "where the file has it.")
+                                .arg(QLocale().toString(by, 'f', by < 10.0 ? 1 : 0));
+        tellNotes(text);
         emit imported(top);
     } else if (take(m_task->takeScene()) && !m_task->notes().empty()) {
         tellNotes(tr("“%1” was opened.").arg(name));
@@ -142,7 +161,8 @@ void ImportActions::tellNotes(const QString& text)
     }
     if (notes.size() > mostNotes)
         told += u'\n' + tr("… and %n more note(s)", nullptr, static_cast<int>(notes.size() - mostNotes));
-    m_chooser->report(notes.empty() ? Severity::Info : Severity::Warning, told);
+    const bool isFine = std::ranges::all_of(notes, [](const Note& note) { return note.code == remark; });
+    m_chooser->report(isFine ? Severity::Info : Severity::Warning, told);
 }
 
 } // namespace ramure

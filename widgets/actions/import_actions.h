@@ -34,19 +34,22 @@ public:
     /// Such files, as a file dialog has it.
     [[nodiscard]] static QString fileFilter();
     /// Reads it in the background, adds it to the scene and tells what was guessed.
-    void importPath(const QString& path);
+    /// \param stays where the file has it, whatever stands there; else beside that (edit::moveBeside)
+    void importPath(const QString& path, bool stays = false);
     /// Reads it in the background and hands it on; the document is left alone. \p take says whether it was
     /// wanted, and gets nothing where there was an error, which has been told, or the user has cancelled.
     void openPath(const QString& path, std::function<bool(std::optional<Scene>)> take);
     [[nodiscard]] bool isRunning() const;
     /// Asks for a file, and imports it.
     void chooseFile();
+    void chooseToWear(); ///< for an arm, which takes it where it is
 
 signals:
     void imported(ramure::NodeId top);
 
 private:
     void chooseFolder();
+    void choose(bool stays);
     void begin(const QString& path, const QString& title, const QString& text);
     void finish(ramure::NodeId top, const std::optional<Error>& error);
     void tellNotes(const QString& text);

@@ -4,6 +4,7 @@
 #include "widgets/base/chooser.h"
 #include "widgets/base/core_text.h"
 #include "widgets/base/preferences.h"
+#include "widgets/dialogs/picture_dialog.h"
 #include "widgets/view/tools/hand_settings.h"
 #include "widgets/view/viewport.h"
 #include "widgets/view/viewport_host.h"
@@ -43,7 +44,7 @@ PictureActions::PictureActions(ViewportHost* host, Preferences* preferences, Cho
             action->setEnabled(false);
         return;
     }
-    connect(m_save, &QAction::triggered, this, &PictureActions::save);
+    connect(m_save, &QAction::triggered, this, &PictureActions::ask);
     connect(m_copy, &QAction::triggered, this, [this, view] {
         view->copyScreenshot();
         emit messageRaised(tr("The picture is on the clipboard"));
@@ -65,14 +66,30 @@ QList<QAction*> PictureActions::selectionActions() const
     return {m_selectAll, m_clearSelection};
 }
 
-void PictureActions::save()
+/// How large, then where to.
+void PictureActions::ask()
+{
+    const auto key = QStringLiteral("picture");
+    auto* dialog = new PictureDialog(m_host->viewport()->pixelSize(),
+                                     m_preferences->exportSettings().value(key).toMap(), m_host->window());
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this, [this, dialog, key] {
+        QVariantMap kept = m_preferences->exportSettings();
+        kept.insert(key, dialog->settings());
+        m_preferences->setExportSettings(kept);
+        save(dialog->wish());
+    });
+    dialog->open();
+}
+
+void PictureActions::save(const ViewPicture& wish)
 {
     const QString path = m_chooser->saveFile(
         tr("Save a picture"), QDir(m_preferences->lastFolder()).filePath(tr("tree") + QStringLiteral(".png")),
         tr("Pictures (*.png *.jpg);;All files (*)"), QStringLiteral("png"));
     if (path.isEmpty())
         return;
-    if (const auto done = m_host->viewport()->saveScreenshot(path); !done) {
+    if (const auto done = m_host->viewport()->saveScreenshot(path, wish); !done) {
         m_chooser->report(Severity::Error, errorTextWithPlace(done.error()));
         return;
     }

@@ -13,6 +13,7 @@ class ActionSet;
 class Chooser;
 class Preferences;
 class ViewportHost;
+struct ViewPicture;
 
 class PictureActions : public QObject
 {
@@ -30,7 +31,8 @@ signals:
     void messageRaised(const QString& text);
 
 private:
-    void save();
+    void ask();
+    void save(const ViewPicture& wish);
 
     ViewportHost* m_host;
     Preferences* m_preferences;

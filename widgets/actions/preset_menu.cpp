@@ -1,6 +1,7 @@
 #include "widgets/actions/preset_menu.h"
 
 #include "widgets/base/core_text.h"
+#include "widgets/base/preset_title.h"
 #include <QMenu>
 #include <string_view>
 
@@ -8,7 +9,6 @@ namespace ramure {
 
 void addPreset(QMenu* menu, const Preset& preset, QAction* action)
 {
-    action->setToolTip(QString::fromUtf8(preset.latin));
     if (std::string_view(preset.group) == presets().front().group) {
         menu->addAction(action);
         return;
@@ -22,6 +22,13 @@ void addPreset(QMenu* menu, const Preset& preset, QAction* action)
         menu->addMenu(submenu);
     }
     submenu->addAction(action);
+}
+
+void describePreset(const Preset& preset, QAction* action)
+{
+    action->setText(presetTitle(QString::fromLatin1(preset.name)));
+    action->setToolTip(presetTip(preset));
+    action->setStatusTip(action->toolTip());
 }
 
 void nameGroups(QMenu* menu)

@@ -11,6 +11,8 @@ class QMenu;
 namespace ramure {
 
 void addPreset(QMenu* menu, const Preset& preset, QAction* action);
+/// Its name and its tips, in the language of now.
+void describePreset(const Preset& preset, QAction* action);
 /// The submenus' titles, in the language of now.
 void nameGroups(QMenu* menu);
 

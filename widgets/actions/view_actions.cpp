@@ -187,7 +187,7 @@ void ViewActions::addSwitches(ActionSet* set)
     };
     add({"view.leaves", QT_TRANSLATE_NOOP("Actions", "&Leaves"), "leaf", {}}, settings->leavesVisible(),
         &ViewSettings::setLeavesVisible, &ViewSettings::leavesVisibleChanged);
-    add({"view.apples", QT_TRANSLATE_NOOP("Actions", "A&pples"), "apple", {}}, settings->applesVisible(),
+    add({"view.apples", QT_TRANSLATE_NOOP("Actions", "F&ruit"), "apple", {}}, settings->applesVisible(),
         &ViewSettings::setApplesVisible, &ViewSettings::applesVisibleChanged);
     add({"view.grid", QT_TRANSLATE_NOOP("Actions", "&Grid"), "grid", QKeySequence(Qt::SHIFT | Qt::Key_G)},
         settings->gridVisible(), &ViewSettings::setGridVisible, &ViewSettings::gridVisibleChanged);

@@ -1,11 +1,13 @@
 #include "widgets/base/level_form.h"
 
 #include <QEvent>
-#include <QHBoxLayout>
+#include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QRegularExpression>
+#include <QSignalBlocker>
 #include <QSpinBox>
+#include <utility>
 
 namespace ramure {
 
@@ -13,21 +15,28 @@ LevelForm::LevelForm(QWidget* parent)
     : QWidget(parent)
     , m_count(new QSpinBox(this))
     , m_label(new QLabel(this))
+    , m_fromLabel(new QLabel(this))
     , m_budgets(new QLineEdit(this))
+    , m_from(new QLineEdit(this))
 {
     m_count->setObjectName(QStringLiteral("exportLevels"));
     m_budgets->setObjectName(QStringLiteral("exportBudgets"));
     m_count->setRange(1, static_cast<int>(mostLevels));
+    m_from->setObjectName(QStringLiteral("exportSwitches"));
     m_label->setBuddy(m_budgets);
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(6);
-    row->addWidget(m_count);
-    row->addSpacing(8);
-    row->addWidget(m_label);
-    row->addWidget(m_budgets, 1);
-    connect(m_count, &QSpinBox::valueChanged, this, &LevelForm::changed);
+    m_fromLabel->setBuddy(m_from);
+    auto* rows = new QGridLayout(this);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->setSpacing(6);
+    rows->setColumnStretch(2, 1);
+    rows->addWidget(m_count, 0, 0);
+    rows->addWidget(m_label, 0, 1);
+    rows->addWidget(m_budgets, 0, 2);
+    rows->addWidget(m_fromLabel, 1, 1);
+    rows->addWidget(m_from, 1, 2);
+    connect(m_count, &QSpinBox::valueChanged, this, &LevelForm::takeCount);
     connect(m_budgets, &QLineEdit::textChanged, this, &LevelForm::changed);
+    connect(m_from, &QLineEdit::textChanged, this, &LevelForm::changed);
     setFocusProxy(m_count);
     retranslate();
 }
@@ -42,7 +51,29 @@ LevelOptions LevelForm::options() const
             options.budgets.push_back(budget.toLongLong());
     if (m_count->value() > 1 || !options.budgets.empty())
         options.count = m_count->value();
+    (void)readSwitches(m_from->text().toStdString(), options); // check() tells
     return options;
+}
+
+/// A level more is seen from twice as far as the one before it; of levels that are gone, so is the distance.
+void LevelForm::takeCount()
+{
+    LevelOptions now = options();
+    const auto wanted = static_cast<std::size_t>(m_count->value()) - 1;
+    bool isOther = false;
+    for (auto [numbers, step] : {std::pair(&now.distances, 2.0), std::pair(&now.shares, usualShareStep)})
+        while (!numbers->empty() && numbers->size() != wanted) {
+            isOther = true;
+            if (numbers->size() > wanted)
+                numbers->pop_back();
+            else
+                numbers->push_back(step * numbers->back());
+        }
+    if (isOther) {
+        const QSignalBlocker once(m_from);
+        m_from->setText(QString::fromStdString(switchesText(now)));
+    }
+    emit changed();
 }
 
 void LevelForm::setOptions(const LevelOptions& options)
@@ -52,6 +83,27 @@ void LevelForm::setOptions(const LevelOptions& options)
         budgets += QString::number(budget);
     m_count->setValue(std::max(1, static_cast<int>(options.count)));
     m_budgets->setText(budgets.join(QStringLiteral(", ")));
+    m_from->setText(QString::fromStdString(switchesText(options)));
+}
+
+QVariantMap LevelForm::settingsOf(const LevelOptions& options)
+{
+    QVariantList budgets;
+    for (const std::int64_t budget : options.budgets)
+        budgets += qlonglong(budget);
+    return {{"levels", qlonglong(options.count)},
+            {"budgets", budgets},
+            {"switches", QString::fromStdString(switchesText(options))}};
+}
+
+LevelOptions LevelForm::optionsIn(const QVariantMap& settings)
+{
+    LevelOptions options;
+    options.count = settings.value(QStringLiteral("levels")).toLongLong();
+    for (const QVariant& budget : settings.value(QStringLiteral("budgets")).toList())
+        options.budgets.push_back(budget.toLongLong());
+    (void)readSwitches(settings.value(QStringLiteral("switches")).toString().toStdString(), options);
+    return options;
 }
 
 void LevelForm::setNarrow()
@@ -66,7 +118,10 @@ Expected<void> LevelForm::check() const
     if (!numbers.match(m_budgets->text()).hasMatch())
         return fail(ErrorCode::Invalid,
                     RAMURE_NOOP("budgets are numbers of triangles, with commas between them"));
-    const LevelOptions wanted = options();
+    LevelOptions wanted;
+    if (auto read = readSwitches(m_from->text().toStdString(), wanted); !read)
+        return read;
+    wanted = options();
     return wanted.isWanted() ? checkLevels(wanted) : Expected<void>();
 }
 
@@ -91,6 +146,15 @@ void LevelForm::retranslate()
            "fruit together, kept within 2 %. Nothing here: the first level is the tree as it is, each "
            "further one has a quarter."));
     m_budgets->setAccessibleName(tr("Triangles of each level"));
+    m_fromLabel->setText(tr("From"));
+    m_from->setPlaceholderText(m_isNarrow ? tr("60 %, then half of it each")
+                                          : tr("60 % of the picture's height, then half of it each"));
+    m_from->setToolTip(
+        tr("When each level but the first takes the place of the one before. Metres from the eye, rising, "
+           "such as 20; 60, for a vertical angle of view of 40°. Or shares of the picture's height that the "
+           "tree has, falling, such as 60 %; 30 %, as engines have them: they suit a tree of any size. "
+           "Nothing here: 60 %, then half of it each."));
+    m_from->setAccessibleName(tr("When each level is shown"));
 }
 
 } // namespace ramure

@@ -1,8 +1,9 @@
 /// \file
-/// Levels of detail of an export: how many, and how many triangles each may have.
+/// Levels of detail of an export: how many, how many triangles each may have, and when it is shown.
 #pragma once
 
 #include "core/levels/level_options.h"
+#include <QVariantMap>
 #include <QWidget>
 
 class QLabel;
@@ -23,9 +24,13 @@ public:
     void setOptions(const LevelOptions& options);
     /// For a panel: what stands in the empty field is shorter.
     void setNarrow();
-    /// A text that holds no numbers is no budget. Error: Invalid, with what is expected; those of
-    /// checkLevels.
+    /// A text that holds no numbers is no budget. Errors: Invalid, with what is expected; those of
+    /// readSwitches and of checkLevels.
     [[nodiscard]] Expected<void> check() const;
+
+    /// For files of settings; what is no number there is left out.
+    static QVariantMap settingsOf(const LevelOptions& options);
+    static LevelOptions optionsIn(const QVariantMap& settings);
 
 signals:
     void changed();
@@ -35,10 +40,11 @@ protected:
 
 private:
     void retranslate();
+    void takeCount();
 
     QSpinBox* m_count;
-    QLabel* m_label;
-    QLineEdit* m_budgets;
+    QLabel *m_label, *m_fromLabel;
+    QLineEdit *m_budgets, *m_from;
     bool m_isNarrow = false;
 };
 

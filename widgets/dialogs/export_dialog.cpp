@@ -89,6 +89,8 @@ ExportDialog::ExportDialog(Document* document, Recompute* recompute, Preferences
     setPicturesEnabled(false);
     retranslate();
     takeFormat();
+    m_usual = settings();
+    turnPage(m_use);
 }
 
 ExportDialog::~ExportDialog() = default;
@@ -283,7 +285,7 @@ void ExportDialog::updateWidgets()
         box->setEnabled(!running && !lines);
     m_foliage->setEnabled(!running && !lines);
     if (format())
-        m_partsNote->setText(tr("%1 has no objects: leaves and apples would be mixed into the one closed "
+        m_partsNote->setText(tr("%1 has no objects: leaves and fruit would be mixed into the one closed "
                                 "mesh of the branches. Tick them to write them all the same.")
                                  .arg(coreText(format()->name)));
     m_partsNote->setVisible(format() && !isPrint() && !holds(holdsObjects) && !lines &&
@@ -413,6 +415,12 @@ void ExportDialog::reject()
     } else {
         QDialog::reject();
     }
+}
+
+void ExportDialog::done(int result)
+{
+    keepPages();
+    QDialog::done(result);
 }
 
 void ExportDialog::changeEvent(QEvent* event)

@@ -7,6 +7,7 @@
 #include "widgets/dialogs/sequence_task.h"
 #include <QDialog>
 #include <QVariantMap>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -85,7 +86,8 @@ signals:
     void showRequested(ramure::NodeId tree);
 
 public slots:
-    void reject() override; ///< cancels what is running first
+    void reject() override;         ///< cancels what is running first
+    void done(int result) override; ///< with what each page has for the next time
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -125,6 +127,8 @@ private:
     void fillKept();
     void updateKept();
     void takeKept(int row);
+    void turnPage(ExportUse use);
+    void keepPages();
     void keep();
     void forgetKept();
     // export_print.cpp
@@ -159,6 +163,8 @@ private:
     QString m_mayReplace; ///< the path (and frames) whose existing files the user has agreed to overwrite
     bool m_mayReplaceAll = false; ///< it is done again
     ExportUse m_use = ExportUse::Blender;
+    QVariantMap m_usual;                      ///< settings before anybody chose
+    std::map<ExportUse, QVariantMap> m_pages; ///< of those that were left
     QTabBar* m_uses = nullptr;
     struct FormRow
     {

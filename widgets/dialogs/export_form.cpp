@@ -149,6 +149,7 @@ void ExportDialog::setLevels(const LevelOptions& levels)
 
 void ExportDialog::takeUse(int tab)
 {
+    m_pages[m_use] = settings();
     m_use = exportUses[static_cast<std::size_t>(tab)];
     fillFormats();
     fillKept();
@@ -159,6 +160,7 @@ void ExportDialog::takeUse(int tab)
     }
     forgetPrint();
     takeFormat();
+    turnPage(m_use);
 }
 
 QLayout* ExportDialog::buildParts()
@@ -305,11 +307,11 @@ void ExportDialog::retranslate()
         "for programs that draw instances."));
     m_branches->setText(tr("Branches"));
     m_leaves->setText(tr("Leaves"));
-    m_apples->setText(tr("Apples"));
+    m_apples->setText(tr("Fruit"));
     m_selection->setText(tr("Only what is selected"));
     m_texture->setText(tr("Texture coordinates"));
     m_texture->setToolTip(tr(
-        "Where each corner lies on the bark, on the picture of a leaf or an apple. The size of one "
+        "Where each corner lies on the bark, on the picture of a leaf or a fruit. The size of one "
         "repeat of the bark, in metres, is the tree's parameter \"Bark tile\". Beside an .obj, the pictures "
         "of the bark are written too."));
     const QString whole =

@@ -22,7 +22,9 @@ namespace ramure {
 /// Before the names that users gave: nothing chosen, and the last export of this use.
 enum KeptEntry { OwnRow, LastRow };
 
-static const QString lastKey = QStringLiteral("last"), namedKey = QStringLiteral("named");
+static const QString lastKey = QStringLiteral("last"), namedKey = QStringLiteral("named"),
+                     pageKey = QStringLiteral("page");
+static constexpr const char* ofDocument[] = {"selection", "first", "last", "step"};
 
 QLayout* ExportDialog::buildKept()
 {
@@ -121,44 +123,40 @@ void ExportDialog::forgetKept()
 /// All that was chosen, but not where to.
 QVariantMap ExportDialog::settings() const
 {
-    QVariantList budgets;
-    const LevelOptions levels = m_levels->options();
-    for (const std::int64_t budget : levels.budgets)
-        budgets += qlonglong(budget);
     const PrintOptions print = m_printing->options();
     const FrameSequence frames = m_moments->frames();
-    return {{"use", keyOf(m_use)},
-            {"format", m_format->currentData()},
-            {"model", m_model->currentIndex()},
-            {"branches", m_branches->isChecked()},
-            {"leaves", m_leaves->isChecked()},
-            {"apples", m_apples->isChecked()},
-            {"texture", m_texture->isChecked()},
-            {"instances", m_foliage->currentIndex()},
-            {"maps", m_maps->currentData()},
-            {"joints", m_joints->currentData()},
-            {"compressed", m_compressed->isChecked()},
-            {"wind", m_wind->currentIndex()},
-            {"levels", qlonglong(levels.count)},
-            {"budgets", budgets},
-            {"space", QString::fromStdString(m_space->space().comment())},
-            {"selection", m_selection->isChecked()},
-            {"hidden", m_hidden->isChecked()},
-            {"moment", static_cast<int>(m_moments->moment())},
-            {"first", qlonglong(frames.first)},
-            {"last", qlonglong(frames.last)},
-            {"step", qlonglong(frames.step)},
-            {"turns", m_moments->turns()},
-            {"loop", m_moments->loopSeconds()},
-            {"print", m_printing->isWanted()},
-            {"process", static_cast<int>(print.process)},
-            {"height", print.height},
-            {"thinnest", print.thinnest},
-            {"disc", print.hasFootDisc},
-            {"shells", print.leaves == PrintLeaves::Shells},
-            {"width", m_pictures->pictureSize().width()},
-            {"pixels", m_pictures->pictureSize().height()},
-            {"transparent", m_pictures->isTransparent()}};
+    QVariantMap kept = LevelForm::settingsOf(m_levels->options());
+    kept.insert({{"use", keyOf(m_use)},
+                 {"format", m_format->currentData()},
+                 {"model", m_model->currentIndex()},
+                 {"branches", m_branches->isChecked()},
+                 {"leaves", m_leaves->isChecked()},
+                 {"apples", m_apples->isChecked()},
+                 {"texture", m_texture->isChecked()},
+                 {"instances", m_foliage->currentIndex()},
+                 {"maps", m_maps->currentData()},
+                 {"joints", m_joints->currentData()},
+                 {"compressed", m_compressed->isChecked()},
+                 {"wind", m_wind->currentIndex()},
+                 {"space", QString::fromStdString(m_space->space().comment())},
+                 {"selection", m_selection->isChecked()},
+                 {"hidden", m_hidden->isChecked()},
+                 {"moment", static_cast<int>(m_moments->moment())},
+                 {"first", qlonglong(frames.first)},
+                 {"last", qlonglong(frames.last)},
+                 {"step", qlonglong(frames.step)},
+                 {"turns", m_moments->turns()},
+                 {"loop", m_moments->loopSeconds()},
+                 {"print", m_printing->isWanted()},
+                 {"process", static_cast<int>(print.process)},
+                 {"height", print.height},
+                 {"thinnest", print.thinnest},
+                 {"disc", print.hasFootDisc},
+                 {"shells", print.leaves == PrintLeaves::Shells},
+                 {"width", m_pictures->pictureSize().width()},
+                 {"pixels", m_pictures->pictureSize().height()},
+                 {"transparent", m_pictures->isTransparent()}});
+    return kept;
 }
 
 void ExportDialog::setSettings(const QVariantMap& kept)
@@ -184,10 +182,7 @@ void ExportDialog::setSettings(const QVariantMap& kept)
     if (const int row = m_joints->findData(kept.value(QStringLiteral("joints"))); row >= 0)
         m_joints->setCurrentIndex(row);
     m_wind->setCurrentIndex(std::clamp(number("wind", 0), 0, m_wind->count() - 1));
-    LevelOptions levels{kept.value(QStringLiteral("levels")).toLongLong(), {}};
-    for (const QVariant& budget : kept.value(QStringLiteral("budgets")).toList())
-        levels.budgets.push_back(budget.toLongLong());
-    m_levels->setOptions(levels);
+    m_levels->setOptions(LevelForm::optionsIn(kept));
     const std::string space = "# " + kept.value(QStringLiteral("space")).toString().toStdString();
     m_space->setSpace(fileSpaceIn(space).value_or(FileSpace()));
     m_moments->setFrames(number("first", 0), number("last", 0), number("step", 1));
@@ -205,6 +200,40 @@ void ExportDialog::setSettings(const QVariantMap& kept)
     m_printing->setWanted(is("print"));
     m_pictures->setPictureSize({number("width", 1920), number("pixels", 1080)});
     m_pictures->setTransparent(is("transparent"));
+}
+
+/// What it had when it was left, in this dialog or the one before; else the usual. The format is that of the
+/// page by now.
+void ExportDialog::turnPage(ExportUse use)
+{
+    if (const auto left = m_pages.find(use); left != m_pages.end())
+        return setSettings(left->second);
+    const QVariantMap kept = keptOf(pageKey);
+    const bool isNew = kept.isEmpty();
+    QVariantMap page = m_usual;
+    page.remove(QStringLiteral("format"));
+    page.insert(kept);
+    page.insert(QStringLiteral("use"), keyOf(use));
+    page.insert(QStringLiteral("print"), use == ExportUse::Print);
+    for (const auto& [key, now] : {std::pair("width", m_pictures->pictureSize().width()),
+                                   std::pair("pixels", m_pictures->pictureSize().height())})
+        if (isNew || use != ExportUse::Pictures) // those of the view
+            page.insert(QLatin1String(key), now);
+    for (const char* key : ofDocument) // frames and nodes of another document are none of this one
+        page.insert(QLatin1String(key), m_usual.value(QLatin1String(key)));
+    setSettings(page);
+    if (isNew)
+        takeFormat(); // the parts that it usually has
+}
+
+void ExportDialog::keepPages()
+{
+    m_pages[m_use] = settings();
+    for (const auto& [use, page] : m_pages) {
+        QVariantMap all = m_preferences->exportSettings();
+        all.insert(pageKey + u'/' + keyOf(use), page);
+        m_preferences->setExportSettings(all);
+    }
 }
 
 /// As it was, over what it wrote.

@@ -103,8 +103,11 @@ void ExportDialog::updateSummary()
     if (isNumbered() && !options().instances)
         parts += tr("%Ln file(s)", nullptr, int(count * (materials ? 2 : 1)));
     const QSize size = m_pictures->pictureSize();
+    ExportOptions wanted = options();
+    if (isClip() && checkSequence(frames))
+        wanted.clip.resize(std::size_t(frames.count()) - 1);
     const double each = !format() ? bytesPerPixel * size.width() * size.height()
-                                  : double(estimatedFileBytes(m_document->scene(), options(),
+                                  : double(estimatedFileBytes(m_document->scene(), wanted,
                                                               documentSource(*m_document), systemPath(file)));
     if (const double bytes = each * double(count); bytes >= 1.0 && !isPrint())
         parts += tr("about %1").arg(roughSize(bytes));

@@ -5,6 +5,7 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QSignalBlocker>
 #include <QSpinBox>
 
 namespace ramure {
@@ -18,6 +19,7 @@ PictureForm::PictureForm(QWidget* parent)
     , m_times(new QLabel(QStringLiteral("×"), this))
     , m_height(new QSpinBox(this))
     , m_sizes(new QComboBox(this))
+    , m_locked(new QCheckBox(this))
     , m_transparent(new QCheckBox(this))
 {
     m_width->setObjectName(QStringLiteral("pictureWidth"));
@@ -25,7 +27,10 @@ PictureForm::PictureForm(QWidget* parent)
     m_transparent->setObjectName(QStringLiteral("pictureTransparent"));
     for (QSpinBox* box : {m_width, m_height}) {
         box->setRange(leastSide, mostSide);
-        connect(box, &QSpinBox::valueChanged, this, &PictureForm::changed);
+        connect(box, &QSpinBox::valueChanged, this, [this, box] {
+            keepRatio(box);
+            emit changed();
+        });
     }
     m_height->setSuffix(QStringLiteral(" px"));
     m_sizes->addItem(QString());
@@ -44,7 +49,11 @@ PictureForm::PictureForm(QWidget* parent)
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(6);
     column->addLayout(row);
+    column->addWidget(m_locked);
     column->addWidget(m_transparent);
+    m_locked->setObjectName(QStringLiteral("pictureLocked"));
+    m_locked->hide();
+    connect(m_locked, &QCheckBox::toggled, this, [this] { keepRatio(m_width); });
     connect(m_sizes, &QComboBox::activated, this, [this](int index) {
         if (const QSize size = m_sizes->itemData(index).toSize(); size.isValid())
             setPictureSize(size);
@@ -57,8 +66,39 @@ PictureForm::PictureForm(QWidget* parent)
     emit changed();
 }
 
+void PictureForm::setViewSize(QSize pixels)
+{
+    m_viewSize = pixels.boundedTo({mostSide, mostSide}).expandedTo({leastSide, leastSide});
+    m_sizes->insertItem(1, QString(), m_viewSize);
+    m_locked->show();
+    retranslate();
+    setPictureSize(m_viewSize);
+    m_locked->setChecked(true);
+}
+
+bool PictureForm::isLikeView() const
+{
+    return pictureSize() == m_viewSize;
+}
+
+/// Of the two sides the other one follows.
+void PictureForm::keepRatio(QSpinBox* edited)
+{
+    if (!m_locked->isChecked() || m_viewSize.isEmpty())
+        return;
+    const double ratio = double(m_viewSize.width()) / m_viewSize.height();
+    QSpinBox* other = edited == m_width ? m_height : m_width;
+    const QSignalBlocker once(other);
+    other->setValue(qRound(edited == m_width ? edited->value() / ratio : edited->value() * ratio));
+}
+
+/// A ratio that is not the view's is no longer kept.
 void PictureForm::setPictureSize(QSize pixels)
 {
+    if (const QSize view = m_viewSize; !view.isEmpty()) {
+        const QSize fitting(pixels.width(), qRound(double(pixels.width()) * view.height() / view.width()));
+        m_locked->setChecked(m_locked->isChecked() && fitting == pixels);
+    }
     m_width->setValue(pixels.width());
     m_height->setValue(pixels.height());
 }
@@ -94,6 +134,11 @@ void PictureForm::retranslate()
     m_sizes->setItemText(0, tr("Own size"));
     m_sizes->setToolTip(tr("Common sizes"));
     m_sizes->setAccessibleName(tr("Common sizes"));
+    if (!m_viewSize.isEmpty())
+        m_sizes->setItemText(1, tr("As the view, %1 × %2").arg(m_viewSize.width()).arg(m_viewSize.height()));
+    m_locked->setText(tr("Keep the view's ratio"));
+    m_locked->setToolTip(tr("One side follows the other, so that the picture shows what the view shows; "
+                            "else it shows more or less at its sides"));
     m_transparent->setText(tr("Transparent background"));
     m_transparent->setToolTip(tr("Without sky and ground, to put the trees in front of something else"));
 }

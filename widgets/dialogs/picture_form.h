@@ -18,6 +18,9 @@ class PictureForm : public QWidget
 public:
     explicit PictureForm(QWidget* parent = nullptr);
 
+    /// That size is among the common ones, and its ratio can be kept.
+    void setViewSize(QSize pixels);
+    [[nodiscard]] bool isLikeView() const; ///< as large
     void setPictureSize(QSize pixels);
     [[nodiscard]] QSize pictureSize() const;
     [[nodiscard]] bool isTransparent() const;
@@ -31,11 +34,14 @@ protected:
 
 private:
     void retranslate();
+    void keepRatio(QSpinBox* edited);
 
     QSpinBox* m_width;
     QLabel* m_times;
     QSpinBox* m_height;
     QComboBox* m_sizes;
+    QCheckBox* m_locked; ///< to the ratio of the view
+    QSize m_viewSize;
     QCheckBox* m_transparent;
 };
 

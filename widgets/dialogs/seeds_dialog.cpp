@@ -6,6 +6,7 @@
 #include "core/params/presets.h"
 #include "core/session/planting.h"
 #include "widgets/base/core_text.h"
+#include "widgets/base/preset_title.h"
 #include "widgets/panels/presets/picture_button.h"
 #include "widgets/panels/presets/preset_gallery.h"
 #include <QDialogButtonBox>
@@ -130,7 +131,7 @@ void SeedsDialog::choose(int choice)
 
 void SeedsDialog::retranslate()
 {
-    setWindowTitle(tr("More like %1").arg(spacedName(QString::fromStdString(m_like.name))));
+    setWindowTitle(tr("More like %1").arg(presetTitle(QString::fromStdString(m_like.name))));
     m_other->setText(tr("Nine &others"));
     const QString choose = m_tree == noNode ? tr("Click a tree to add it to the scene.")
                                             : tr("Click a tree: the one in the scene grows like it.");

@@ -7,6 +7,7 @@
 #include "widgets/base/core_text.h"
 #include "widgets/base/icons.h"
 #include "widgets/base/preferences.h"
+#include "widgets/base/preset_title.h"
 #include "widgets/dialogs/variation_delegate.h"
 #include "widgets/dialogs/varied_params_form.h"
 #include <QAction>
@@ -258,7 +259,7 @@ void VariationsDialog::keepCurrent()
     tree.params = std::move(*params);
     const OwnPresets own;
     const QString name = own.freeName(
-        tr("%1, seed %2").arg(spacedName(QString::fromStdString(m_like.name))).arg(variation.seed));
+        tr("%1, seed %2").arg(presetTitle(QString::fromStdString(m_like.name))).arg(variation.seed));
     if (const auto saved = own.save(name, tree); !saved)
         return say(errorText(saved.error()));
     emit presetKept();
@@ -319,7 +320,7 @@ void VariationsDialog::follow()
 
 void VariationsDialog::retranslate()
 {
-    setWindowTitle(tr("Variations of %1").arg(spacedName(QString::fromStdString(m_like.name))));
+    setWindowTitle(tr("Variations of %1").arg(presetTitle(QString::fromStdString(m_like.name))));
     m_countLabel->setText(tr("T&rees:"));
     m_count->setToolTip(tr("How many, each with another seed; those with a star stay besides"));
     m_other->setText(tr("Other &seeds"));

@@ -45,6 +45,14 @@ struct FrameTimes
     quint64 revision = 0;   ///< of the document, of the oldest result that is shown
 };
 
+/// How a picture of the view differs from what the view shows.
+struct ViewPicture
+{
+    QSize size{};             ///< pixels; empty: those of the view
+    bool transparent = false; ///< nothing behind what is in the scene
+    std::optional<bool> grid; ///< with its axes; nothing: as the view has it
+};
+
 class Viewport : public QOpenGLWidget
 {
     Q_OBJECT
@@ -82,9 +90,10 @@ public:
     [[nodiscard]] bool isPickPending() const;
 
     /// A picture of the scene as it is seen, without cube and overlays. Null image where there is no context.
-    [[nodiscard]] QImage screenshot();
+    [[nodiscard]] QImage screenshot(const ViewPicture& wish = {});
     /// The picture as a file (PNG by the ending). Errors: Io, Unknown (ending).
-    Expected<void> saveScreenshot(const QString& path);
+    Expected<void> saveScreenshot(const QString& path, const ViewPicture& wish = {});
+    [[nodiscard]] QSize pixelSize() const; ///< device pixels
 
     /// The camera node that the view is that of, as time goes on; noNode: none, the view is the artist's.
     [[nodiscard]] NodeId seenThrough() const;

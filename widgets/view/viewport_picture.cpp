@@ -8,22 +8,29 @@
 
 namespace ramure {
 
-QImage Viewport::screenshot()
+QSize Viewport::pixelSize() const
+{
+    return (QSizeF(size()) * devicePixelRatioF()).toSize();
+}
+
+QImage Viewport::screenshot(const ViewPicture& wish)
 {
     finishScene();
-    const QSize pixels = (QSizeF(size()) * devicePixelRatioF()).toSize();
+    const QSize pixels = wish.size.isEmpty() ? pixelSize() : wish.size;
     RenderOptions options = d->options(devicePixelRatioF());
     options.shadowTaps = 24;
     options.smoothing = options.sparing = options.hurried = false;
     options.outline = false;
+    options.world = !wish.transparent;
+    options.grid = wish.grid.value_or(options.grid);
     d->updateShown();
     auto image = renderImage(d->shownScene(), d->camera(), pixels, options);
     return image ? *image : QImage();
 }
 
-Expected<void> Viewport::saveScreenshot(const QString& path)
+Expected<void> Viewport::saveScreenshot(const QString& path, const ViewPicture& wish)
 {
-    const QImage image = screenshot();
+    const QImage image = screenshot(wish);
     if (image.isNull()) {
         Error error = fail(ErrorCode::Unknown, RAMURE_NOOP("The graphics driver gave no picture")).value();
         error.file = path.toStdString();

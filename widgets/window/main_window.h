@@ -125,7 +125,18 @@ private:
     static void showPanel(const QWidget* panel);
     void buildDocks();
     void connectKeys();
-    void fitKeysHeight(bool shown);
+    /// Among tabs, one that needs more height than the others.
+    struct TallDock
+    {
+        QDockWidget* dock = nullptr;
+        QDockWidget* front = nullptr; ///< of the others
+        int least = 0, height = 0;
+        int others = 0; ///< their height
+        bool isShown = false;
+        QList<QDockWidget*> below{}; ///< tabs that give the room
+    };
+    void watchHeight(TallDock& tall);
+    void fitHeight(TallDock& tall, bool shown);
     void buildActions();
     void buildManyTrees();
     void buildBranchActions();
@@ -212,8 +223,7 @@ private:
     ToolStrip* m_strip = nullptr; ///< over the view
     ArmPanel* m_arm = nullptr;
     QList<QDockWidget*> m_docks; ///< one for each row of panels()
-    bool m_keysShown = false;
-    int m_keysHeight = 290, m_timelineHeight = 0; ///< while the one or the other is on top
+    TallDock m_tallDocks[2];     ///< keys, gallery
 };
 
 } // namespace ramure

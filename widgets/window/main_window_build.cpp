@@ -132,33 +132,51 @@ void MainWindow::connectKeys()
     connect(m_keys->ruler(), &TimelineRuler::menuRequested, this, [this](const QPoint& place, qint64 frame) {
         m_timeline->rulerMenu()->popUp(m_keys->ruler(), place, frame);
     });
-    // Queued: the layout has then given the dock its place.
-    connect(dockOf(m_keys), &QDockWidget::visibilityChanged, this, &MainWindow::fitKeysHeight,
-            Qt::QueuedConnection);
+    m_tallDocks[0] = {dockOf(m_keys), dockOf(m_timeline), 220, 290};
+    m_tallDocks[1] = {dockOf(findChild<GalleryPanel*>()), dockOf(m_scene), 420, 460};
+    for (std::size_t i = 0; i < panels().size(); ++i)
+        if (panels()[i].place == PanelPlace::LowerRight)
+            m_tallDocks[1].below += m_docks[qsizetype(i)];
+    for (TallDock& tall : m_tallDocks)
+        watchHeight(tall);
 }
 
-/// The timeline's height is no room for rows of keys, and theirs is lost to the view under the timeline: each
-/// of the two has its own, and keeps what the user makes of it.
-void MainWindow::fitKeysHeight(bool shown)
+/// Queued: the layout has then given the dock its place.
+void MainWindow::watchHeight(TallDock& tall)
 {
-    constexpr int least = 220;
-    if (!isVisible() || isMinimized() || dockOf(m_keys)->isFloating() || shown == m_keysShown)
+    connect(
+        tall.dock, &QDockWidget::visibilityChanged, this,
+        [this, &tall](bool shown) { fitHeight(tall, shown); }, Qt::QueuedConnection);
+}
+
+/// The height of what shares its place is no room for it, and its own is lost to the others: both have their
+/// own, and keep what the user makes of it.
+void MainWindow::fitHeight(TallDock& tall, bool shown)
+{
+    if (!isVisible() || isMinimized() || tall.dock->isFloating() || shown == tall.isShown)
         return;
-    m_keysShown = shown;
+    tall.isShown = shown;
     // What is behind keeps the size that it had in front; what comes to the front may still be on its way.
     if (shown)
-        m_timelineHeight = dockOf(m_timeline)->height();
+        tall.others = tall.front->height();
     else
-        m_keysHeight = std::max(least, dockOf(m_keys)->height());
-    if (m_timelineHeight >= least)
+        tall.height = std::max(tall.least, tall.dock->height());
+    if (tall.others >= tall.least)
         return;
-    QDockWidget* front = shown ? dockOf(m_keys) : dockOf(m_timeline);
-    const int height = shown ? m_keysHeight : m_timelineHeight;
+    QDockWidget* front = shown ? tall.dock : tall.front;
+    const int height = shown ? tall.height : tall.others;
     int tabs = 0; // resizeDocks counts them to the dock
     if (!tabifiedDockWidgets(front).isEmpty())
         for (const QTabBar* bar : findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
             tabs = std::max(tabs, bar->sizeHint().height());
-    resizeDocks({front}, {height + tabs}, Qt::Vertical);
+    QList<QDockWidget*> docks{front};
+    QList<int> heights{height + tabs};
+    for (QDockWidget* below : tall.below) // one of these tabs is seen, and has the rest
+        if (!below->isFloating() && !below->visibleRegion().isEmpty()) {
+            docks += below;
+            heights += std::max(1, front->height() + below->height() + tabs - height);
+        }
+    resizeDocks(docks, heights, Qt::Vertical);
 }
 
 void MainWindow::resetLayout()
@@ -220,7 +238,7 @@ void MainWindow::buildActions()
     m_imports = new ImportActions(m_document, m_preferences, m_chooser, m_actions, this);
     m_files->setImports(m_imports);
     connect(m_arm->meshRow(), &ArmMeshRow::importRequested, this, [this] {
-        m_imports->chooseFile();
+        m_imports->chooseToWear();
         m_arm->meshRow()->setWaiting(m_imports->isRunning());
     });
     connect(m_imports, &ImportActions::imported, m_arm->meshRow(), &ArmMeshRow::takeImported);

@@ -291,7 +291,7 @@ QString StatusPanel::countsTip(const SceneCounts& counts)
 {
     std::vector<std::pair<PartCount, QString>> parts = {{counts.of(ScenePart::Branches), tr("Branches")},
                                                         {counts.of(ScenePart::Leaves), tr("Leaves")},
-                                                        {counts.of(ScenePart::Apples), tr("Apples")}};
+                                                        {counts.of(ScenePart::Apples), tr("Fruit")}};
     for (const NodeKindRow* row : nodeKinds())
         parts.emplace_back(counts.of(row->kind), coreText(row->many));
     const QLocale locale;

@@ -19,6 +19,8 @@ namespace ramure {
 
 /// What was guessed or mended, in the form of errors: text, file and line.
 using Note = Error;
+/// The code of notes that only say what became of what the file has: nothing is wrong with it.
+inline constexpr ErrorCode remark = ErrorCode::Limit;
 
 /// What CUBIC means: the original reader took it for the spline of SPEC B1, Blender's exporter means its
 /// easing.

@@ -192,9 +192,9 @@ private:
         bool isJoint = false, isNeeded = false, holdsOthers = false;
     };
 
-    void note(const char* text, std::vector<std::string> args = {})
+    void note(const char* text, std::vector<std::string> args = {}, ErrorCode code = ErrorCode::Invalid)
     {
-        Note note = fail(ErrorCode::Invalid, text, std::move(args)).value();
+        Note note = fail(code, text, std::move(args)).value();
         note.file = m_path;
         m_out.notes.push_back(std::move(note));
     }
@@ -471,13 +471,13 @@ private:
     {
         if (m_pictures.count() > 0)
             note(RAMURE_NOOP("%1 pictures of materials are in %2 now"),
-                 {std::to_string(m_pictures.count()), m_pictures.folder()});
+                 {std::to_string(m_pictures.count()), m_pictures.folder()}, remark);
         const auto hasLevels = [](const FileNode& node) {
             const glb::Json* extensions = glb::member(*node.json, "extensions");
             return extensions && glb::member(*extensions, "MSFT_lod");
         };
         if (std::ranges::any_of(m_scene.nodes.all, hasLevels))
-            note(RAMURE_NOOP("only the finest level of detail is taken"));
+            note(RAMURE_NOOP("only the finest level of detail is taken"), {}, remark);
         for (Note& said : m_clip.notes)
             m_out.notes.push_back(std::move(said));
         m_out.keyCount = 0;

@@ -221,6 +221,8 @@ Expected<Foliage> placeFoliage(const Skeleton& skeleton, const FoliageParams& pa
         return fail(std::move(done.error()));
     if (made.form.turns && made.form.shape != LeafShape::Faithful)
         turnLeaves(skeleton, leaf.season, made);
+    if (leaf.shape != LeafShape::Faithful)
+        dropFruit(skeleton, leaf.season, made);
     return made;
 }
 

@@ -33,21 +33,22 @@ struct FruitRow
     double cap = 2.0;       ///< height from which it wears another colour, in half heights
     glm::u8vec3 capColour{};
     int cluster = 1;
+    int sides = 12, rings = 9; ///< of the body: small ones are many, and need few
 };
 
 // clang-format off
 constexpr std::array<FruitRow, fruitKindCount - 1> fruits{{
     {.kind = FruitKind::Apple, .radius = 0.20, .height = 0.90, .colour = {0xA8, 0x24, 0x1C}, .stalk = 0.75, .topHollow = 0.42, .lowHollow = 0.22},
     {.kind = FruitKind::Pear, .radius = 0.18, .height = 1.30, .colour = {0xA9, 0xA8, 0x3C}, .stalk = 0.90, .lowHollow = 0.18, .neck = 0.55},
-    {.kind = FruitKind::Cherry, .radius = 0.065, .height = 0.95, .colour = {0x8E, 0x0F, 0x1E}, .stalk = 4.00, .stalkRadius = 0.09, .topHollow = 0.30, .cluster = 2},
+    {.kind = FruitKind::Cherry, .radius = 0.065, .height = 0.95, .colour = {0x8E, 0x0F, 0x1E}, .stalk = 4.00, .stalkRadius = 0.09, .topHollow = 0.30, .cluster = 2, .sides = 6, .rings = 4},
     {.kind = FruitKind::Plum, .radius = 0.10, .height = 1.20, .colour = {0x3B, 0x2A, 0x55}, .stalk = 1.00, .topHollow = 0.15},
     {.kind = FruitKind::Orange, .radius = 0.19, .height = 0.95, .colour = {0xD9, 0x7A, 0x14}, .stalk = 0.35, .topHollow = 0.10},
     {.kind = FruitKind::Lemon, .radius = 0.14, .height = 1.20, .colour = {0xDD, 0xC0, 0x2F}, .stalk = 0.60, .point = 0.22},
-    {.kind = FruitKind::Olive, .radius = 0.05, .height = 1.35, .colour = {0x4C, 0x5A, 0x2A}, .stalk = 1.20, .cluster = 2},
-    {.kind = FruitKind::Acorn, .radius = 0.055, .height = 1.55, .colour = {0x8C, 0x6A, 0x2E}, .stalk = 1.80, .point = 0.12, .cap = 0.30, .capColour = {0x6E, 0x5A, 0x3C}, .cluster = 2},
+    {.kind = FruitKind::Olive, .radius = 0.05, .height = 1.35, .colour = {0x4C, 0x5A, 0x2A}, .stalk = 1.20, .cluster = 2, .sides = 6, .rings = 4},
+    {.kind = FruitKind::Acorn, .radius = 0.055, .height = 1.55, .colour = {0x8C, 0x6A, 0x2E}, .stalk = 1.80, .point = 0.12, .cap = 0.30, .capColour = {0x6E, 0x5A, 0x3C}, .cluster = 2, .sides = 6, .rings = 4},
     {.kind = FruitKind::Cone, .radius = 0.13, .height = 2.00, .colour = {0x6A, 0x4A, 0x2C}, .stalk = 0.40, .stalkRadius = 0.10, .neck = -0.35, .scales = 0.16},
     {.kind = FruitKind::Coconut, .radius = 0.55, .height = 1.15, .colour = {0x6F, 0x7A, 0x2E}, .stalk = 0.80, .stalkRadius = 0.12, .cluster = 4},
-    {.kind = FruitKind::Berries, .radius = 0.04, .height = 1.00, .colour = {0xC4, 0x35, 0x12}, .stalk = 3.00, .stalkRadius = 0.10, .cluster = 9},
+    {.kind = FruitKind::Berries, .radius = 0.04, .height = 1.00, .colour = {0xC4, 0x35, 0x12}, .stalk = 3.00, .stalkRadius = 0.10, .cluster = 9, .sides = 6, .rings = 4},
     {.kind = FruitKind::Blossom, .radius = 0.14, .height = 0.30, .colour = {0xF3, 0xDD, 0xE2}, .stalk = 0.80, .stalkRadius = 0.05, .lowHollow = 0.42, .petals = 5, .capColour = {0xD8, 0xB0, 0x3A}, .cluster = 3},
 }};
 // clang-format on
@@ -96,7 +97,7 @@ class Turned
 public:
     Turned(const FruitRow& row, double stalk)
         : m_row(row)
-        , m_sides(row.petals > 0 ? 4 * row.petals : 12)
+        , m_sides(row.petals > 0 ? 4 * row.petals : row.sides)
         , m_stalk(stalk)
     {
     }
@@ -104,7 +105,7 @@ public:
     TriangleMesh build()
     {
         m_mesh.positions.emplace_back(glm::dvec3(0.0, outline(m_row, -1.0, 0.0).y, 0.0));
-        const int rings = m_row.scales > 0.0 ? 21 : 9;
+        const int rings = m_row.scales > 0.0 ? 21 : m_row.rings;
         double top = 0.0;
         for (int i = 1; i <= rings; ++i) {
             // The last ring is the foot of the stalk's neck.

@@ -76,9 +76,13 @@ struct Edge
         if (hasLobes && pointed)
             return last ? std::vector<glm::dvec2>{}
                         : std::vector{glm::dvec2(std::max(from.x, widthAt(0.6)), from.y + 0.8 * rise)};
+        if (hasLobes && last) // a round cap: blunt outlines are cut straight there
+            return {{1.10 * from.x, from.y + 0.30 * rise}, {0.66 * from.x, from.y + 0.78 * rise}};
+        if (hasLobes && from.x <= 0.0) // a small lobe where the blade runs into its stalk
+            return {{widthAt(0.55), from.y + 0.50 * rise}};
         if (hasLobes)
             return {{std::max(from.x, widthAt(0.35)), from.y + 0.30 * rise},
-                    {std::max(last ? 0.0 : to.x, 0.92 * widthAt(0.75)), from.y + 0.80 * rise}};
+                    {std::max(to.x, 0.92 * widthAt(0.75)), from.y + 0.80 * rise}};
         const double y = from.y + 0.55 * rise, chord = glm::mix(from.x, to.x, 0.55);
         const double out = last || from.x <= 0.0 ? 0.0 : teeth * outline.half;
         const double x = std::max(y > 0.02 ? outline.at(y) : 0.0, chord) + out;
@@ -116,7 +120,7 @@ FlatBlade bladeOf(const LeafRow& row, double width, int stations, bool fine)
             halves.triangle(below, side, middle);
         if (besideBelow != below)
             halves.triangle(below, besideBelow, side);
-        if (k > 1 || !hasLobes) {
+        if (k > 1 || !hasLobes || !row.pointed) {
             Index at = noIndex;
             for (const glm::dvec2& point : edge.between(from, {x, y}, outline, last)) {
                 const Index out = halves.beside(point.x, point.y);

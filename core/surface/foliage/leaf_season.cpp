@@ -10,6 +10,8 @@ namespace {
 
 /// The first leaf turns, and has turned so much later; the first falls.
 constexpr double firstTurns = 0.1, turnsFor = 0.3, lastTurns = 0.6, firstFalls = 0.55;
+/// The first fruit and flower fall, and the last so much later.
+constexpr double fruitFalls = 0.4, blossomFalls = 0.0, fallsFor = 0.4;
 constexpr glm::vec3 withered(0x7A, 0x52, 0x2C);
 
 float smooth(double x)
@@ -52,6 +54,18 @@ void turnLeaves(const Skeleton& skeleton, double season, Foliage& foliage)
         return false;
     };
     foliage.shed = std::erase_if(foliage.leaves, falls);
+}
+
+void dropFruit(const Skeleton& skeleton, double season, Foliage& foliage)
+{
+    const FruitKind kind = foliage.fruit.kind;
+    if (leafRow(foliage.form.shape).evergreen || kind == FruitKind::Cone || kind == FruitKind::Faithful)
+        return;
+    const double first = kind == FruitKind::Blossom ? blossomFalls : fruitFalls;
+    std::erase_if(foliage.apples, [&](const FoliageItem& fruit) {
+        Random random(skeleton.key[fruit.branch], RandomStream::LeafFall, ~fruit.number);
+        return season > 0.0 && season >= first + fallsFor * random.unit();
+    });
 }
 
 glm::vec3 seasonColour(LeafShape shape, double season)

@@ -1,5 +1,5 @@
 /// \file
-/// What the season does to the leaves of a plant: they turn, and fall.
+/// What the season does to the leaves of a plant, and to its fruit: they turn, and fall.
 #pragma once
 
 #include "core/surface/foliage/foliage.h"
@@ -10,6 +10,11 @@ namespace ramure {
 /// on how high it stands in the crown: a later season sheds those of an earlier one and more; at 1 none is
 /// left. Evergreens stay. \pre leaves of a plant, as they were placed.
 void turnLeaves(const Skeleton& skeleton, double season, Foliage& foliage);
+
+/// Takes the fallen fruit away, in an order of their addresses as leaves: blossom goes first, fruit before
+/// the leaves are down, and from the middle of autumn on none is left. Cones stay, and all that an evergreen
+/// has. \pre fruit of a plant, as they were placed.
+void dropFruit(const Skeleton& skeleton, double season, Foliage& foliage);
 
 /// sRGB, 0..255: of a leaf that turns neither early nor late, does not wither and keeps no green. That of
 /// summer where the season is 0 or the plant evergreen.

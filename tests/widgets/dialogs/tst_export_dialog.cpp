@@ -33,6 +33,7 @@ private slots:
     void init()
     {
         test::failOnWidgetWarning();
+        m_preferences.setExportSettings({}); // each page has its own of the last time
         test::openNodes(m_document, {test::treeNode(1, "T")});
         QVERIFY(m_recompute.waitForFull(20'000));
     }

@@ -59,6 +59,7 @@ private slots:
     void init()
     {
         test::failOnWidgetWarning();
+        m_preferences.setExportSettings({}); // each page has its own of the last time
         m_folder = std::make_unique<QTemporaryDir>();
         test::openNodes(m_document, {test::treeNode(1, "T")});
         QVERIFY(m_recompute.waitForFull(20'000));
@@ -97,7 +98,7 @@ private slots:
         m_dialog->moments()->setMoment(ExportMoment::Turntable);
         QVERIFY2(summary().contains(QStringLiteral("tree_0000.png … tree_0071.png")), qPrintable(summary()));
         m_dialog->setFormat(QStringLiteral("obj")); // there is no turntable of meshes
-        QCOMPARE(m_dialog->moments()->moment(), ExportMoment::Rest);
+        QCOMPARE(m_dialog->moments()->moment(), ExportMoment::Sequence); // of its own page
     }
 
     void framesAreWrittenBesideTheWork()

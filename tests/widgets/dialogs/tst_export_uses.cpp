@@ -3,6 +3,7 @@
 #include "widgets/base/preferences.h"
 #include "widgets/dialogs/export_dialog.h"
 #include "widgets/dialogs/moment_form.h"
+#include "widgets/dialogs/picture_form.h"
 #include "widgets/dialogs/print_form.h"
 #include <QCheckBox>
 #include <QComboBox>
@@ -79,7 +80,7 @@ private slots:
 
     void levelsComeFromElsewhere()
     {
-        const LevelOptions wanted{2, {900, 300}};
+        const LevelOptions wanted{2, {900, 300}, {}, {0.25}};
         m_dialog->setLevels(wanted);
         QCOMPARE(m_dialog->use(), ExportUse::Game);
         QVERIFY(m_dialog->options().levels == wanted);
@@ -124,6 +125,51 @@ private slots:
         QVERIFY(m_dialog->isVisible());
         m_dialog->setSettings({});
         QCOMPARE(m_dialog->use(), ExportUse::Blender);
+    }
+
+    void settingsOfAPageThatNobodyKnows()
+    {
+        m_dialog.reset();
+        m_preferences.setExportSettings(
+            {{"page/game", QVariantMap{{"format", "fbx"}, {"levels", -4}, {"moment", 77}, {"first", 900}}},
+             {"page/web", 7}});
+        reopen();
+        m_dialog->setUse(ExportUse::Game);
+        QCOMPARE(formats().front(), QStringLiteral("glb"));
+        QVERIFY(!m_dialog->options().levels.isWanted());
+        m_dialog->setUse(ExportUse::Web);
+        QVERIFY(m_dialog->isVisible() && m_dialog->path().endsWith(QStringLiteral(".glb")));
+    }
+
+    /// What was chosen for one use says nothing about another, and is there again on coming back.
+    void eachPageKeepsItsOwn()
+    {
+        reopen();
+        m_dialog->setUse(ExportUse::Game);
+        child<QSpinBox>("exportLevels")->setValue(3);
+        child<QLineEdit>("exportBudgets")->setText(QStringLiteral("900, 300, 100"));
+        const LevelOptions wanted = m_dialog->options().levels;
+        m_dialog->setUse(ExportUse::Pictures);
+        m_dialog->moments()->setMoment(ExportMoment::Shown);
+        m_dialog->pictures()->setPictureSize({800, 600});
+        m_dialog->setUse(ExportUse::Game);
+        QCOMPARE(m_dialog->moments()->moment(), ExportMoment::Rest);
+        QVERIFY(m_dialog->options().levels == wanted);
+        m_dialog->moments()->setMoment(ExportMoment::WindLoop);
+        m_dialog->setUse(ExportUse::Print);
+        m_dialog->setUse(ExportUse::Web);
+        QCOMPARE(m_dialog->moments()->moment(), ExportMoment::Rest);
+        m_dialog->setUse(ExportUse::Pictures);
+        QCOMPARE(m_dialog->moments()->moment(), ExportMoment::Shown);
+        m_dialog->reject();
+        reopen(); // another time
+        QCOMPARE(m_dialog->moments()->moment(), ExportMoment::Rest);
+        m_dialog->setUse(ExportUse::Game);
+        QVERIFY(m_dialog->options().levels == wanted);
+        QCOMPARE(m_dialog->moments()->moment(), ExportMoment::WindLoop);
+        m_dialog->setUse(ExportUse::Pictures);
+        QCOMPARE(m_dialog->moments()->moment(), ExportMoment::Shown);
+        QCOMPARE(m_dialog->pictures()->pictureSize(), QSize(800, 600));
     }
 
     void eachPageHasTheFormatsOfItsUse()
@@ -213,13 +259,15 @@ private slots:
         box->setChecked(true);
         QVERIFY(!box->isVisible() && !m_dialog->options().write.compressed); // of a GLB alone
         m_dialog->setUse(ExportUse::Web);
+        QVERIFY(!box->isChecked());
+        box->setChecked(true);
         child<QComboBox>("exportMaps")->setCurrentIndex(0);
         QVERIFY(box->isVisible() && m_dialog->options().write.compressed);
         QVERIFY(m_dialog->settings().value(QStringLiteral("compressed")).toBool());
         QVERIFY(exportTo(path("small.glb")));
         reopen();
         m_dialog->setUse(ExportUse::Web);
-        child<QComboBox>("exportMaps")->setCurrentIndex(0);
+        child<QCheckBox>("exportCompressed")->setChecked(false);
         QVERIFY(exportTo(path("plain.glb")));
         QVERIFY(QFileInfo(path("small.glb")).size() * 3 < QFileInfo(path("plain.glb")).size());
     }
@@ -300,7 +348,8 @@ private slots:
         const QVariantMap wanted = m_dialog->settings();
         QVERIFY(exportTo(path("last.ply")));
         reopen();
-        QVERIFY(m_dialog->settings() != wanted);
+        QCOMPARE(m_dialog->settings(), wanted); // as each page is left
+        m_dialog->setFormat(QStringLiteral("obj"));
         emit child<QComboBox>("exportKept")->activated(1);
         QCOMPARE(m_dialog->settings(), wanted);
     }

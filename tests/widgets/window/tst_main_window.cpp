@@ -167,6 +167,21 @@ private slots:
         QTRY_VERIFY(room() >= before);
     }
 
+    /// A few pictures more than two, and the other panels keep their own height.
+    void theGalleryIsHigherThanItsNeighbours()
+    {
+        auto* gallery = m_window->findChild<QDockWidget*>(QStringLiteral("galleryDock"));
+        auto* scene = m_window->findChild<QDockWidget*>(QStringLiteral("sceneDock"));
+        m_window->resize(1280, 900);
+        scene->raise();
+        QTRY_VERIFY(scene->height() < 420);
+        const int before = scene->height();
+        gallery->raise();
+        QTRY_VERIFY(gallery->height() >= 420);
+        scene->raise();
+        QTRY_COMPARE(scene->height(), before);
+    }
+
     void spaceGrowsAnotherTreeAndUndoBringsItBack()
     {
         QVERIFY(m_window->files()->newFromPreset(QStringLiteral("SmallTree")));

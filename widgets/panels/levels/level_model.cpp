@@ -2,6 +2,8 @@
 
 #include <QLocale>
 #include <QStringList>
+#include <algorithm>
+#include <cmath>
 
 namespace ramure {
 namespace {
@@ -84,9 +86,9 @@ QString LevelModel::cell(std::size_t row, int column) const
     case LeavesLeft:
         return all == 0 ? QStringLiteral("–") : percentText(double(leavesOf(level.foliage)) / double(all));
     case From:
-        return metresText(m_levels->distances[row]);
-    case Screen:
-        return percentText(m_levels->coverage[row]);
+        return metresText(m_levels->switches.distances[row]);
+    case Height:
+        return row == 0 ? QStringLiteral("–") : percentText(m_levels->switches.shares[row]);
     default:
         return {};
     }
@@ -95,14 +97,20 @@ QString LevelModel::cell(std::size_t row, int column) const
 QString LevelModel::tip(std::size_t row) const
 {
     const TreeLevel& level = m_levels->levels[row];
-    QString text =
-        row == 0
-            ? tr("The finest level")
-            : tr("Takes the place of level %1 from %2 on, where the details in which they differ, %3 mm, "
-                 "are one pixel of a screen 1080 pixels high")
-                  .arg(row - 1)
-                  .arg(metresText(m_levels->distances[row]),
-                       QLocale().toString(1000.0 * level.detail * m_levels->scale, 'f', 1));
+    QString text = tr("The finest level");
+    if (row > 0) {
+        const LevelSwitches& at = m_levels->switches;
+        text = tr("Takes the place of level %1 from %2 on, where the tree has %3 of the picture's height. "
+                  "The details in which they differ, %4 mm, are one pixel of a screen 1080 pixels high from "
+                  "%5 on.")
+                   .arg(row - 1)
+                   .arg(metresText(at.distances[row]), percentText(at.shares[row]),
+                        QLocale().toString(1000.0 * level.detail * m_levels->scale, 'f', 1),
+                        metresText(at.unseen[row]));
+    }
+    text += u'\n' + tr("A GLB says that it is needed while the tree covers %1 of the screen or more "
+                       "(MSFT_screencoverage).")
+                        .arg(percentText(m_levels->switches.coverage[row]));
     if (const std::size_t all = leavesOf(m_levels->whole.foliage); all > 0)
         text += u'\n' + tr("%1 of %2 leaves, %3 times as large")
                             .arg(countText(qint64(leavesOf(level.foliage))), countText(qint64(all)),
@@ -114,6 +122,8 @@ QVariant LevelModel::data(const QModelIndex& index, int role) const
 {
     if (!index.isValid() || !m_levels)
         return {};
+    if (role == Qt::EditRole && isEditable(index))
+        return editText(index);
     if (role == Qt::DisplayRole)
         return cell(static_cast<std::size_t>(index.row()), index.column());
     if (role == Qt::ToolTipRole)
@@ -121,6 +131,46 @@ QVariant LevelModel::data(const QModelIndex& index, int role) const
     if (role == Qt::TextAlignmentRole)
         return int(Qt::AlignRight | Qt::AlignVCenter);
     return {};
+}
+
+/// A number without its unit, as the language writes it.
+QString LevelModel::editText(const QModelIndex& index) const
+{
+    const auto row = static_cast<std::size_t>(index.row());
+    const double number =
+        index.column() == From ? m_levels->switches.distances[row] : 100.0 * m_levels->switches.shares[row];
+    return QLocale().toString(std::round(10.0 * number) / 10.0, 'g', 10);
+}
+
+bool LevelModel::isEditable(const QModelIndex& index) const
+{
+    return m_levels && index.row() > 0 && (index.column() == From || index.column() == Height);
+}
+
+Qt::ItemFlags LevelModel::flags(const QModelIndex& index) const
+{
+    return QAbstractTableModel::flags(index) | (isEditable(index) ? Qt::ItemIsEditable : Qt::NoItemFlags);
+}
+
+bool LevelModel::setData(const QModelIndex& index, const QVariant& value, int role)
+{
+    bool isNumber = false;
+    const QString text = value.toString().remove(u'%').remove(u'm').trimmed();
+    double number = QLocale().toDouble(text, &isNumber);
+    if (!isNumber)
+        number = text.toDouble(&isNumber);
+    if (role != Qt::EditRole || !isEditable(index) || !isNumber || text == editText(index))
+        return false;
+    const auto level = static_cast<std::size_t>(index.row());
+    const bool isShare = index.column() == Height;
+    std::vector<double> all = isShare ? m_levels->switches.shares : m_levels->switches.distances;
+    all[level] = isShare ? 0.01 * number : number;
+    all.erase(all.begin());
+    // Of the others, what is on show.
+    for (double& each : all)
+        each = isShare ? std::round(1e3 * each) / 1e3 : std::round(100.0 * each) / 100.0;
+    emit edited(isShare ? std::vector<double>() : all, isShare ? all : std::vector<double>());
+    return true;
 }
 
 QVariant LevelModel::headerData(int section, Qt::Orientation orientation, int role) const
@@ -148,13 +198,13 @@ QVariant LevelModel::headerData(int section, Qt::Orientation orientation, int ro
                         "its area")
                    : tr("Left");
     case From:
-        return isTip ? tr("Distance in metres from which the level takes the place of the one before: on a "
-                          "screen 1080 pixels high, with an angle of view of 40°")
+        return isTip ? tr("Distance in metres from which the level takes the place of the one before, with "
+                          "a vertical angle of view of 40°. Double-click one to change it.")
                      : tr("From");
-    case Screen:
-        return isTip ? tr("Share of a screen of 1920 × 1080 pixels down to which the level is needed, as a "
-                          "GLB says it (MSFT_screencoverage)")
-                     : tr("Screen");
+    case Height:
+        return isTip ? tr("Share of the picture's height that the tree has there, whatever the angle of "
+                          "view. Double-click one to change it.")
+                     : tr("Height");
     default:
         return {};
     }

@@ -1,5 +1,6 @@
 /// \file
-/// The table of levels of detail: one row for each, with its triangles, its leaves and when it is shown.
+/// The table of levels of detail: one row for each, with its triangles, its leaves and when it is shown,
+/// which can be edited.
 #pragma once
 
 #include "core/session/level_watch.h"
@@ -12,7 +13,7 @@ class LevelModel : public QAbstractTableModel
 {
     Q_OBJECT
 public:
-    enum Column { Level, Triangles, Bark, Leaves, LeavesLeft, From, Screen, Columns };
+    enum Column { Level, Triangles, Bark, Leaves, LeavesLeft, From, Height, Columns };
 
     explicit LevelModel(QObject* parent = nullptr);
 
@@ -25,8 +26,17 @@ public:
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
     [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+    [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
+    /// Of a distance in m or a height in %, which edited() tells; the model stays as it is.
+    bool setData(const QModelIndex& index, const QVariant& value, int role = Qt::EditRole) override;
+
+signals:
+    /// As LevelOptions has them; one of both is empty.
+    void edited(const std::vector<double>& distances, const std::vector<double>& shares);
 
 private:
+    [[nodiscard]] QString editText(const QModelIndex& index) const;
+    [[nodiscard]] bool isEditable(const QModelIndex& index) const;
     [[nodiscard]] QString cell(std::size_t row, int column) const;
     [[nodiscard]] QString tip(std::size_t row) const;
 

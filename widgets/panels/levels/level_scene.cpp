@@ -11,7 +11,7 @@ constexpr double widestTan = 2.0; ///< of half the angle of view, where the eye 
 
 double screenTan()
 {
-    return std::tan(0.5 * LevelWatch::usualFovRad);
+    return std::tan(0.5 * levelFovRad);
 }
 
 /// The level in place of the tree.

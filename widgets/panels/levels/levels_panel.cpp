@@ -38,22 +38,6 @@ constexpr int progressSteps = 1000;
 constexpr int usualLevels = 3;
 const auto storedKey = QStringLiteral("levels"), lastGameKey = QStringLiteral("last/game");
 
-LevelOptions optionsIn(const QVariantMap& map)
-{
-    LevelOptions options{map.value(QStringLiteral("levels")).toLongLong(), {}};
-    for (const QVariant& budget : map.value(QStringLiteral("budgets")).toList())
-        options.budgets.push_back(budget.toLongLong());
-    return options;
-}
-
-QVariantMap mapOf(const LevelOptions& options)
-{
-    QVariantList budgets;
-    for (const std::int64_t budget : options.budgets)
-        budgets += qlonglong(budget);
-    return {{"levels", qlonglong(options.count)}, {"budgets", budgets}};
-}
-
 /// One digit, not above.
 double roundedDown(double value)
 {
@@ -141,12 +125,16 @@ void LevelsPanel::buildState(QVBoxLayout* column)
     m_form = new LevelForm(content);
     m_form->setNarrow();
     m_form->findChild<QSpinBox*>()->setObjectName(QStringLiteral("levelCount"));
-    m_form->findChild<QLineEdit*>()->setObjectName(QStringLiteral("levelBudgets"));
+    m_form->findChild<QLineEdit*>(QStringLiteral("exportBudgets"))
+        ->setObjectName(QStringLiteral("levelBudgets"));
+    m_form->findChild<QLineEdit*>(QStringLiteral("exportSwitches"))
+        ->setObjectName(QStringLiteral("levelSwitches"));
     m_formLabel = new QLabel(content);
     m_formLabel->setBuddy(m_form);
     auto* budgets = new QHBoxLayout;
     budgets->setSpacing(6);
-    budgets->addWidget(m_formLabel);
+    budgets->addWidget(m_formLabel, 0, Qt::AlignTop);
+    m_formLabel->setMinimumHeight(m_form->findChild<QSpinBox*>()->sizeHint().height());
     budgets->addWidget(m_form, 1);
     m_state = new QLabel(content);
     m_state->setTextFormat(Qt::PlainText);
@@ -200,6 +188,8 @@ void LevelsPanel::buildTable(QVBoxLayout* column)
                 if (now.isValid() && !m_shows)
                     showRow(now.row());
             });
+    // The model is made anew by it, which no editor of a cell expects.
+    connect(m_model, &LevelModel::edited, this, &LevelsPanel::takeEdited, Qt::QueuedConnection);
     connect(m_table, &QTreeView::doubleClicked, this, [this](const QModelIndex& at) { showRow(at.row()); });
     connect(m_table, &QWidget::customContextMenuRequested, this, &LevelsPanel::showMenu);
 }
@@ -232,6 +222,7 @@ void LevelsPanel::buildChoices(QVBoxLayout* column)
 {
     m_enlarged = new QCheckBox(m_below);
     m_enlarged->setObjectName(QStringLiteral("levelsEnlarged"));
+    m_enlarged->setChecked(true); // trees are larger than these pictures where levels change
     m_export = new QPushButton(m_below);
     m_export->setObjectName(QStringLiteral("exportTheseLevels"));
     auto* row = new QHBoxLayout;
@@ -288,7 +279,7 @@ void LevelsPanel::takeStored()
     const QVariantMap kept = m_preferences->exportSettings();
     LevelOptions options{usualLevels, {}};
     for (const QString& key : {lastGameKey, storedKey})
-        if (const LevelOptions stored = optionsIn(kept.value(key).toMap()); checkLevels(stored))
+        if (const LevelOptions stored = LevelForm::optionsIn(kept.value(key).toMap()); checkLevels(stored))
             options = stored;
     m_form->setOptions(options);
     m_watch->setOptions(options);
@@ -298,15 +289,29 @@ void LevelsPanel::takeForm()
 {
     const auto fine = m_form->check();
     m_formProblem = fine ? QString() : errorText(fine.error());
+    m_editProblem.clear();
     if (!fine)
         return follow();
     LevelOptions options = m_form->options();
     options.count = std::max<std::int64_t>(1, options.count); // one without a budget is the tree as it is
     QVariantMap kept = m_preferences->exportSettings();
-    kept.insert(storedKey, mapOf(options));
+    kept.insert(storedKey, LevelForm::settingsOf(options));
     m_preferences->setExportSettings(kept);
     m_watch->setOptions(options);
     follow();
+}
+
+/// What is refused leaves the table as it is.
+void LevelsPanel::takeEdited(const std::vector<double>& distances, const std::vector<double>& shares)
+{
+    LevelOptions options = m_form->options();
+    options.distances = distances;
+    options.shares = shares;
+    const auto fine = checkLevels(options);
+    m_editProblem = fine ? QString() : errorText(fine.error());
+    if (fine)
+        m_form->setOptions(options);
+    showState();
 }
 
 void LevelsPanel::follow()
@@ -336,7 +341,7 @@ void LevelsPanel::takeLevels()
     }
     const double filled =
         levelPixels(*m_levels, 1.0) / levelScreenHeight; // m, where the tree fills the screen
-    const std::vector<double>& distances = m_levels->distances;
+    const std::vector<double>& distances = m_levels->switches.distances;
     m_least = roundedDown(std::max(0.7 * filled, 0.01));
     m_most = std::max(100.0 * m_least, roundedDown(2.5 * distances.back()));
     m_slider->setSoftRange(m_least, m_most, 1.0, false);
@@ -370,7 +375,7 @@ void LevelsPanel::showRow(int row)
     if (!m_levels)
         return;
     const auto level = static_cast<std::size_t>(row);
-    showLevel(std::clamp(m_levels->distances[level], m_least, m_most), level);
+    showLevel(std::clamp(m_levels->switches.distances[level], m_least, m_most), level);
 }
 
 void LevelsPanel::showLevel(double distance, std::size_t level)
@@ -427,9 +432,12 @@ void LevelsPanel::showState()
         text = tr("Cancelled");
     else if (state == State::Failed)
         text = m_formProblem.isEmpty() ? errorText(m_watch->error()) : m_formProblem;
-    else if (state == State::Done && m_levels)
-        text = tr("A level takes over where what it lacks is no larger than a pixel.");
-    const QString name = state == State::Failed ? QStringLiteral("problem") : QStringLiteral("dim");
+    else if (!m_editProblem.isEmpty())
+        text = m_editProblem;
+    else if (state == State::Done && m_levels && m_levels->levels.size() > 1)
+        text = tr("Double-click a distance or a height to change it.");
+    const bool isProblem = state == State::Failed || (!m_editProblem.isEmpty() && text == m_editProblem);
+    const QString name = isProblem ? QStringLiteral("problem") : QStringLiteral("dim");
     if (m_state->objectName() != name) {
         m_state->setObjectName(name);
         m_state->style()->unpolish(m_state);
@@ -463,7 +471,7 @@ void LevelsPanel::showMenu(const QPoint& at)
     const bool isTree = row == 0 && m_watch->options().beginsWhole();
     menu->addAction(tr("Export a tree of %1 t&riangles alone…").arg(countText(triangles)), this,
                     [this, isTree, triangles] {
-                        emit exportRequested(isTree ? LevelOptions{1, {}} : LevelOptions{1, {triangles}});
+                        emit exportRequested(isTree ? LevelOptions{1} : LevelOptions{1, {triangles}});
                     });
     menu->popup(m_table->viewport()->mapToGlobal(at));
 }

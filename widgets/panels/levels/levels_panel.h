@@ -71,6 +71,7 @@ private:
     void buildPictures(QVBoxLayout* column);
     void connectViews();
     void takeForm();
+    void takeEdited(const std::vector<double>& distances, const std::vector<double>& shares);
     void takeStored();
     void follow();
     void takeLevels();
@@ -93,6 +94,7 @@ private:
     std::optional<std::size_t> m_level;
     NodeId m_tree = noNode; ///< whose distance is kept
     QString m_formProblem;  ///< why what is written there is no budget
+    QString m_editProblem;  ///< and why a cell of the table stayed as it was
     bool m_shows = false;   ///< the row is being chosen by the distance
     QStackedWidget* m_pages = nullptr;
     EmptyPage* m_empty = nullptr;

@@ -4,6 +4,7 @@
 #include "core/document/document.h"
 #include "core/session/planting.h"
 #include "widgets/base/core_text.h"
+#include "widgets/base/preset_title.h"
 #include "widgets/base/targets.h"
 #include "widgets/panels/presets/picture_button.h"
 #include "widgets/panels/presets/preset_gallery.h"
@@ -88,8 +89,10 @@ QSize GalleryPanel::sizeHint() const
 
 void GalleryPanel::add(const QString& preset)
 {
-    const auto planted = namedTree(preset).and_then(
-        [this](Node&& tree) { return edit::plantTree(*m_document, std::move(tree)); });
+    const auto planted = namedTree(preset).and_then([this](Node&& tree) {
+        giveTitle(tree);
+        return edit::plantTree(*m_document, std::move(tree));
+    });
     if (!planted)
         complain(planted.error());
 }
@@ -99,7 +102,7 @@ void GalleryPanel::give(const QString& preset)
     const auto tree = namedTree(preset);
     if (!tree)
         return complain(tree.error());
-    const QString name = spacedName(QString::fromStdString(tree->name));
+    const QString name = presetTitle(QString::fromStdString(tree->name));
     const QString text = tr("Make it %1", "undo step; the name of a preset").arg(name);
     if (const auto given = edit::makeTreesLike(*m_document, targetTrees(*m_document), *tree, text); !given)
         complain(given.error());
@@ -141,6 +144,8 @@ void GalleryPanel::askName(const QString& title, const QString& suggestion,
     dialog->setWindowTitle(title);
     dialog->setLabelText(tr("Name:"));
     dialog->setTextValue(suggestion);
+    constexpr int buttons = 180; // of the window's frame, beside its title
+    dialog->setMinimumWidth(fontMetrics().horizontalAdvance(title) + buttons);
     connect(dialog, &QInputDialog::textValueSelected, this,
             [this, use = std::move(use)](const QString& name) {
                 const auto done = use(name.trimmed());

@@ -25,7 +25,7 @@ public:
     /// From now on it has a star: always seen where it is \p on, else under the mouse.
     void setStar(bool on);
     [[nodiscard]] QRect starPlace() const;
-    static constexpr int usualWidth = 176, smallWidth = 128;
+    static constexpr int usualWidth = 176, smallWidth = 108;
 
     [[nodiscard]] QSize sizeHint() const override;
 

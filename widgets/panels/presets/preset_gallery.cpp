@@ -4,6 +4,8 @@
 #include "core/params/presets.h"
 #include "widgets/base/core_text.h"
 #include "widgets/base/preferences.h"
+#include "widgets/base/preset_title.h"
+#include "widgets/base/search_text.h"
 #include "widgets/panels/presets/picture_button.h"
 #include <QEvent>
 #include <QGridLayout>
@@ -23,10 +25,21 @@ constexpr int usualColumns = 2;
 /// All names that it has and what it is like, to search in.
 QString searchedText(const Preset& preset)
 {
-    return (QString::fromLatin1(preset.name) + u' ' + spacedName(QString::fromLatin1(preset.name)) + u' ' +
-            QString::fromUtf8(preset.latin) + u' ' + coreText(preset.description) + u' ' +
-            coreText(preset.group))
-        .toLower();
+    return searchable(presetNames(preset) + u' ' + coreText(preset.description) + u' ' +
+                      coreText(preset.group));
+}
+
+/// What grammars and points are shown with stands before the species among the presets, and behind them here.
+std::vector<const Preset*> speciesFirst()
+{
+    std::vector<const Preset*> all;
+    for (const Preset& preset : presets())
+        all.push_back(&preset);
+    const auto isSpecies = [](const Preset* preset) {
+        return preset->params.generator.kind == TreeGenerator::WeberPenn;
+    };
+    std::rotate(all.begin(), std::ranges::find_if(all, isSpecies), all.end());
+    return all;
 }
 
 } // namespace
@@ -49,11 +62,11 @@ PresetGallery::PresetGallery(int pictureWidth, Preferences* preferences, QWidget
     layout->addWidget(m_none);
     addGroup(RAMURE_NOOP("Favourites"));
     addGroup(RAMURE_NOOP("Your own"));
-    for (const Preset& preset : presets()) {
-        if (m_groups.back().name != std::string_view(preset.group))
-            addGroup(preset.group);
-        const QString name = QString::fromLatin1(preset.name);
-        addPicture(m_groups.back(), name, spacedName(name), &preset);
+    for (const Preset* preset : speciesFirst()) {
+        if (m_groups.back().name != std::string_view(preset->group))
+            addGroup(preset->group);
+        const QString name = QString::fromLatin1(preset->name);
+        addPicture(m_groups.back(), name, presetTitle(name), preset);
     }
     layout->addStretch(1);
     connect(m_search, &QLineEdit::textChanged, this, &PresetGallery::filter);
@@ -190,12 +203,12 @@ void PresetGallery::openMenu(PictureButton* picture, const QPoint& at)
 
 void PresetGallery::filter()
 {
-    const QStringList words = m_search->text().toLower().split(u' ', Qt::SkipEmptyParts);
+    const QStringList words = searchWords(m_search->text());
     bool any = false;
     for (const Group& group : m_groups) {
         bool some = false;
         for (const Item& item : group.items) {
-            const QString text = item.preset ? searchedText(*item.preset) : item.picture->text().toLower();
+            const QString text = item.preset ? searchedText(*item.preset) : searchable(item.picture->text());
             const bool hit =
                 std::ranges::all_of(words, [&text](const QString& word) { return text.contains(word); });
             item.picture->setVisible(hit);
@@ -271,9 +284,9 @@ void PresetGallery::describe(const Item& item)
 {
     if (!item.preset)
         return item.picture->setToolTip(tr("%1: a tree that you have kept").arg(item.picture->text()));
-    const QString about = coreText(item.preset->description), latin = QString::fromUtf8(item.preset->latin);
-    item.picture->setToolTip(latin.isEmpty() ? about : tr("%1: %2", "Latin name: habit").arg(latin, about));
-    item.picture->setAccessibleDescription(about);
+    item.picture->setText(presetTitle(item.picture->preset()));
+    item.picture->setToolTip(item.picture->text() + u'\n' + presetTip(*item.preset));
+    item.picture->setAccessibleDescription(coreText(item.preset->description));
 }
 
 void PresetGallery::changeEvent(QEvent* event)

@@ -2,6 +2,7 @@
 
 #include "core/params/param_def.h"
 #include "core/scene/material.h"
+#include "core/surface/foliage/fruit_shapes.h"
 #include "core/surface/foliage/leaf_table.h"
 #include "tests/support/preset_trees.h"
 #include "tests/support/suite.h"
@@ -102,6 +103,43 @@ private slots:
         const auto [least, most] =
             std::ranges::minmax_element(half.leaves, {}, [](const FoliageItem& leaf) { return leaf.tint.r; });
         QVERIFY(most->tint.r - least->tint.r > 0.1F);
+    }
+
+    void fruitFallBeforeTheLeavesAreDown()
+    {
+        const auto skeleton = test::presetSkeleton({"TinyTree"});
+        const auto hanging = [&](FruitKind kind, LeafShape shape, double season) {
+            LeafParams leaf;
+            leaf.shape = shape;
+            leaf.season = season;
+            FruitParams fruit;
+            fruit.kind = kind;
+            const auto foliage = placeFoliage(*skeleton, {0.1, 10, 1.0, 1}, leaf, fruit, 0.2);
+            return foliage ? foliage->apples.size() : std::size_t(0);
+        };
+        const std::size_t all = hanging(FruitKind::Acorn, LeafShape::Oak, 0.0);
+        QVERIFY(all > 20);
+        std::size_t before = all;
+        for (const double season : {0.4, 0.5, 0.6, 0.7, 0.8}) {
+            const std::size_t now = hanging(FruitKind::Acorn, LeafShape::Oak, season);
+            QVERIFY(now <= before);
+            before = now;
+        }
+        QCOMPARE(before, std::size_t(0));
+        QCOMPARE(hanging(FruitKind::Acorn, LeafShape::Oak, 1.0), std::size_t(0));
+        QCOMPARE(hanging(FruitKind::Acorn, LeafShape::Oak, 0.3), all);
+        QVERIFY(hanging(FruitKind::Blossom, LeafShape::Cherry, 0.0) > 0);
+        QCOMPARE(hanging(FruitKind::Blossom, LeafShape::Cherry, 0.5), std::size_t(0));
+        QVERIFY(hanging(FruitKind::Cone, LeafShape::Oak, 1.0) > 0);
+        QVERIFY(hanging(FruitKind::Olive, LeafShape::Olive, 1.0) > 0);
+    }
+
+    /// A tree has hundreds of them.
+    void smallFruitHaveFewTriangles()
+    {
+        for (const FruitKind kind :
+             {FruitKind::Acorn, FruitKind::Cherry, FruitKind::Olive, FruitKind::Berries})
+            QVERIFY(fruitMesh({kind, 1.0, 1.0}).faceCount() <= 80);
     }
 
     void evergreensStay()

@@ -155,7 +155,7 @@ private slots:
         const TreeResult& tree = bench.trees.document().result(bench.tree)->tree;
         const auto levels = treeLevels(tree, *presetParams("TinyTree"), {2, {900, 300}});
         QVERIFY2(levels, test::why(levels));
-        const auto coverage = coverageOf(*levels), distances = distancesOf(*levels, Camera().fovRad);
+        const auto [distances, shares, coverage, unseen] = switchesOf(*levels, {2, {900, 300}}, 1.0);
         for (int row = 0; row < 2; ++row) {
             const TreeLevel& level = (*levels)[std::size_t(row)];
             const qint64 bark = level.bark->faceCount(), leaves = level.triangles() - bark;
@@ -166,15 +166,84 @@ private slots:
             QVERIFY(!bench.panel->table()->model()->index(row, 0).data(Qt::ToolTipRole).toString().isEmpty());
         }
         const auto made = bench.panel->watch()->levels();
-        QCOMPARE(made->coverage, coverage);
-        QCOMPARE(made->distances, distances);
+        QCOMPARE(made->switches.coverage, coverage);
+        QCOMPARE(made->switches.distances, distances);
         QVERIFY(coverage[0] > 0.0 && coverage[1] == 0.0);
         // A tree that is shown three times as large is seen so from three times as far.
         QVERIFY(
             edit::setParam(bench.trees.document(), {bench.tree}, *findParam("tree.scale"), glm::dvec3(3.0)));
         QTRY_VERIFY_WITH_TIMEOUT(bench.isDone() && bench.panel->watch()->levels() != made, patienceMs);
-        const double ratio = bench.panel->watch()->levels()->distances[1] / distances[1];
+        const double ratio = bench.panel->watch()->levels()->switches.distances[1] / distances[1];
         QVERIFY2(std::abs(ratio - 3.0) < 1e-6, QByteArray::number(ratio));
+    }
+    void wrongDistancesAreTold_data()
+    {
+        QTest::addColumn<QString>("switches");
+        QTest::addColumn<QString>("about");
+        QTest::newRow("no number") << "near; far"
+                                   << "a distance in metres";
+        QTest::newRow("falling") << "30; 20"
+                                 << "distances must rise";
+        QTest::newRow("rising shares") << "20 %; 30 %"
+                                       << "must fall";
+        QTest::newRow("both kinds") << "60 %; 30"
+                                    << "not at both";
+        QTest::newRow("not as many") << "30"
+                                     << "as many distances";
+    }
+    void wrongDistancesAreTold()
+    {
+        QFETCH(QString, switches);
+        QFETCH(QString, about);
+        Bench bench;
+        bench.part<QSpinBox>("levelCount")->setValue(3);
+        bench.part<QLineEdit>("levelSwitches")->setText(switches);
+        QVERIFY2(bench.problem().contains(about), qPrintable(bench.problem()));
+        bench.part<QLineEdit>("levelSwitches")->clear();
+        QTRY_VERIFY_WITH_TIMEOUT(bench.isDone() && bench.rows() == 3, patienceMs);
+        QVERIFY(bench.problem().isEmpty());
+    }
+    void distancesAreEdited()
+    {
+        std::atomic<int> calls = 0;
+        Bench bench("TinyTree", [&](const TreeResult& tree, const NodeParams& params,
+                                    const LevelOptions& options, const Progress& progress) {
+            ++calls;
+            return treeLevels(tree, params, options, {}, progress);
+        });
+        QTRY_VERIFY_WITH_TIMEOUT(bench.isDone() && bench.rows() == 3, patienceMs);
+        auto* model = bench.panel->table()->model();
+        QCOMPARE(bench.cell(1, LevelModel::Height), QStringLiteral("60 %"));
+        QCOMPARE(bench.cell(2, LevelModel::Height), QStringLiteral("30 %"));
+        QVERIFY(!model->setData(model->index(0, LevelModel::From), 3.0));      // there is none before it
+        QVERIFY(!model->setData(model->index(1, LevelModel::Triangles), 3.0)); // a budget says it
+        QVERIFY(!model->setData(model->index(1, LevelModel::From), QStringLiteral("far")));
+        QVERIFY(model->setData(model->index(2, LevelModel::From), 0.01)); // nearer than level 1
+        QTRY_VERIFY2(bench.problem().contains(QStringLiteral("must rise")), qPrintable(bench.problem()));
+        QCOMPARE(bench.rows(), 3);
+        QCOMPARE(bench.cell(2, LevelModel::Height), QStringLiteral("30 %"));
+        QVERIFY(model->setData(model->index(2, LevelModel::From), 90.0));
+        QTRY_COMPARE(bench.cell(2, LevelModel::From), metresText(90.0));
+        QVERIFY(bench.problem().isEmpty());
+        QCOMPARE(bench.panel->watch()->options().distances.back(), 90.0);
+        QVERIFY(bench.part<QLineEdit>("levelSwitches")->text().endsWith(QStringLiteral("; 90")));
+        bench.panel->setDistance(89.0);
+        QCOMPARE(*bench.panel->level(), std::size_t(1));
+        bench.panel->setDistance(90.0);
+        QCOMPARE(*bench.panel->level(), std::size_t(2));
+        QVERIFY(model->setData(model->index(1, LevelModel::Height), 80.0));
+        QTRY_COMPARE(bench.cell(1, LevelModel::Height), QStringLiteral("80 %"));
+        QVERIFY(bench.panel->watch()->options().distances.empty());
+        // One level more is seen from twice as far.
+        bench.part<QLineEdit>("levelSwitches")->setText(QStringLiteral("15; 40.5"));
+        bench.part<QSpinBox>("levelCount")->setValue(4);
+        QCOMPARE(bench.part<QLineEdit>("levelSwitches")->text(), QStringLiteral("15; 40.5; 81"));
+        bench.part<QSpinBox>("levelCount")->setValue(3);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.isDone() && bench.rows() == 3, patienceMs);
+        QCOMPARE(bench.cell(2, LevelModel::From), metresText(40.5));
+        LevelsPanel again(&bench.trees.document(), &bench.preferences);
+        QVERIFY(again.watch()->options() == bench.panel->watch()->options());
+        QVERIFY(calls <= 3); // for other meshes alone
     }
     void theDistanceChoosesTheLevel()
     {
@@ -182,10 +251,10 @@ private slots:
         bench.setBudgets(QStringLiteral("1200, 400, 120, 60"), 4);
         QTRY_VERIFY_WITH_TIMEOUT(bench.isDone() && bench.rows() == 4, patienceMs);
         const auto levels = bench.panel->watch()->levels();
-        QCOMPARE(bench.panel->distance(), levels->distances[1]);
-        for (std::size_t i = 1; i < levels->distances.size(); ++i) {
-            const double at = levels->distances[i];
-            const bool isFirst = at > levels->distances[i - 1];
+        QCOMPARE(bench.panel->distance(), levels->switches.distances[1]);
+        for (std::size_t i = 1; i < levels->switches.distances.size(); ++i) {
+            const double at = levels->switches.distances[i];
+            const bool isFirst = at > levels->switches.distances[i - 1];
             bench.panel->setDistance(at);
             QCOMPARE(*bench.panel->level(), levels->levelAt(at));
             QVERIFY(*bench.panel->level() >= i);
@@ -212,14 +281,14 @@ private slots:
         QTest::keyClick(slider, Qt::Key_Home);
         QCOMPARE(bench.panel->distance(), least);
         emit bench.panel->table()->doubleClicked(bench.panel->table()->model()->index(2, 0));
-        QCOMPARE(bench.panel->distance(), levels->distances[2]);
+        QCOMPARE(bench.panel->distance(), levels->switches.distances[2]);
     }
     void picturesAreTakenFromTheDistance()
     {
         Bench bench;
         QTRY_VERIFY_WITH_TIMEOUT(bench.isDone(), patienceMs);
         const TreeLevels& levels = *bench.panel->watch()->levels();
-        QCOMPARE(LevelWatch::usualFovRad, Camera().fovRad);
+        QCOMPARE(levelFovRad, Camera().fovRad);
         const double high = levels.box.size().y;
         LevelShot shot{40.0, false, 0.3, 0.0};
         const Camera real = levelCamera(levels, shot, {180, 240});

@@ -2,7 +2,10 @@
 #include "core/params/presets.h"
 #include "core/scene/preset_scene.h"
 #include "tests/widgets/base/fixture.h"
+#include "widgets/base/core_text.h"
+#include "widgets/base/language.h"
 #include "widgets/base/preferences.h"
+#include "widgets/base/preset_title.h"
 #include "widgets/panels/presets/gallery_panel.h"
 #include "widgets/panels/presets/picture_button.h"
 #include "widgets/panels/presets/preset_gallery.h"
@@ -109,6 +112,69 @@ private slots:
         QCOMPARE(m_panel->gallery()->first() != nullptr, !found.isEmpty());
         m_panel->gallery()->search()->clear();
         QCOMPARE(shown().size(), qsizetype(presets().size()));
+    }
+
+    /// Each has a text of its own for those who translate.
+    void everyPresetHasATitle()
+    {
+        QVERIFY(presetTitle(QStringLiteral("NoSuchTree")) == QStringLiteral("No Such Tree"));
+        QFile list(QStringLiteral(RAMURE_SOURCE_DIR "/widgets/base/preset_title.cpp"));
+        QVERIFY(list.open(QIODevice::ReadOnly));
+        const QByteArray text = list.readAll();
+        qsizetype titles = 0;
+        for (const Preset& preset : presets())
+            titles += text.count("\"presets\", \"" + spacedName(QLatin1String(preset.name)).toUtf8() + '"');
+        QCOMPARE(titles, qsizetype(presets().size()));
+        QCOMPARE(text.count("QT_TRANSLATE_NOOP"), titles);
+    }
+
+    void frenchNamesAreShownAndFound_data()
+    {
+        QTest::addColumn<QString>("typed");
+        QTest::addColumn<QString>("found");
+        QTest::newRow("no such") << "bouleaux verts"
+                                 << "";
+        QTest::newRow("French") << "bouleau verruqueux"
+                                << "SilverBirch";
+        QTest::newRow("without accents") << "chene rouge"
+                                         << "RedOak";
+        QTest::newRow("English") << "silver birch"
+                                 << "SilverBirch";
+        QTest::newRow("Latin") << "betula pendula"
+                               << "SilverBirch";
+    }
+    void frenchNamesAreShownAndFound()
+    {
+        QFETCH(const QString, typed);
+        QFETCH(const QString, found);
+        const Language language(m_preferences.get());
+        m_preferences->setLanguage(QStringLiteral("fr"));
+        QTRY_COMPARE(picture("EnglishOak")->text(), QStringLiteral("Chêne pédonculé"));
+        m_panel->gallery()->search()->setText(typed);
+        QCOMPARE(shown(), found.isEmpty() ? QStringList() : QStringList{found});
+        picture("SilverBirch")->click();
+        QCOMPARE(m_document->scene().nodes().back().name, std::string("Bouleau verruqueux"));
+        m_preferences->setLanguage(QStringLiteral("en"));
+        QTRY_COMPARE(picture("EnglishOak")->text(), QStringLiteral("English Oak"));
+        QVERIFY(shown().size() <= 1);
+        picture("SilverBirch")->click();
+        QCOMPARE(m_document->scene().nodes().back().name, std::string("SilverBirch"));
+    }
+
+    void speciesStandBeforeTheExamples()
+    {
+        const QStringList all = shown();
+        const auto isSpecies = [](const QString& name) {
+            return presetParams(name.toStdString())->generator.kind == TreeGenerator::WeberPenn;
+        };
+        QVERIFY(isSpecies(all.front()));
+        const auto examples = std::ranges::find(all, QStringLiteral("SmallTree"));
+        for (auto name = examples; name != all.end(); ++name)
+            QVERIFY2(!isSpecies(*name), qPrintable(*name));
+        for (const char* first : {"FanTree", "HondaTree", "ParkTree"})
+            QVERIFY(all.indexOf(QLatin1String(first)) > all.indexOf(QStringLiteral("Sapling")));
+        for (const PictureButton* each : m_panel->findChildren<PictureButton*>())
+            QVERIFY2(!each->picture().isNull(), qPrintable(each->preset()));
     }
 
     void clicksAddTrees()
@@ -247,8 +313,8 @@ private slots:
                 left.insert(picture(name)->mapTo(m_panel.get(), QPoint()).x());
             return left.size();
         };
-        QTRY_COMPARE(columns(), std::size_t(2));
-        m_panel->resize(240, 500);
+        QTRY_COMPARE(columns(), std::size_t(3));
+        m_panel->resize(200, 500);
         QTRY_COMPARE(columns(), std::size_t(1));
     }
 };

@@ -1,0 +1,22 @@
+/// \file
+/// Names of the trees that ship with the program, in the interface's language (context "presets").
+#pragma once
+
+#include <QString>
+
+namespace ramure {
+
+struct Node;
+struct Preset;
+
+/// "SilverBirch": "Silver Birch", in French "Bouleau verruqueux"; other names as spacedName() has them.
+QString presetTitle(const QString& name);
+/// All names it has, for a search: the title, the English and the Latin one.
+QString presetNames(const Preset& preset);
+/// Its Latin name, where it has one, and what it is like.
+QString presetTip(const Preset& preset);
+/// Names a tree just made of a preset by its title where that is no English one: names of nodes and files are
+/// without blanks else.
+void giveTitle(Node& tree);
+
+} // namespace ramure

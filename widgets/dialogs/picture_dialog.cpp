@@ -1,0 +1,74 @@
+#include "widgets/dialogs/picture_dialog.h"
+
+#include "widgets/dialogs/picture_form.h"
+#include "widgets/view/viewport.h"
+#include <QCheckBox>
+#include <QDialogButtonBox>
+#include <QEvent>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace ramure {
+
+PictureDialog::PictureDialog(QSize view, const QVariantMap& kept, QWidget* parent)
+    : QDialog(parent)
+    , m_form(new PictureForm(this))
+    , m_grid(new QCheckBox(this))
+    , m_buttons(new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel, this))
+{
+    setObjectName(QStringLiteral("pictureDialog"));
+    m_grid->setObjectName(QStringLiteral("pictureGrid"));
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(18, 18, 18, 14);
+    layout->setSpacing(6);
+    layout->setSizeConstraint(QLayout::SetMinimumSize);
+    layout->addWidget(m_form);
+    layout->addWidget(m_grid);
+    layout->addSpacing(8);
+    layout->addWidget(m_buttons);
+    m_form->setViewSize(view);
+    const QSize size(kept.value(QStringLiteral("width")).toInt(),
+                     kept.value(QStringLiteral("pixels")).toInt());
+    if (!size.isEmpty())
+        m_form->setPictureSize(size);
+    m_form->setTransparent(kept.value(QStringLiteral("transparent")).toBool());
+    m_grid->setChecked(kept.value(QStringLiteral("grid")).toBool());
+    connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    // Both are parts of the world.
+    connect(m_form, &PictureForm::changed, this, [this] { m_grid->setEnabled(!m_form->isTransparent()); });
+    m_grid->setEnabled(!m_form->isTransparent());
+    retranslate();
+}
+
+ViewPicture PictureDialog::wish() const
+{
+    return {m_form->pictureSize(), m_form->isTransparent(), m_grid->isChecked()};
+}
+
+/// As large as the view stays so when that has another size.
+QVariantMap PictureDialog::settings() const
+{
+    QVariantMap kept{{"transparent", m_form->isTransparent()}, {"grid", m_grid->isChecked()}};
+    if (!m_form->isLikeView())
+        kept.insert({{"width", m_form->pictureSize().width()}, {"pixels", m_form->pictureSize().height()}});
+    return kept;
+}
+
+void PictureDialog::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    QDialog::changeEvent(event);
+}
+
+void PictureDialog::retranslate()
+{
+    setWindowTitle(tr("Save a picture"));
+    m_grid->setText(tr("Grid and axes"));
+    m_grid->setToolTip(tr("The lines on the ground"));
+    m_buttons->button(QDialogButtonBox::Save)->setText(tr("Save…"));
+    m_buttons->button(QDialogButtonBox::Cancel)->setText(tr("Cancel"));
+}
+
+} // namespace ramure

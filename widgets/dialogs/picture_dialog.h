@@ -1,0 +1,38 @@
+/// \file
+/// Asks how large a picture of the view is to be, and what is on it.
+#pragma once
+
+#include <QDialog>
+#include <QVariantMap>
+
+class QCheckBox;
+class QDialogButtonBox;
+
+namespace ramure {
+
+class PictureForm;
+struct ViewPicture;
+
+class PictureDialog : public QDialog
+{
+    Q_OBJECT
+public:
+    /// \param view pixels \param kept settings() of the last time; what is missing there is as usual
+    PictureDialog(QSize view, const QVariantMap& kept, QWidget* parent = nullptr);
+
+    [[nodiscard]] PictureForm* form() const { return m_form; }
+    [[nodiscard]] ViewPicture wish() const;
+    [[nodiscard]] QVariantMap settings() const;
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void retranslate();
+
+    PictureForm* m_form;
+    QCheckBox* m_grid;
+    QDialogButtonBox* m_buttons;
+};
+
+} // namespace ramure
