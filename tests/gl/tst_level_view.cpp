@@ -48,7 +48,7 @@ private slots:
 
         LevelView level, whole;
         LevelShot shot;
-        shot.distance = levels->distances[1];
+        shot.distance = levels->switches.unseen[1];
         shot.enlarged = true;
         for (LevelView* view : {&level, &whole}) {
             view->resize(160, 160);

@@ -31,10 +31,10 @@ BranchCurve meshCurve(const NormalSkeleton& skeleton, Index branch, bool clampOv
 {
     const MeshBranch& own = skeleton.branches[branch];
     BranchCurve curve{own.p0, own.p1, own.p1 - own.p0, own.p1 - own.p0};
-    if (own.parent != noIndex) {
+    if (own.parent != noIndex && !own.isLimb) {
         const MeshBranch& parent = skeleton.branches[own.parent];
         curve.v0 = parent.p1 - parent.p0;
-        if (clampOvershoot) {
+        if (clampOvershoot || parent.isLimb) { // a limb is longer than what shows of it
             const double most = overshootLimit * glm::length(curve.v1);
             const double has = glm::length(curve.v0);
             if (has > most)

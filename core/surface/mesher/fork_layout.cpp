@@ -16,13 +16,14 @@ constexpr double turn = 2.0 * std::numbers::pi;
 constexpr double farthest = 12.7; ///< a child straight back has no stereographic place
 constexpr int spreadRounds = 60;
 // A stem and the limbs that leave it.
-constexpr double leastStem = 0.75;   ///< of the parent's radius
-constexpr double mostLimb = 0.7;     ///< of the stem's radius
-constexpr double stemCosine = 0.82;  ///< of the angle between the parent and the stem
-constexpr double limbCosine = 0.94;  ///< of the angle between the stem and a limb, either way
-constexpr double limbWidth = 1.06;   ///< of its diameter, on the ring
-constexpr double roomOnRing = 1.1;   ///< of the width, from limb to limb
-constexpr double flatCosine = -0.94; ///< of the angle at a child that stands between two others
+constexpr double leastStem = 0.75;    ///< of the parent's radius
+constexpr double mostLimb = 0.7;      ///< of the stem's radius
+constexpr double stemCosine = 0.82;   ///< of the angle between the parent and the stem
+constexpr double limbCosine = 0.94;   ///< of the angle between the stem and a limb, either way
+constexpr double limbWidth = 1.06;    ///< of its diameter, on the ring
+constexpr double leastLimbGap = 0.15; ///< of the ring's pitch, at least, for a limb's foot
+constexpr double roomOnRing = 1.1;    ///< of the width, from limb to limb
+constexpr double flatCosine = -0.94;  ///< of the angle at a child that stands between two others
 
 /// A direction's place in the plane of the fork: stereographic, so that circles of directions stay circles.
 glm::dvec2 stereographic(const Frame& frame, const glm::dvec3& direction)
@@ -43,21 +44,26 @@ double wrapped(double angle)
 
 } // namespace
 
+double ForkPlanner::gapAfter(std::size_t split) const
+{
+    return split + 1 < m_splits.size() ? m_splits[split + 1] - m_splits[split]
+                                       : m_splits[0] + turn - m_splits[split];
+}
+
+double ForkPlanner::narrowestGap() const
+{
+    double least = turn;
+    for (std::size_t i = 0; i < m_splits.size(); ++i)
+        least = std::min(least, gapAfter(i));
+    return least;
+}
+
 /// Pushes the split points apart until neighbours are at least \p gap from each other; where that does not
 /// come about, they are spaced evenly.
 void ForkPlanner::spread(double gap)
 {
     const std::size_t count = m_splits.size();
-    const auto gapAfter = [&](std::size_t i) {
-        return i + 1 < count ? m_splits[i + 1] - m_splits[i] : m_splits[0] + turn - m_splits[i];
-    };
-    const auto narrowest = [&] {
-        double least = turn;
-        for (std::size_t i = 0; i < count; ++i)
-            least = std::min(least, gapAfter(i));
-        return least;
-    };
-    for (int round = 0; round < spreadRounds && narrowest() < 0.999 * gap; ++round)
+    for (int round = 0; round < spreadRounds && narrowestGap() < 0.999 * gap; ++round)
         for (std::size_t i = 0; i < count; ++i) {
             const double lack = gap - gapAfter(i);
             if (lack <= 0.0)
@@ -65,7 +71,7 @@ void ForkPlanner::spread(double gap)
             m_splits[i] -= 0.5 * lack;
             m_splits[i + 1 < count ? i + 1 : 0] += 0.5 * lack;
         }
-    if (narrowest() >= 0.3 * gap)
+    if (narrowestGap() >= 0.3 * gap)
         return;
     double shift = 0.0;
     for (std::size_t i = 0; i < count; ++i)
@@ -213,7 +219,10 @@ void ForkPlanner::plan(std::span<const RingPoint> regular, ForkLayout& layout)
         splitHull(layout.triangulation);
     }
     const auto edges = static_cast<double>(layout.triangulation.hull().size());
-    spread(std::min(pi / static_cast<double>(regular.size()), 0.8 * turn / edges));
+    double gap = std::min(pi / static_cast<double>(regular.size()), 0.8 * turn / edges);
+    if (layout.stem != noIndex) // the foot of a limb is as wide as the limb
+        gap = std::clamp(narrowestGap(), leastLimbGap * gap, gap);
+    spread(gap);
     fillRing(regular, layout);
 }
 

@@ -60,6 +60,8 @@ private:
     [[nodiscard]] Index findStem() const;
     void planStar(ForkLayout& layout);
     void splitHull(const ForkTriangulation& triangulation);
+    [[nodiscard]] double gapAfter(std::size_t split) const;
+    [[nodiscard]] double narrowestGap() const;
     void spread(double gap);
     void fillRing(std::span<const RingPoint> regular, ForkLayout& layout);
 

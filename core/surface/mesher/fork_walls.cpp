@@ -253,7 +253,8 @@ ForkWalls::WallPlan ForkWalls::planArch(std::size_t edge) const
     plan.path.onLimb = true;
     plan.reach = (1.0 + ForkLift::margin) * m_children[hull.to].sections.front().radius;
     plan.endsOnRing = true;
-    const glm::dvec3 end = m_children[hull.to].sections.back().centre - m_ring->centre;
+    const std::vector<AxisSection>& sections = m_children[hull.to].sections;
+    const glm::dvec3 end = sections.back().centre - sections.front().centre;
     const glm::dvec3 aside = glm::cross(end, m_ring->frame.tangent);
     plan.from = m_ring->radius * glm::length(end) / std::max(glm::length(aside), 0.1 * glm::length(end));
     return plan;

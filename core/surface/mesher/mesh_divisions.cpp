@@ -119,7 +119,7 @@ void MeshBudget::measure(Index b)
     const double length = glm::length(way), radius = 0.5 * (branch.a0 + branch.a1);
     double aside = 0.0;
     bool goesOn = false;
-    if (branch.parent != noIndex) {
+    if (branch.parent != noIndex && !branch.isLimb) {
         const MeshBranch& parent = m_skeleton.branches[branch.parent];
         const glm::dvec3 before = parent.p1 - parent.p0;
         const double ahead = glm::dot(before, way);

@@ -101,7 +101,8 @@ private:
     struct Pending
     {
         Index id, parentOut;
-        glm::dvec3 rise{0.0}; ///< from the parent's end
+        glm::dvec3 start{0.0}; ///< from the parent's end
+        bool isLimb = false;
     };
     std::vector<Pending> m_stack;
     std::vector<Sibling> m_siblings;
@@ -486,10 +487,11 @@ void Normaliser::putOffChildren(Index parentOut)
         limbs.push_back(limb(sibling));
     const Index stem = stemOf(limbs);
     for (std::size_t i = m_siblings.size(); i-- > 0;) {
-        glm::dvec3 rise(0.0);
-        if (stem != noIndex && i != stem)
-            rise = limbRise(limbs[i], limbs[stem]) * limbs[stem].direction;
-        m_stack.push_back({m_siblings[i].id, parentOut, rise});
+        const bool isLimb = stem != noIndex && i != stem;
+        glm::dvec3 start(0.0);
+        if (isLimb)
+            start = limbStart(limbs[i], limbs[stem]) * limbs[stem].direction;
+        m_stack.push_back({m_siblings[i].id, parentOut, start, isLimb});
     }
 }
 
@@ -539,11 +541,12 @@ Expected<void> Normaliser::run(const Progress& progress)
         const Index index = static_cast<Index>(m_out.branches.size());
         const glm::dvec3 start = pending.parentOut == noIndex
                                      ? local(m_in.p0[pending.id])
-                                     : m_out.branches[pending.parentOut].p1 + pending.rise;
+                                     : m_out.branches[pending.parentOut].p1 + pending.start;
         if (pending.parentOut == noIndex && m_nextMate[pending.id] != noIndex)
             emitPlate(pending.id);
         else
             emit(pending.id, pending.parentOut, start);
+        m_out.branches[index].isLimb = pending.isLimb;
         putOffChildren(index);
     }
     linkChildren();

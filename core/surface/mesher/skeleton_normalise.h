@@ -17,6 +17,7 @@ struct MeshBranch
     Index parent = noIndex; ///< in NormalSkeleton::branches
     Index source = noIndex; ///< branch of the skeleton it was made from
     bool isSawn = false;    ///< its end is flat
+    bool isLimb = false;    ///< it leaves a sibling to its side, and is straight until its end
     bool isPlate = false;   ///< no branch of the skeleton: what stems stand on that start together
     Index firstChild = 0;   ///< its children are children[firstChild .. firstChild + childCount)
     Index childCount = 0;
@@ -54,7 +55,7 @@ struct NormalSkeleton
 /// - roots that start within a radius of each other become the children of one root plate: a stub at the
 /// first
 ///   one's start, turned away from all of them;
-/// - a limb that would leave its stem below the fork starts higher up in the stem than the fork.
+/// - limbs start where limbStart() says.
 /// Radii are at least 1e-4 of the scene.
 /// Errors: Invalid (empty, non-finite or negative numbers, nothing with a length or a radius, beyond what
 /// floats hold), Cancelled.

@@ -10,11 +10,13 @@ namespace {
 
 constexpr double thin = 0.5;       ///< of the stem's radius: the most of a limb. Two thicker ones are a fork
 constexpr double leastSine = 0.01; ///< of the angle between the two
-constexpr double below = 0.5;      ///< of the stem's radius: its wood below the fork
+// Of the stem's radius.
+constexpr double below = 0.5;       ///< its wood below the fork
+constexpr double farthest = 2.0;    ///< from the fork, along the stem: where a limb may start
+constexpr double leastBeyond = 0.2; ///< from the stem's surface to the limb's end
 // Shares of the stem's length.
 constexpr double nearNext = 0.5; ///< where a limb comes out, and starts at the next fork instead
 constexpr double longEnough = 1.2;
-constexpr double mostRise = 0.6;
 // Of a limb's radius, over the sine of its angle: its size on the stem.
 constexpr double above = 1.1;  ///< how far above the fork its axis comes out
 constexpr double room = 1.6;   ///< from there to the next fork
@@ -30,10 +32,10 @@ double sineOf(double cosine)
     return std::max(std::sqrt(std::max(1.0 - cosine * cosine, 0.0)), leastSine);
 }
 
-double rise(const StemLimb& limb, const StemLimb& stem, double cosine)
+/// How far above the fork its axis comes out of the stem.
+double heightOf(const StemLimb& limb, double sine)
 {
-    const double sine = sineOf(cosine);
-    return std::max(0.0, above * limb.radius / std::max(sine, 0.1) - stem.radius * cosine / sine);
+    return above * limb.radius / std::max(sine, 0.1);
 }
 
 /// Unit, across the stem.
@@ -58,16 +60,19 @@ LimbAtFork limbAtFork(const StemLimb& limb, const StemLimb& stem)
     const double ahead = limb.length * cosine, aside = limb.length * sine;
     if (aside < stem.radius && ahead > -below * stem.radius && (limb.hasChildren || ahead < stem.length))
         return LimbAtFork::Inside;
-    const double comesOut = std::max(stem.radius * cosine / sine, rise(limb, stem, cosine));
-    if (comesOut > nearNext * stem.length && ahead > longEnough * stem.length)
+    if (stem.radius * cosine > nearNext * stem.length * sine && ahead > longEnough * stem.length)
         return LimbAtFork::Beyond;
-    return stem.length < comesOut + room * limb.radius / std::max(sine, 0.1) ? LimbAtFork::Crowded
-                                                                             : LimbAtFork::Stands;
+    const double clear = heightOf(limb, sine) + room * limb.radius / std::max(sine, 0.1);
+    return stem.length < clear ? LimbAtFork::Crowded : LimbAtFork::Stands;
 }
 
-double limbRise(const StemLimb& limb, const StemLimb& stem)
+double limbStart(const StemLimb& limb, const StemLimb& stem)
 {
-    return std::min(rise(limb, stem, glm::dot(limb.direction, stem.direction)), mostRise * stem.length);
+    const double cosine = glm::dot(limb.direction, stem.direction), sine = sineOf(cosine);
+    const double height = heightOf(limb, sine), beyond = limb.length * sine - stem.radius;
+    // The line from its end through the place where it comes out, on to the stem's axis.
+    const double slope = (limb.length * cosine - height) / std::max(beyond, leastBeyond * stem.radius);
+    return std::clamp(height - stem.radius * slope, -farthest * stem.radius, farthest * stem.radius);
 }
 
 Index stemOf(std::span<const StemLimb> children)

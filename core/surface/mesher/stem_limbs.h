@@ -26,9 +26,9 @@ enum class LimbAtFork : std::uint8_t {
 };
 LimbAtFork limbAtFork(const StemLimb& limb, const StemLimb& stem);
 
-/// A limb that points back or straight aside starts higher up in the stem, or it would come out below the
-/// fork. \returns how far, m along the stem.
-double limbRise(const StemLimb& limb, const StemLimb& stem);
+/// Where a limb starts so that it comes out of the stem right above the fork, and goes straight from there to
+/// its end. \returns m along the stem from the fork; below 0 in the wood beneath it.
+double limbStart(const StemLimb& limb, const StemLimb& stem);
 
 /// Is one of two siblings of these radii so thin that it is a limb of the other?
 bool areStemAndLimb(double oneRadius, double otherRadius);

@@ -11,7 +11,7 @@ namespace ramure {
 namespace {
 
 /// How far radii may differ (as a logarithm) before another number of tiles goes around.
-constexpr double tolerated = 0.45;
+constexpr double tolerated = 0.45, toleratedOnShort = 0.9;
 /// How much of that v makes good: in between, neither the stretch nor the density is far off.
 constexpr double followed = 0.5;
 // In radii: where the middle of a tip is, and of the flat end of a root.
@@ -175,7 +175,9 @@ void TubeTexture::chooseTiles(double before)
         m_knots.push_back({0.0, before});
     if (before > 0.0 && (m_highestWall == 0.0 || m_goesOn)) {
         const double fits = fitting(radiusAt(m_sections.back()));
-        const bool goesOn = std::abs(maths::log(before / fits)) < tolerated;
+        // Another number winds around the tube by half the difference: a short tube leaves that to the next.
+        const bool isShort = m_axis.length() < 0.5 * std::abs(before - fits) * m_tile;
+        const bool goesOn = std::abs(maths::log(before / fits)) < (isShort ? toleratedOnShort : tolerated);
         m_knots.push_back({m_sections.back(), goesOn ? before : fits});
         return;
     }

@@ -18,7 +18,7 @@ private slots:
     void limbsStandWhereTheyComeOut_data();
     void limbsStandWhereTheyComeOut();
     void limbsBesideEachOtherNeedRoom();
-    void droopingLimbsStartHigher();
+    void limbsComeOutAboveTheFork();
 };
 
 namespace {
@@ -42,8 +42,8 @@ void TestStemLimbs::nothingHasNoStem()
     QVERIFY(!standAroundStem({}));
     QVERIFY(!areStemAndLimb(0.0, 0.0) || stemOf(std::vector{StemLimb(), StemLimb()}) != noIndex);
     // A limb without a length is no reason for anything that is not finite.
-    QVERIFY(std::isfinite(limbRise(StemLimb(), trunk)));
-    QVERIFY(std::isfinite(limbRise(StemLimb(), StemLimb())));
+    QVERIFY(std::isfinite(limbStart(StemLimb(), trunk)));
+    QVERIFY(!std::isnan(limbStart(StemLimb(), StemLimb())));
 }
 
 void TestStemLimbs::equalsAreNoLimbs()
@@ -98,20 +98,21 @@ void TestStemLimbs::limbsBesideEachOtherNeedRoom()
     QVERIFY(!standAroundStem(std::vector{trunk, trunk, child(90.0, 1.0, 0.05)}));
 }
 
-void TestStemLimbs::droopingLimbsStartHigher()
+/// The way from there to its end comes out of the stem right above the fork.
+void TestStemLimbs::limbsComeOutAboveTheFork()
 {
-    double last = 0.0;
-    for (const double degrees : {30.0, 80.0, 90.0, 100.0, 110.0, 120.0}) {
+    double last = -1.0;
+    for (const double degrees : {25.0, 45.0, 80.0, 90.0, 100.0, 110.0, 120.0}) {
         const StemLimb limb = child(degrees, 1.0, 0.02);
-        const double rise = limbRise(limb, trunk);
-        QVERIFY(rise >= last && rise <= 0.6 * trunk.length);
-        // Where its axis comes out of the stem it is clear of the fork below.
-        const double comesOut = rise + trunk.radius / std::tan(degrees * 0.017453292519943295);
-        QVERIFY(comesOut >= limb.radius);
-        last = rise;
+        const double start = limbStart(limb, trunk), angle = degrees * 0.017453292519943295;
+        QVERIFY(start > last); // the more it droops, the higher
+        QVERIFY(std::abs(start) <= 2.0 * trunk.radius);
+        const double slope = (std::cos(angle) - start) / std::sin(angle),
+                     comesOut = start + trunk.radius * slope;
+        QVERIFY(comesOut >= limb.radius && comesOut < 3.0 * limb.radius);
+        last = start;
     }
-    QVERIFY(last > trunk.radius * 0.5);
-    QCOMPARE(limbRise(child(30.0, 1.0, 0.02), trunk), 0.0);
+    QVERIFY(std::abs(limbStart(child(150.0, 1.0, 0.02), trunk)) <= 2.0 * trunk.radius);
 }
 
 QTEST_GUILESS_MAIN(TestStemLimbs)
