@@ -6659,7 +6659,7 @@
     </message>
     <message>
         <source>Prune to a shape</source>
-        <translation>Tailler selon une forme</translation>
+        <translation>Tailler en forme</translation>
     </message>
     <message>
         <source>Attract</source>
@@ -9193,7 +9193,7 @@ OpenGL&#xa0;: %4
     </message>
     <message>
         <source>None</source>
-        <translation>Aucune</translation>
+        <translation>Aucun profil</translation>
     </message>
     <message>
         <source>%1 × %1 pixels</source>

@@ -71,7 +71,8 @@ double limbStart(const StemLimb& limb, const StemLimb& stem)
     const double cosine = glm::dot(limb.direction, stem.direction), sine = sineOf(cosine);
     const double height = heightOf(limb, sine), beyond = limb.length * sine - stem.radius;
     // The line from its end through the place where it comes out, on to the stem's axis.
-    const double slope = (limb.length * cosine - height) / std::max(beyond, leastBeyond * stem.radius);
+    const double slope =
+        (limb.length * cosine - height) / std::max({beyond, leastBeyond * stem.radius, 1e-12});
     return std::clamp(height - stem.radius * slope, -farthest * stem.radius, farthest * stem.radius);
 }
 

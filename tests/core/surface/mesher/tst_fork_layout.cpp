@@ -66,7 +66,8 @@ QByteArray faults(const ForkLayout& layout, int radial)
     if (layout.splitPoint.size() != layout.triangulation.hull().size() || layout.splitPoint.front() != 0)
         return "split points";
     const double least =
-        0.2 * std::min(std::numbers::pi / radial, 0.8 * turn / static_cast<double>(layout.splitPoint.size()));
+        (layout.stem == noIndex ? 0.2 : 0.03) *
+        std::min(std::numbers::pi / radial, 0.8 * turn / static_cast<double>(layout.splitPoint.size()));
     for (std::size_t i = 0; i < layout.ring.size(); ++i) {
         const bool last = i + 1 == layout.ring.size();
         const double next = last ? layout.ring[0].azimuth + turn : layout.ring[i + 1].azimuth;
