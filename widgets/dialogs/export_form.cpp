@@ -200,6 +200,8 @@ QLayout* ExportDialog::buildTarget()
     m_summary->setObjectName(QStringLiteral("dim"));
     m_summary->setTextFormat(Qt::PlainText);
     m_summary->setWordWrap(true);
+    m_summary->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    m_summary->setMinimumHeight(2 * m_summary->fontMetrics().lineSpacing()); // long names take two lines
     auto* file = new QHBoxLayout;
     file->setSpacing(8);
     file->addWidget(m_path, 1);

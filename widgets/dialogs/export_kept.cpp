@@ -124,7 +124,7 @@ void ExportDialog::forgetKept()
 QVariantMap ExportDialog::settings() const
 {
     const PrintOptions print = m_printing->options();
-    const FrameSequence frames = m_moments->frames();
+    const FrameSequence frames = m_moments->range();
     QVariantMap kept = LevelForm::settingsOf(m_levels->options());
     kept.insert({{"use", keyOf(m_use)},
                  {"format", m_format->currentData()},

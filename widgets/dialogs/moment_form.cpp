@@ -146,11 +146,16 @@ ExportMoment MomentForm::moment() const
     return static_cast<ExportMoment>(m_moment->currentIndex());
 }
 
+FrameSequence MomentForm::range() const
+{
+    return {m_first->value(), m_last->value(), m_step->value(), m_timeline.framesPerSecond};
+}
+
 FrameSequence MomentForm::frames() const
 {
     const double rate = m_timeline.framesPerSecond;
     if (moment() == ExportMoment::Sequence)
-        return {m_first->value(), m_last->value(), m_step->value(), rate};
+        return range();
     if (moment() == ExportMoment::WindLoop) { // its frames and the first one again
         const auto first = static_cast<std::int64_t>(std::ceil(settled * rate));
         return {first, first + std::max<std::int64_t>(2, std::llround(loopSeconds() * rate)), 1, rate};

@@ -37,6 +37,8 @@ public:
     [[nodiscard]] ExportMoment moment() const;
     /// Of one moment a sequence of one.
     [[nodiscard]] FrameSequence frames() const;
+    /// What the fields say, whatever the moment.
+    [[nodiscard]] FrameSequence range() const;
     [[nodiscard]] double timeSeconds() const; ///< of one moment and of a turntable
     [[nodiscard]] int turns() const;
     /// More than one file: their names are numbered.
