@@ -15,8 +15,8 @@ constexpr int usualSeeds = 1, everyNth = 8; // the sanitizers look for faults of
 #else
 constexpr int usualSeeds = 2, everyNth = 1;
 #endif
-/// Of a mesh's triangles, pairs that run through each other around its forks. Stalks of palms, close together,
-/// still do so; no tree of any seed may be worse than the worst is now.
+/// Of a mesh's triangles, pairs that run through each other around its forks. Stalks of palms, close
+/// together, still do so; no tree of any seed may be worse than the worst is now.
 constexpr double mostCrossings = 0.03;
 
 } // namespace

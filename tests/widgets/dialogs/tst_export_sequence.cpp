@@ -97,7 +97,7 @@ private slots:
         m_dialog->setFormat(QStringLiteral("png"));
         m_dialog->moments()->setMoment(ExportMoment::Turntable);
         QVERIFY2(summary().contains(QStringLiteral("tree_0000.png … tree_0071.png")), qPrintable(summary()));
-        m_dialog->setFormat(QStringLiteral("obj")); // there is no turntable of meshes
+        m_dialog->setFormat(QStringLiteral("obj"));                      // there is no turntable of meshes
         QCOMPARE(m_dialog->moments()->moment(), ExportMoment::Sequence); // of its own page
     }
 

@@ -170,6 +170,9 @@ private slots:
         m_dialog->setUse(ExportUse::Pictures);
         QCOMPARE(m_dialog->moments()->moment(), ExportMoment::Shown);
         QCOMPARE(m_dialog->pictures()->pictureSize(), QSize(800, 600));
+        m_dialog->moments()->setMoment(ExportMoment::Sequence); // that of the document, not of a page
+        QCOMPARE(m_dialog->moments()->frames().first, std::int64_t(TimelineSettings().firstFrame));
+        QCOMPARE(m_dialog->moments()->frames().last, std::int64_t(TimelineSettings().lastFrame));
     }
 
     void eachPageHasTheFormatsOfItsUse()

@@ -1,6 +1,6 @@
 // A hand shapes trees as they have grown, not as the timeline moves them: a press of a shaping tool on a tree
-// that moves brings the timeline to the frame where it is at rest, and does nothing else. One on a locked tree
-// is refused. Neither selects.
+// that moves brings the timeline to the frame where it is at rest, and does nothing else. One on a locked
+// tree is refused. Neither selects.
 #include "widgets/base/core_text.h"
 #include "widgets/view/tools/hand_edit.h"
 #include "widgets/view/tools/tool_table.h"
