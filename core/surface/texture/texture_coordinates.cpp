@@ -18,7 +18,6 @@ namespace {
 
 constexpr double turn = 2.0 * std::numbers::pi;
 constexpr double leastAround = 6.0; ///< tiles around the thinnest branch, where the size is chosen for it
-constexpr double limbShare = 0.7;   ///< of its parent's radius: thinner, it is a limb
 constexpr double mostAround = 1e6;  ///< more of them than floats tell apart
 constexpr std::size_t tubesInPiece = 16; ///< about half a millisecond of work
 constexpr std::size_t pollEvery = 512;   ///< tubes

@@ -129,7 +129,8 @@ void GroupSection::arrange()
 {
     std::vector<ParamRow*> rows = m_rows;
     if (!m_words.isEmpty())
-        std::ranges::stable_partition(rows, [this](const ParamRow* row) { return row->isCalled(m_words); });
+        std::stable_partition(rows.begin(), rows.end(),
+                              [this](const ParamRow* row) { return row->isCalled(m_words); });
     for (ParamRow* row : rows)
         m_contentLayout->removeWidget(row);
     int place = 0; // above the button

@@ -27,6 +27,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <functional>
 #include <string_view>
 
 namespace ramure {
@@ -322,7 +323,7 @@ void PropertiesPanel::applyFilter()
     for (GroupSection* section : m_sections)
         shown += section->filter(m_kinds, words);
     std::vector<GroupSection*> order = m_sections;
-    std::ranges::stable_partition(order, &GroupSection::isFoundByName);
+    std::stable_partition(order.begin(), order.end(), std::mem_fn(&GroupSection::isFoundByName));
     auto* layout = static_cast<QVBoxLayout*>(m_content->layout());
     for (int place = 0; place < static_cast<int>(order.size()); ++place)
         if (layout->indexOf(order[std::size_t(place)]) != place)
