@@ -115,9 +115,8 @@ private:
     {
         if (auto* slider = row->findChild<NumberSlider*>()) {
             slider->setFocus();
-            const bool isHigh = slider->value() > slider->maximum() / 2;
-            test::drag(slider, {slider->width() / 2, slider->height() / 2},
-                       {isHigh ? 2 : slider->width() - 2, slider->height() / 2});
+            const int to = slider->value() > slider->maximum() / 2 ? 2 : slider->width() - 2;
+            test::drag(slider, {slider->width() / 2, slider->height() / 2}, {to, slider->height() / 2});
         } else if (auto* box = row->findChild<QCheckBox*>()) {
             QTest::mouseClick(box, Qt::LeftButton, {}, {8, box->height() / 2});
         } else if (auto* choice = row->findChild<QComboBox*>()) {
