@@ -77,16 +77,16 @@ private:
         }
         QVERIFY(editor.waitForWindow(QStringLiteral("^oak.ramure.*Ramure$")));
         test::stillPicture(editor.place(mainWindow)); // it listens
-        if (lost == 1) {
-            QVERIFY(eventually([&] { return !editor.window(QStringLiteral("\\*")).isEmpty(); })); // not saved
-            QVERIFY(Editor::keysUntil({QStringLiteral("ctrl+s")},
-                                      [&] { return editor.window(QStringLiteral("\\*")).isEmpty(); }));
-        }
         // A search for windows now and then finds none: the file itself says when it is saved.
-        QVERIFY(eventually([&] {
+        const auto isSaved = [&] {
             const auto opened = loadProjectFile(project());
             return opened && seedOf(*opened) == kept;
-        }));
+        };
+        if (lost == 1) {
+            QVERIFY(eventually([&] { return !editor.window(QStringLiteral("\\*")).isEmpty(); })); // not saved
+            QVERIFY(Editor::keysUntil({QStringLiteral("ctrl+s")}, isSaved));
+        }
+        QVERIFY(isSaved());
     }
     /// One number after the other, each an edit, until the machine dies.
     void workAndDie(Editor& editor, int round)
