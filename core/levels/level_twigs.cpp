@@ -17,17 +17,26 @@ constexpr double chanceOfSize = 2.0;
 /// Triangles of a twig with three sides and its fork, and of one more piece of it.
 constexpr double trianglesOfTwig = 26.0, trianglesOfBend = 8.0;
 
+/// A change of the taper, m per m, is as easily seen as a bend of so many times as many rad: a trunk's foot
+/// is its outline.
+constexpr double bendsOfTaper = 4.0;
+
 double hashUnit(std::uint64_t address)
 {
     return static_cast<double>(mixBits(address ^ 0x4C6576656C73ull) >> 11) * 0x1.0p-53;
 }
 
-/// rad between a branch and its parent.
+/// rad between a branch and its parent, with what their taper adds.
 double turnOf(const Skeleton& tree, Index i)
 {
     const Index parent = tree.parent[i];
     const glm::dvec3 before = tree.p1[parent] - tree.p0[parent], way = tree.p1[i] - tree.p0[i];
-    return maths::atan2(glm::length(glm::cross(before, way)), glm::dot(before, way));
+    const auto taper = [&](Index branch) {
+        const double length = tree.length(branch);
+        return length > 0.0 ? (tree.a0[branch] - tree.a1[branch]) / length : 0.0;
+    };
+    return maths::atan2(glm::length(glm::cross(before, way)), glm::dot(before, way)) +
+           bendsOfTaper * std::abs(taper(i) - taper(parent));
 }
 
 /// The branches that stay, as a skeleton of their own; noIndex in \p number for the others.
@@ -139,7 +148,7 @@ PrunedTree TwigOrder::pruned(Index count, double mergeRad) const
         stays[i] = m_rank[m_axisOf[i]] < count;
     std::vector<Index> number;
     Skeleton left = subset(m_tree, stays, number);
-    SimplifiedSkeleton merged = simplify(left, mergeRad);
+    SimplifiedSkeleton merged = *simplify(left, mergeRad, {}, mergeRad / bendsOfTaper);
     PrunedTree out;
     out.skeleton = std::move(merged.skeleton);
     out.branchOf.assign(m_tree.size(), noIndex);

@@ -79,8 +79,28 @@ std::vector<bool> bareBranches(const Skeleton& skeleton)
     return bare;
 }
 
+/// m per m, that it gets thinner.
+double taperOf(const Skeleton& skeleton, Index i)
+{
+    const double length = skeleton.length(i);
+    return length > 0.0 ? (skeleton.a0[i] - skeleton.a1[i]) / length : 0.0;
+}
+
+/// What goes on from the branch before it does not bend by more.
+struct MostBend
+{
+    AngleTest angle;
+    double taper; ///< m per m
+
+    [[nodiscard]] bool allows(const Skeleton& merged, Index into, const Skeleton& skeleton, Index i) const
+    {
+        return angle.isBelow(merged.p1[into] - merged.p0[into], skeleton.p1[i] - skeleton.p0[i]) &&
+               (std::isinf(taper) || std::abs(taperOf(merged, into) - taperOf(skeleton, i)) < taper);
+    }
+};
+
 /// Continues for the branches from \p from up to \p to.
-void merge(const Skeleton& skeleton, const AngleTest& angle, const std::vector<Index>& children,
+void merge(const Skeleton& skeleton, const MostBend& most, const std::vector<Index>& children,
            const std::vector<bool>& bare, Index from, Index to, SimplifiedSkeleton& result)
 {
     Skeleton& out = result.skeleton;
@@ -89,7 +109,7 @@ void merge(const Skeleton& skeleton, const AngleTest& angle, const std::vector<I
         const Index parent = skeleton.parent[i];
         const Index into = parent == noIndex ? noIndex : mergedInto[parent];
         if (parent != noIndex && children[parent] == 1 && !differs(bare, i, parent) &&
-            angle.isBelow(out.p1[into] - out.p0[into], skeleton.p1[i] - skeleton.p0[i])) {
+            most.allows(out, into, skeleton, i)) {
             out.p1[into] = skeleton.p1[i];
             out.a1[into] = skeleton.a1[i];
             mergedInto[i] = into;
@@ -128,11 +148,11 @@ SimplifiedSkeleton simplify(const Skeleton& skeleton, double rotationThresholdRa
 }
 
 Expected<SimplifiedSkeleton> simplify(const Skeleton& skeleton, double rotationThresholdRad,
-                                      const Progress& progress)
+                                      const Progress& progress, double taperThreshold)
 {
     SimplifiedSkeleton result;
     result.mergedInto.resize(skeleton.size());
-    const AngleTest angle(rotationThresholdRad);
+    const MostBend most{AngleTest(rotationThresholdRad), taperThreshold};
     const std::vector<Index> children = countChildren(skeleton);
     const std::vector<bool> bare = bareBranches(skeleton);
     result.skeleton.reserve(skeleton.size());
@@ -140,7 +160,7 @@ Expected<SimplifiedSkeleton> simplify(const Skeleton& skeleton, double rotationT
     for (Index from = 0; from < skeleton.size(); from += stride) {
         if (progress.cancelled())
             return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
-        merge(skeleton, angle, children, bare, from, std::min(skeleton.size(), from + stride), result);
+        merge(skeleton, most, children, bare, from, std::min(skeleton.size(), from + stride), result);
     }
     if (progress.cancelled())
         return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));

@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/base/progress.h"
 #include "core/skeleton/skeleton.h"
+#include <limits>
 
 namespace ramure {
 
@@ -20,8 +21,10 @@ struct SimplifiedSkeleton
 /// the direction of the branch merged so far. Never merges across a fork. Level and key are those of the
 /// first.
 SimplifiedSkeleton simplify(const Skeleton& skeleton, double rotationThresholdRad);
-/// The same, for millions of branches. Error: Cancelled.
+/// The same, for millions of branches. \param taperThreshold nor is a branch merged whose radius changes by
+/// so much more or less for each metre than that of the branch merged so far. Error: Cancelled.
 Expected<SimplifiedSkeleton> simplify(const Skeleton& skeleton, double rotationThresholdRad,
-                                      const Progress& progress);
+                                      const Progress& progress,
+                                      double taperThreshold = std::numeric_limits<double>::infinity());
 
 } // namespace ramure

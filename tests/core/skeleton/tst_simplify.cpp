@@ -107,6 +107,7 @@ private slots:
     void forksAreKept();
     void rootsAreKept();
     void branchWithoutLengthIsStraight();
+    void footsThatFlareStay();
     void largeThresholds();
     void randomTrees();
     void golden_data();
@@ -186,6 +187,23 @@ void TestSimplify::branchWithoutLengthIsStraight()
     in.add(0, glm::dvec3(1.0), glm::dvec3(1, 2, 1), 0.1, 0.1);
     in.add(1, glm::dvec3(1, 2, 1), glm::dvec3(1, 2, 1), 0.1, 0.1);
     QCOMPARE(simplify(in, 1e-4).skeleton.size(), Index(1));
+}
+
+void TestSimplify::footsThatFlareStay()
+{
+    Skeleton stem; // 0.5 m per m, then 0.1, then 0.02 all the way
+    const std::vector<double> heights{0, 1, 2, 3, 4, 5}, radii{1.0, 0.5, 0.4, 0.38, 0.36, 0.34};
+    for (std::size_t i = 0; i + 1 < heights.size(); ++i)
+        stem.add(i == 0 ? noIndex : Index(i - 1), glm::dvec3(0.0, heights[i], 0.0),
+                 glm::dvec3(0.0, heights[i + 1], 0.0), radii[i], radii[i + 1]);
+    const auto branches = [&](double taper) { return simplify(stem, 0.1, {}, taper)->skeleton.size(); };
+    QCOMPARE(simplify(stem, 0.1).skeleton.size(), Index(1));
+    QCOMPARE(branches(0.5), Index(1));
+    QCOMPARE(branches(0.3), Index(2));
+    QCOMPARE(branches(0.05), Index(3));
+    const auto three = simplify(stem, 0.1, {}, 0.05);
+    QCOMPARE(three->skeleton.a1, (std::vector<double>{0.5, 0.4, 0.34}));
+    checkInvariants(stem, *three);
 }
 
 void TestSimplify::largeThresholds()
