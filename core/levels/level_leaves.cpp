@@ -79,7 +79,13 @@ double areaOf(const TriangleMesh& mesh)
     return sum;
 }
 
-std::vector<LeafShapeOfLevel> leafShapesOfLevels(const LeafForm& form, double alpha)
+FoliageModel simplestLeaf(const PictureParams& pictures)
+{
+    return pictures.opacity.empty() ? FoliageModel::Rhomb : FoliageModel::Rough;
+}
+
+std::vector<LeafShapeOfLevel> leafShapesOfLevels(const LeafForm& form, const PictureParams& pictures,
+                                                 double alpha)
 {
     std::vector<LeafShapeOfLevel> out;
     const auto add = [&](const LeafForm& simpler, FoliageModel model) {
@@ -96,7 +102,7 @@ std::vector<LeafShapeOfLevel> leafShapesOfLevels(const LeafForm& form, double al
     LeafForm simpler = form;
     while (--simpler.detail >= 1)
         add(simpler, FoliageModel::Fine);
-    add(form, FoliageModel::Rough);
+    add(form, simplestLeaf(pictures));
     return out;
 }
 

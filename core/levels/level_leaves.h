@@ -3,6 +3,7 @@
 /// R. L. Cook, J. Halstead, M. Planck, D. Ryu: Stochastic simplification of aggregate detail, SIGGRAPH 2007.
 #pragma once
 
+#include "core/params/picture_params.h"
 #include "core/surface/foliage/foliage.h"
 #include <span>
 
@@ -12,13 +13,16 @@ namespace ramure {
 struct LeafShapeOfLevel
 {
     LeafForm form;
-    FoliageModel model = FoliageModel::Fine; ///< Rough: a card
-    TriangleMesh mesh;                       ///< of size 1, with texture coordinates where it is a plant's
-    double area = 0.0;                       ///< m², of all its triangles
-    glm::dvec3 middle{0.0};                  ///< of its surface
+    FoliageModel model = FoliageModel::Fine;
+    TriangleMesh mesh;      ///< of size 1, with texture coordinates where it is a plant's
+    double area = 0.0;      ///< m², of all its triangles
+    glm::dvec3 middle{0.0}; ///< of its surface
 };
+/// The simplest: a card where a picture cuts the leaf out of it, or a rhomb.
+FoliageModel simplestLeaf(const PictureParams& pictures);
 /// From the one that the tree has to the simplest. \param alpha the tree's length.
-std::vector<LeafShapeOfLevel> leafShapesOfLevels(const LeafForm& form, double alpha);
+std::vector<LeafShapeOfLevel> leafShapesOfLevels(const LeafForm& form, const PictureParams& pictures,
+                                                 double alpha);
 
 /// m²: of all triangles.
 double areaOf(const TriangleMesh& mesh);

@@ -134,7 +134,7 @@ Expected<void> LevelMaker::prepare(const Progress& progress)
     m_clusters = singleClusters(m_leaves);
     m_appleChance = itemChances(m_foliage.apples);
     if (!m_leaves.empty())
-        m_shapes = leafShapesOfLevels(m_foliage.form, m_alpha);
+        m_shapes = leafShapesOfLevels(m_foliage.form, m_params.leafPictures, m_alpha);
     if (m_shapes.empty())
         m_leaves.clear(); // without width they are nothing
     if (!m_apples.empty())

@@ -232,17 +232,32 @@ Expected<Foliage> placeFoliage(const Skeleton& skeleton, const FoliageParams& pa
     return placeFoliage(skeleton, params, LeafParams(), FruitParams(), alpha, progress);
 }
 
+/// The same triangles between the middles of the sides.
+static TriangleMesh rhombIn(TriangleMesh square)
+{
+    const auto toMiddles = [](auto& corners) {
+        const auto old = corners;
+        for (std::size_t i = 0; i < corners.size(); ++i)
+            corners[i] = 0.5F * (old[i] + old[(i + 1) % old.size()]);
+    };
+    toMiddles(square.positions);
+    toMiddles(square.uv);
+    return square;
+}
+
 TriangleMesh oneLeaf(const LeafForm& form, double alpha, FoliageModel model)
 {
-    const bool rough = model == FoliageModel::Rough;
-    if (form.shape == LeafShape::Faithful)
-        return scaled(rough ? unitSquare() : unitTriangle(), alpha);
-    return scaled(rough ? leafCard(form) : leafMesh(form), alpha * leafRow(form.shape).length);
+    const bool faithful = form.shape == LeafShape::Faithful;
+    const double size = faithful ? alpha : alpha * leafRow(form.shape).length;
+    if (model == FoliageModel::Fine)
+        return scaled(faithful ? unitTriangle() : leafMesh(form), size);
+    TriangleMesh card = faithful ? unitSquare() : leafCard(form);
+    return scaled(model == FoliageModel::Rhomb ? rhombIn(std::move(card)) : std::move(card), size);
 }
 
 TriangleMesh oneApple(const FruitForm& form, double alpha, FoliageModel model)
 {
-    return scaled(model == FoliageModel::Rough ? fruitCube(form.kind) : fruitMesh(form),
+    return scaled(model == FoliageModel::Fine ? fruitMesh(form) : fruitCube(form.kind),
                   alpha * fruitRadius(form));
 }
 

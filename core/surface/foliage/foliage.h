@@ -58,6 +58,7 @@ Expected<Foliage> placeFoliage(const Skeleton& skeleton, const FoliageParams& pa
 
 enum class FoliageModel : std::uint8_t {
     Rough, ///< squares of side alpha, cubes of edge alpha
+    Rhomb, ///< rough, but leaves have their corners in the middle of the squares' sides
     Fine,  ///< equilateral triangles of side alpha, spheres of radius alpha / 2
 };
 

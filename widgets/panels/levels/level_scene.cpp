@@ -1,5 +1,6 @@
 #include "widgets/panels/levels/level_scene.h"
 
+#include "core/levels/level_leaves.h"
 #include "core/session/level_export.h"
 #include <algorithm>
 #include <cmath>
@@ -30,8 +31,8 @@ TreeResult resultOf(const TreeLevels& of, const TreeLevel& level)
     return tree;
 }
 
-/// Cards in place of leaves: the builder knows leaves alone.
-void drawCards(RenderScene& scene, const TreeResult& tree, double alpha)
+/// The simplest in place of leaves: the builder knows leaves alone.
+void drawSimplest(RenderScene& scene, const TreeResult& tree, double alpha, FoliageModel simplest)
 {
     if (!tree.leaves || !tree.foliage || tree.foliage->leaves.empty())
         return;
@@ -40,8 +41,7 @@ void drawCards(RenderScene& scene, const TreeResult& tree, double alpha)
         return;
     for (MeshItem& item : scene.meshes)
         if (item.copies && item.mesh == tree.leaves) {
-            item.copies =
-                std::make_shared<const MeshCopies>(leafCopies(*tree.foliage, alpha, FoliageModel::Rough));
+            item.copies = std::make_shared<const MeshCopies>(leafCopies(*tree.foliage, alpha, simplest));
             item.leaf = nullptr;
             item.images = nullptr;
         }
@@ -65,7 +65,7 @@ RenderScene levelScene(SceneBuilder& builder, const TreeLevels& of, std::optiona
     view.waitsForBark = level && of.levels[*level].branches != of.whole.branches;
     RenderScene built = builder.build(
         *scene, [&](NodeId) { return &tree; }, view);
-    drawCards(built, tree, trunkRadius(of.params));
+    drawSimplest(built, tree, trunkRadius(of.params), simplestLeaf(of.params.leafPictures));
     return built;
 }
 

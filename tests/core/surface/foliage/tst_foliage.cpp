@@ -1,3 +1,4 @@
+#include "core/levels/level_leaves.h"
 #include "core/math/random.h"
 #include "core/surface/foliage/foliage.h"
 #include "core/surface/foliage/foliage_shapes.h"
@@ -270,6 +271,19 @@ void TestFoliage::roughModel()
             const float side = glm::length(leaves.positions[i + k] - leaves.positions[i + (k + 1) % 4]);
             QVERIFY(std::abs(side - float(alpha)) < 1e-5f);
         }
+    const TriangleMesh square = oneLeaf({}, alpha, FoliageModel::Rough);
+    const TriangleMesh rhomb = oneLeaf({}, alpha, FoliageModel::Rhomb);
+    QCOMPARE(rhomb.triangles, square.triangles);
+    for (Index i = 0; i < 4; ++i)
+        QCOMPARE(rhomb.positions[i], 0.5F * (square.positions[i] + square.positions[(i + 1) % 4]));
+    LeafParams plant;
+    plant.shape = LeafShape::Beech;
+    const TriangleMesh card = oneLeaf(leafForm(plant), alpha, FoliageModel::Rough);
+    const TriangleMesh half = oneLeaf(leafForm(plant), alpha, FoliageModel::Rhomb);
+    QCOMPARE(half.faceCount(), Index(2));
+    QCOMPARE(half.uv[0], glm::vec2(0.5F, 0.0F));
+    QCOMPARE(half.uv[2], glm::vec2(0.5F, 1.0F));
+    QVERIFY(std::abs(areaOf(half) - 0.5 * areaOf(card)) < 1e-6);
     const TriangleMesh apples = buildApples(tree, foliage, alpha, FoliageModel::Rough);
     QCOMPARE(apples.faceCount(), Index(12 * foliage.apples.size()));
     const double volume = volumeOf(apples);
