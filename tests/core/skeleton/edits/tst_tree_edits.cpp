@@ -30,6 +30,7 @@ private slots:
     void placesOrgans();
     void cutEndsAreFlat();
     void whatIsCutFalls();
+    void saysWhatWouldGo();
 };
 
 void TestTreeEdits::tableIsWhole()
@@ -524,6 +525,34 @@ void TestTreeEdits::whatIsCutFalls()
     foot.target.address = felled.address[0];
     QVERIFY(felled.make(foot));
     QCOMPARE(felled.skeleton().loose, (std::vector<LooseLimb>{{0, noIndex, 0.0}}));
+}
+
+void TestTreeEdits::saysWhatWouldGo()
+{
+    Shaped shaped;
+    const EditContext context(*shaped.tree().grown, {});
+    const auto lossOf = [&](const TreeEdit& edit) {
+        return context.prepared(edit, true).and_then([&](const TreeEdit& ready) {
+            return context.lossOf(ready);
+        });
+    };
+    QVERIFY(!lossOf(editOf(EditOperation::Remove, shaped.address[0]))); // nothing would be left
+    QVERIFY(lossOf(editOf(EditOperation::Thickness, shaped.address[1]))->pieces.empty());
+    TreeEdit cut = editOf(EditOperation::Cut, shaped.address[1]);
+    cut.at = 0.25;
+    TreeEdit prune = editOf(EditOperation::Prune, 0);
+    prune.shape.numbers = {0.0, 0.0, 0.0, 1.5, 0.0, 0.0};
+    for (const TreeEdit& edit : {cut, prune}) {
+        const auto loss = lossOf(edit);
+        QVERIFY(loss && !loss->pieces.empty());
+        Shaped after;
+        QVERIFY(after.make(edit));
+        const double less =
+            skeletonStats(shaped.skeleton()).totalLength - skeletonStats(after.skeleton()).totalLength;
+        QVERIFY(std::abs(less - loss->metres) < 1e-9 && less > 0.0);
+        for (const auto& [key, share] : loss->pieces)
+            QVERIFY(share > 0.0 && share <= 1.0);
+    }
 }
 
 QTEST_GUILESS_MAIN(TestTreeEdits)
