@@ -31,6 +31,7 @@ private slots:
     void cutEndsAreFlat();
     void whatIsCutFalls();
     void saysWhatWouldGo();
+    void bowsAreSmooth();
 };
 
 void TestTreeEdits::tableIsWhole()
@@ -553,6 +554,34 @@ void TestTreeEdits::saysWhatWouldGo()
         for (const auto& [key, share] : loss->pieces)
             QVERIFY(share > 0.0 && share <= 1.0);
     }
+}
+
+/// An axis of few pieces becomes a curve: no two pieces that follow each other turn by more than a little,
+/// and where it begins and ends it turns least.
+void TestTreeEdits::bowsAreSmooth()
+{
+    Shaped shaped;
+    const Index before = shaped.axis(shaped.address[1])->nodes;
+    const double length = shaped.axis(shaped.address[1])->length;
+    TreeEdit edit = editOf(EditOperation::Bend, shaped.address[1]);
+    edit.from = 0.1;
+    edit.to = 0.9;
+    edit.rotation = {0.0, 1.5, 0.0};
+    QVERIFY(shaped.make(edit));
+    QVERIFY(isNear(shaped.axis(shaped.address[1])->length, length));
+    QVERIFY(shaped.axis(shaped.address[1])->nodes > before + 10);
+    const Skeleton skeleton = shaped.skeleton();
+    const TreeAxes axes = axesOf(skeleton);
+    const auto axis = std::ranges::find(axes.axes, shaped.address[1], &Axis::address);
+    const std::span<const Index> nodes = axes.nodesOf(Index(axis - axes.axes.begin()));
+    const auto way = [&](Index i) { return glm::normalize(skeleton.p1[i] - skeleton.p0[i]); };
+    std::vector<double> turns;
+    for (std::size_t i = 1; i < nodes.size(); ++i)
+        turns.push_back(std::acos(std::min(1.0, glm::dot(way(nodes[i - 1]), way(nodes[i])))));
+    const double most = *std::ranges::max_element(turns);
+    QVERIFY2(most < 0.14, qPrintable(QString::number(most)));
+    QVERIFY(turns.front() < 0.5 * most && turns.back() < 0.5 * most);
+    QVERIFY(shaped.tree(Stage::Mesh).report->valid);
 }
 
 QTEST_GUILESS_MAIN(TestTreeEdits)
