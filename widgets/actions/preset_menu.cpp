@@ -11,11 +11,6 @@ namespace ramure {
 
 static constexpr const char* isSpeciesKey = "isSpecies";
 
-static bool isSpecies(const Preset& preset)
-{
-    return preset.params.generator.kind == TreeGenerator::WeberPenn;
-}
-
 void addPreset(QMenu* menu, const Preset& preset, QAction* action)
 {
     const QString group = QString::fromUtf8(preset.group);

@@ -381,8 +381,26 @@ void StatusPanel::changeEvent(QEvent* event)
         measureAnew();
 }
 
+/// In a small window what the hand does comes before figures of the computation.
+void StatusPanel::fitWindow()
+{
+    constexpr int narrow = 1180;
+    const bool fits = window()->width() >= narrow;
+    m_time->setVisible(fits);
+    m_hash->setVisible(fits);
+}
+
+void StatusPanel::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    window()->installEventFilter(this);
+    fitWindow();
+}
+
 bool StatusPanel::eventFilter(QObject* watched, QEvent* event)
 {
+    if (watched == window() && event->type() == QEvent::Resize && watched != this)
+        fitWindow();
     if (watched == m_badge && event->type() == QEvent::MouseButtonRelease) {
         const auto* mouse = static_cast<QMouseEvent*>(event);
         if (mouse->button() == Qt::LeftButton && m_badge->rect().contains(mouse->position().toPoint()))

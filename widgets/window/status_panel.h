@@ -59,6 +59,7 @@ signals:
 protected:
     void changeEvent(QEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
 private:
     void follow();
@@ -72,6 +73,7 @@ private:
     void showHash();
     void retranslate();
     void measureAnew();
+    void fitWindow();
     [[nodiscard]] QString reportTip(const SceneTotals& totals) const;
 
     Document* m_document;

@@ -37,10 +37,8 @@ std::vector<const Preset*> speciesFirst()
     std::vector<const Preset*> all;
     for (const Preset& preset : presets())
         all.push_back(&preset);
-    const auto isSpecies = [](const Preset* preset) {
-        return preset->params.generator.kind == TreeGenerator::WeberPenn;
-    };
-    std::rotate(all.begin(), std::ranges::find_if(all, isSpecies), all.end());
+    std::rotate(all.begin(), std::ranges::find_if(all, [](const Preset* each) { return isSpecies(*each); }),
+                all.end());
     return all;
 }
 
@@ -280,8 +278,8 @@ void PresetGallery::retranslate()
         group.heading->setText(coreText(group.name));
         for (const Item& item : group.items)
             describe(item);
-        const bool areSpecies = !group.items.empty() && group.items.front().preset &&
-                                group.items.front().preset->params.generator.kind == TreeGenerator::WeberPenn;
+        const bool areSpecies =
+            !group.items.empty() && group.items.front().preset && isSpecies(*group.items.front().preset);
         if (areSpecies && &group != &m_groups.front())
             std::ranges::stable_sort(group.items, [&collator](const Item& a, const Item& b) {
                 return collator.compare(a.picture->text(), b.picture->text()) < 0;

@@ -188,7 +188,8 @@ double DrawTool::footRadius(const LimbHit& limb) const
 
 QString DrawTool::radiusText(const LimbHit& limb) const
 {
-    return tr("radius %1 cm").arg(QLocale().toString(100.0 * footRadius(limb), 'f', 1));
+    const double cm = 100.0 * footRadius(limb);
+    return tr("radius %1 cm").arg(QLocale().toString(cm, 'f', cm < 1.0 ? 2 : 1));
 }
 
 std::vector<StrokePoint> DrawTool::stroke() const
