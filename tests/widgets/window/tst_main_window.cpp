@@ -110,15 +110,10 @@ private slots:
     /// Keys that follow a press elsewhere are for the view.
     void aPressElsewhereLeavesTheField()
     {
-        auto* host = m_window->findChild<ViewportHost*>();
         auto* search = m_window->findChild<QLineEdit*>(QStringLiteral("presetSearch"));
         auto* dock = m_window->findChild<QDockWidget*>(QStringLiteral("galleryDock"));
         dock->show();
         dock->raise();
-        const auto isLeft = [&] {
-            const QWidget* focus = QApplication::focusWidget();
-            return focus && (focus == host || host->isAncestorOf(focus));
-        };
         auto* tile = m_window->findChild<QAbstractButton*>(QStringLiteral("preset.Baobab"));
         QTRY_VERIFY(tile->isVisible() && search->isVisible());
         const QList<QWidget*> places{tile->parentWidget(), tile, m_window->statusBar()};
@@ -129,7 +124,7 @@ private slots:
             QTest::mouseRelease(search, Qt::LeftButton);
             QVERIFY(search->hasFocus());
             QTest::mousePress(place, Qt::LeftButton, {}, {2, 2});
-            QVERIFY(isLeft());
+            QVERIFY(!search->hasFocus());
             QTest::mouseRelease(place, Qt::LeftButton, {}, {-5, -5}); // no click: nothing is planted
         }
     }
@@ -155,7 +150,8 @@ private slots:
         QCollator collator{QLocale(QLocale::French)};
         std::ranges::stable_sort(sorted, [&](const QString& a, const QString& b) { return collator(a, b); });
         QCOMPARE(names, sorted);
-        QVERIFY(names.contains(QStringLiteral("Baobab")) && names.front() != QStringLiteral("American Elm"));
+        QVERIFY(names.contains(QStringLiteral("Baobab africain")) &&
+                names.front() != QStringLiteral("American Elm"));
         m_preferences->setLanguage(QStringLiteral("en"));
     }
 
@@ -488,10 +484,10 @@ private slots:
         m_preferences->setLanguage(QStringLiteral("en"));
         const Language language(m_preferences.get());
         QVERIFY(m_recompute->waitForFull(20'000));
-        QTRY_VERIFY2(m_window->status()->countsText().startsWith(QStringLiteral("1 branch  ·")),
+        QTRY_VERIFY2(m_window->status()->countsText().endsWith(QStringLiteral("·  1 branch")),
                      qPrintable(m_window->status()->countsText()));
         m_preferences->setLanguage(QStringLiteral("fr"));
-        QTRY_VERIFY2(m_window->status()->countsText().startsWith(QStringLiteral("1 branche  ·")),
+        QTRY_VERIFY2(m_window->status()->countsText().endsWith(QStringLiteral("·  1 branche")),
                      qPrintable(m_window->status()->countsText()));
         m_preferences->setLanguage(QStringLiteral("en"));
         QVERIFY(!StatusPanel::timeText(0.0).contains(u'0'));

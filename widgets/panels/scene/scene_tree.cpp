@@ -80,14 +80,7 @@ void SceneTree::fitNames(bool mayShrink)
     const int present = header()->sectionSize(SceneModel::NameColumn);
     const int others = header()->length() - present;
     const int least = fontMetrics().averageCharWidth() * shortestName;
-    // A long name is cut before the length beside it is out of sight; deep ones are scrolled to.
-    constexpr double deep = 1.5; // of the panel
-    int before = 0;
-    for (const int column : {SceneModel::VisibleColumn, SceneModel::LockedColumn, SceneModel::LengthColumn})
-        before += header()->sectionSize(column);
-    const int room = viewport()->width(), hint = sizeHintForColumn(SceneModel::NameColumn);
-    const int wanted = hint > deep * room ? hint : std::min(hint, room - before);
-    int width = std::max({room - others, least, wanted});
+    int width = std::max({viewport()->width() - others, least, sizeHintForColumn(SceneModel::NameColumn)});
     if (!mayShrink && header()->length() > viewport()->width())
         width = std::max(width, present);
     if (width != present)
