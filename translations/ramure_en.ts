@@ -278,6 +278,13 @@
             <numerusform>At %n places around the trunk no limb is like it: nothing happens there.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n branch(es), %1 m</source>
+        <translation>
+            <numerusform>%n branch, %1 m</numerusform>
+            <numerusform>%n branches, %1 m</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ramure::ExportDialog</name>
@@ -560,31 +567,17 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%Ln vertex(es)</source>
+        <source>%Ln triangle(s)</source>
         <translation>
-            <numerusform>%Ln vertex</numerusform>
-            <numerusform>%Ln vertices</numerusform>
+            <numerusform>%Ln triangle</numerusform>
+            <numerusform>%Ln triangles</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%Ln face(s)</source>
+        <source>&lt;p&gt;Closed, 2-manifold and outward: every edge has two faces. %Ln pair(s) of triangles run through each other, as twigs do that touch: that matters for a print, which can be made without.&lt;/p&gt;</source>
         <translation>
-            <numerusform>%Ln face</numerusform>
-            <numerusform>%Ln faces</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>closed, %Ln crossing(s)</source>
-        <translation>
-            <numerusform>closed, %Ln crossing</numerusform>
-            <numerusform>closed, %Ln crossings</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>&lt;p&gt;Closed, 2-manifold and outward, but %Ln pair(s) of triangles run through each other.&lt;/p&gt;</source>
-        <translation>
-            <numerusform>&lt;p&gt;Closed, 2-manifold and outward, but %Ln pair of triangles runs through each other.&lt;/p&gt;</numerusform>
-            <numerusform>&lt;p&gt;Closed, 2-manifold and outward, but %Ln pairs of triangles run through each other.&lt;/p&gt;</numerusform>
+            <numerusform>&lt;p&gt;Closed, 2-manifold and outward: every edge has two faces. %Ln pair of triangles runs through each other, as twigs do that touch: that matters for a print, which can be made without.&lt;/p&gt;</numerusform>
+            <numerusform>&lt;p&gt;Closed, 2-manifold and outward: every edge has two faces. %Ln pairs of triangles run through each other, as twigs do that touch: that matters for a print, which can be made without.&lt;/p&gt;</numerusform>
         </translation>
     </message>
 </context>
@@ -605,6 +598,23 @@
         <translation>
             <numerusform>%Ln edit without a place</numerusform>
             <numerusform>%Ln edits without a place</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ramure::UnplacedDialog</name>
+    <message numerus="yes">
+        <source>Bend of %n branch(es)</source>
+        <translation>
+            <numerusform>Bend of %n branch</numerusform>
+            <numerusform>Bend of %n branches</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Roll of %n branch(es)</source>
+        <translation>
+            <numerusform>Roll of %n branch</numerusform>
+            <numerusform>Roll of %n branches</numerusform>
         </translation>
     </message>
 </context>

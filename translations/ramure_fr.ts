@@ -1991,6 +1991,22 @@
         <source>Of the timeline: so long it still hangs in its place</source>
         <translation>Temps de la ligne de temps pendant lequel cela reste encore à sa place</translation>
     </message>
+    <message>
+        <source>Influence</source>
+        <translation>Influence</translation>
+    </message>
+    <message>
+        <source>So far below the hand the wood bows, also into what the limb grows on; the wheel while you drag. 0: down to the foot of the limb</source>
+        <translation>Jusqu’où le bois plie sous la main, au besoin jusque dans ce qui porte la branche ; la molette pendant le glissement. 0 : jusqu’au pied de la branche</translation>
+    </message>
+    <message>
+        <source>the limb</source>
+        <translation>la branche</translation>
+    </message>
+    <message>
+        <source>to suit</source>
+        <translation>au mieux</translation>
+    </message>
 </context>
 <context>
     <name>KindTexts</name>
@@ -3380,10 +3396,6 @@
     <message>
         <source>Leaves per twig</source>
         <translation>Feuilles par rameau</translation>
-    </message>
-    <message>
-        <source>How many leaves grow on each branch that is thin enough.</source>
-        <translation>Combien de feuilles poussent sur chaque branche assez fine.</translation>
     </message>
     <message>
         <source>Another seed arranges leaves and apples anew; the branches stay as they are.</source>
@@ -7425,6 +7437,10 @@
         <source>The chance that a branch which is thin enough carries fruit, of the kind below: 0 for none, 1 for one on each.</source>
         <translation>La chance qu’une branche assez mince porte des fruits, de la sorte ci-dessous : 0 pour aucun, 1 pour chacune.</translation>
     </message>
+    <message>
+        <source>How many leaves grow on each branch that is thin enough. Leaves of a plant grow by their internode: of them 0 alone says something, that there are none.</source>
+        <translation>Nombre de feuilles sur chaque branche assez fine. Les feuilles d’une plante suivent leur entre-nœud : pour elles, seul 0 a un effet, aucune feuille.</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>
@@ -8377,6 +8393,29 @@ OpenGL&#xa0;: %4
     </message>
 </context>
 <context>
+    <name>ramure::BendTool</name>
+    <message>
+        <source>The limb bows · wheel: over how much of it · release: done · Esc: back</source>
+        <translation>La branche plie · molette : sur quelle longueur · relâcher : terminé · Échap : retour</translation>
+    </message>
+    <message>
+        <source>Drag: the limb bows where it is green, what is bright follows · Shift: down to the ground</source>
+        <translation>Glisser : la branche plie là où elle est verte, ce qui est clair suit · Maj : jusqu’au sol</translation>
+    </message>
+    <message>
+        <source>Drag a branch: the limb bows as the hand goes</source>
+        <translation>Glisser une branche : elle plie en suivant la main</translation>
+    </message>
+    <message>
+        <source>influence %1 m</source>
+        <translation>influence %1 m</translation>
+    </message>
+    <message>
+        <source>Bend %1°</source>
+        <translation>Flexion %1°</translation>
+    </message>
+</context>
+<context>
     <name>ramure::BookmarkActions</name>
     <message>
         <source>There is no bookmark %1 yet: %2 keeps the present view there.</source>
@@ -8744,16 +8783,20 @@ OpenGL&#xa0;: %4
 <context>
     <name>ramure::CutTool</name>
     <message>
-        <source>Click: cut here</source>
-        <translation>Clic : couper ici</translation>
-    </message>
-    <message>
         <source>Click a branch: cut it there</source>
         <translation>Clic sur une branche : la couper là</translation>
     </message>
     <message>
-        <source>Release: cut here · Esc: not at all</source>
-        <translation>Lâcher : couper ici · Échap : pas du tout</translation>
+        <source>Click: cut here, %1 would go</source>
+        <translation>Clic : couper ici, %1 partiraient</translation>
+    </message>
+    <message>
+        <source>Release: cut here, %1 would go · Esc: not at all</source>
+        <translation>Relâcher : couper ici, %1 partiraient · Échap : rien</translation>
+    </message>
+    <message>
+        <source>Release: nothing is cut</source>
+        <translation>Relâcher : rien n’est coupé</translation>
     </message>
 </context>
 <context>
@@ -8801,6 +8844,10 @@ OpenGL&#xa0;: %4
     <message>
         <source>Nothing happens here: release, and press on the branch that is meant</source>
         <translation>Il ne se passe rien ici : relâchez, et appuyez sur la branche voulue</translation>
+    </message>
+    <message>
+        <source>radius %1 cm</source>
+        <translation>rayon %1 cm</translation>
     </message>
 </context>
 <context>
@@ -8914,6 +8961,10 @@ OpenGL&#xa0;: %4
         <source>A bend acts after the other edits; it cannot be switched off, moved or copied</source>
         <translation>Une courbure agit après les autres retouches ; on ne peut ni la désactiver, ni la déplacer, ni la copier</translation>
     </message>
+    <message>
+        <source>The branches are not there at present. It is kept, and acts again as soon as such branches grow; Del removes it.</source>
+        <translation>Ces branches n’existent pas pour le moment. La modification est gardée et agira de nouveau dès que de telles branches poussent ; Suppr l’efface.</translation>
+    </message>
 </context>
 <context>
     <name>ramure::EditTool</name>
@@ -8927,6 +8978,13 @@ OpenGL&#xa0;: %4
     <message>
         <source>Cut: what hangs there falls when the timeline plays.</source>
         <translation>Coupé : ce qui pend là tombe quand la ligne de temps joue.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n branch(es), %1 m</source>
+        <translation>
+            <numerusform>%n branche, %1 m</numerusform>
+            <numerusform>%n branches, %1 m</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -10249,21 +10307,8 @@ OpenGL&#xa0;: %4
         <translation>Triangles</translation>
     </message>
     <message>
-        <source>the tree as it is, then a quarter each</source>
-        <translation>l’arbre tel quel, puis un quart chaque fois</translation>
-    </message>
-    <message>
-        <source>Triangles of each level, with commas between them, such as 10000, 2500: bark, leaves and fruit together, kept within 2 %. Nothing here: the first level is the tree as it is, each further one has a quarter.</source>
-        <translation>Triangles de chaque niveau, séparés par des virgules, comme 10000, 2500 : écorce, feuilles et fruits ensemble, à 2 % près. Rien ici : le premier niveau est l’arbre tel quel, chaque suivant en a un quart.</translation>
-    </message>
-    <message>
         <source>Triangles of each level</source>
         <translation>Triangles de chaque niveau</translation>
-    </message>
-    <message>
-        <source>as it is, then a quarter</source>
-        <comment>the tree</comment>
-        <translation>tel quel, puis un quart</translation>
     </message>
     <message>
         <source>From</source>
@@ -10284,6 +10329,19 @@ OpenGL&#xa0;: %4
     <message>
         <source>When each level is shown</source>
         <translation>Quand chaque niveau se montre</translation>
+    </message>
+    <message>
+        <source>as it is, then a quarter or less</source>
+        <comment>the tree</comment>
+        <translation>tel quel, puis un quart ou moins</translation>
+    </message>
+    <message>
+        <source>the tree as it is, then a quarter or less each</source>
+        <translation>l’arbre tel quel, puis chaque fois un quart ou moins</translation>
+    </message>
+    <message>
+        <source>Triangles of each level, with commas between them, such as 10000, 2500: bark, leaves and fruit together, kept within 2 %. Nothing here: the first level is the tree as it is, each further one has a quarter of the one before; less, often an eighth, where its bark would keep more than half of its triangles, as in a tree full of leaves.</source>
+        <translation>Triangles de chaque niveau, séparés par des virgules, par exemple 10000, 2500 : écorce, feuilles et fruits ensemble, à 2 % près. Rien ici : le premier niveau est l’arbre tel quel, chaque niveau suivant a un quart du précédent ; moins, souvent un huitième, là où son écorce garderait plus de la moitié de ses triangles, comme dans un arbre plein de feuilles.</translation>
     </message>
 </context>
 <context>
@@ -10661,10 +10719,6 @@ OpenGL&#xa0;: %4
         <translation>hors d&apos;atteinte : il manque %1 m</translation>
     </message>
     <message>
-        <source>Drag: bend the limb · Shift: trunk and root, too</source>
-        <translation>Glisser : plier la branche · Maj : tronc et racine aussi</translation>
-    </message>
-    <message>
         <source>At some places around the trunk no limb is like it: nothing happens there.</source>
         <translation>À certains endroits autour du tronc, aucune branche ne lui ressemble : il ne s’y passe rien.</translation>
     </message>
@@ -10820,6 +10874,10 @@ OpenGL&#xa0;: %4
     <message>
         <source>Levels</source>
         <translation>Niveaux</translation>
+    </message>
+    <message>
+        <source>Drawing a picture</source>
+        <translation>Dessin d’une image</translation>
     </message>
 </context>
 <context>
@@ -11179,6 +11237,10 @@ OpenGL&#xa0;: %4
     <message>
         <source>Picture written to %1</source>
         <translation>Image écrite dans %1</translation>
+    </message>
+    <message>
+        <source>No picture was written</source>
+        <translation>Aucune image n’a été enregistrée</translation>
     </message>
 </context>
 <context>
@@ -11800,10 +11862,6 @@ OpenGL&#xa0;: %4
 <context>
     <name>ramure::PruneTool</name>
     <message>
-        <source>What stands out of the shape is cut · release: done · Esc: nothing is cut</source>
-        <translation>Ce qui dépasse de la forme est coupé · lâcher : fait · Échap : rien n’est coupé</translation>
-    </message>
-    <message>
         <source>Drag from the middle of the tree outwards: it is cut to the shape</source>
         <translation>Glisser du milieu de l’arbre vers l’extérieur : il est taillé en forme</translation>
     </message>
@@ -11846,6 +11904,26 @@ OpenGL&#xa0;: %4
     <message>
         <source>%1 m high</source>
         <translation>%1 m de haut</translation>
+    </message>
+    <message>
+        <source>Red: %1 would go · release: cut · Esc: nothing is cut</source>
+        <translation>En rouge : %1 partiraient · relâcher : couper · Échap : rien n’est coupé</translation>
+    </message>
+    <message>
+        <source>Nothing is cut: %1 · Esc: back</source>
+        <translation>Rien n’est coupé : %1 · Échap : retour</translation>
+    </message>
+    <message>
+        <source>That was too short: draw half of the outline beside the trunk.</source>
+        <translation>Trop court : dessinez la moitié du contour à côté du tronc.</translation>
+    </message>
+    <message>
+        <source>That was too short: drag from the middle of the tree outwards, and what is red goes.</source>
+        <translation>Trop court : glissez du milieu de l’arbre vers l’extérieur, et ce qui est rouge part.</translation>
+    </message>
+    <message>
+        <source>%1 would go</source>
+        <translation>%1 partiraient</translation>
     </message>
 </context>
 <context>
@@ -11932,8 +12010,16 @@ OpenGL&#xa0;: %4
         <translation>Clic : la branche s’en va · une de plusieurs sélectionnées : toutes</translation>
     </message>
     <message>
-        <source>Release: it goes · Esc: it stays</source>
-        <translation>Lâcher : elle s’en va · Échap : elle reste</translation>
+        <source>Click: the limb goes, %1</source>
+        <translation>Clic : la branche part, %1</translation>
+    </message>
+    <message>
+        <source>Release: %1 go · Esc: all stays</source>
+        <translation>Relâcher : %1 partent · Échap : tout reste</translation>
+    </message>
+    <message>
+        <source>Release: all stays</source>
+        <translation>Relâcher : tout reste</translation>
     </message>
 </context>
 <context>
@@ -12800,20 +12886,6 @@ OpenGL&#xa0;: %4
             <numerusform>%Ln branches</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%Ln vertex(es)</source>
-        <translation>
-            <numerusform>%Ln sommet</numerusform>
-            <numerusform>%Ln sommets</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%Ln face(s)</source>
-        <translation>
-            <numerusform>%Ln face</numerusform>
-            <numerusform>%Ln faces</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Time to build the trees, without drawing. “cached”: nothing had to be built, the results of before still hold.</source>
         <translation>Temps de construction des arbres, sans le dessin. «&#xa0;en mémoire&#xa0;» : rien n’était à construire, les résultats précédents sont toujours valables.</translation>
@@ -12847,10 +12919,6 @@ OpenGL&#xa0;: %4
         <translation>Ce qui est visible, tel qu’un export l’écrit. Les branches sont comptées après simplification.</translation>
     </message>
     <message>
-        <source>closed, no crossings</source>
-        <translation>fermé, sans croisement</translation>
-    </message>
-    <message>
         <source>&lt;p&gt;Closed, 2-manifold and outward: every edge has two faces. No triangle runs through another.&lt;/p&gt;</source>
         <translation>&lt;p&gt;Fermé, 2-variété et tourné vers l’extérieur : chaque arête a deux faces. Aucun triangle n’en traverse un autre.&lt;/p&gt;</translation>
     </message>
@@ -12861,20 +12929,6 @@ OpenGL&#xa0;: %4
     <message>
         <source>&lt;p&gt;Closed, 2-manifold and outward: every edge has two faces. Whether triangles run through each other has not been looked for yet.&lt;/p&gt;</source>
         <translation>&lt;p&gt;Fermé, 2-variété et tourné vers l’extérieur : chaque arête a deux faces. On n’a pas encore cherché si des triangles se traversent.&lt;/p&gt;</translation>
-    </message>
-    <message numerus="yes">
-        <source>closed, %Ln crossing(s)</source>
-        <translation>
-            <numerusform>fermé, %Ln croisement</numerusform>
-            <numerusform>fermé, %Ln croisements</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>&lt;p&gt;Closed, 2-manifold and outward, but %Ln pair(s) of triangles run through each other.&lt;/p&gt;</source>
-        <translation>
-            <numerusform>&lt;p&gt;Fermé, 2-variété et tourné vers l’extérieur, mais %Ln paire de triangles se traverse.&lt;/p&gt;</numerusform>
-            <numerusform>&lt;p&gt;Fermé, 2-variété et tourné vers l’extérieur, mais %Ln paires de triangles se traversent.&lt;/p&gt;</numerusform>
-        </translation>
     </message>
     <message>
         <source>broken</source>
@@ -12887,6 +12941,20 @@ OpenGL&#xa0;: %4
     <message>
         <source>Fruit</source>
         <translation>Fruits</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln triangle(s)</source>
+        <translation>
+            <numerusform>%Ln triangle</numerusform>
+            <numerusform>%Ln triangles</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>&lt;p&gt;Closed, 2-manifold and outward: every edge has two faces. %Ln pair(s) of triangles run through each other, as twigs do that touch: that matters for a print, which can be made without.&lt;/p&gt;</source>
+        <translation>
+            <numerusform>&lt;p&gt;Fermé, 2-variété et orienté vers l’extérieur : chaque arête a deux faces. %Ln paire de triangles se traverse, comme des rameaux qui se touchent : cela compte pour une impression, qui peut s’en défaire.&lt;/p&gt;</numerusform>
+            <numerusform>&lt;p&gt;Fermé, 2-variété et orienté vers l’extérieur : chaque arête a deux faces. %Ln paires de triangles se traversent, comme des rameaux qui se touchent : cela compte pour une impression, qui peut s’en défaire.&lt;/p&gt;</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -13252,6 +13320,20 @@ OpenGL&#xa0;: %4
     <message>
         <source>on a limb made by hand</source>
         <translation>sur une branche faite à la main</translation>
+    </message>
+    <message numerus="yes">
+        <source>Bend of %n branch(es)</source>
+        <translation>
+            <numerusform>Courbure de %n branche</numerusform>
+            <numerusform>Courbure de %n branches</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Roll of %n branch(es)</source>
+        <translation>
+            <numerusform>Roulis de %n branche</numerusform>
+            <numerusform>Roulis de %n branches</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -30,7 +30,7 @@ constexpr CommandText text = {
     "The ending of FILE says the format: {formats}.\n"
     "All that is visible in a project is written together, where it stands in the "
     "world. Of several trees the objects are "
-    "branches_1, leaves_1, apples_1, branches_2 and so on; arms (their skin as it is "
+    "branches_1, leaves_1, fruit_1, branches_2 and so on; arms (their skin as it is "
     "at --time), terrains, primitives and imported meshes are objects with the names "
     "of their nodes. With --frames a .glb moves: one file with skins and an animation; of other "
     "formats each frame has a file. Files are written under "
@@ -46,7 +46,7 @@ template <class Value> struct Choice
     Value value;
 };
 constexpr Choice<std::uint8_t> partChoices[] = {
-    {"branches", exportBranches}, {"leaves", exportLeaves}, {"apples", exportApples}, {"all", exportAll}};
+    {"branches", exportBranches}, {"leaves", exportLeaves}, {"fruit", exportApples}, {"all", exportAll}};
 constexpr Choice<ExportModel> modelChoices[] = {
     {"mesh", ExportModel::Mesh}, {"rough", ExportModel::Rough}, {"skeleton", ExportModel::Skeleton}};
 
@@ -74,7 +74,7 @@ struct Request
     bool ascii = false;
     bool needsTree = false; ///< an option that says something about trees was given
     bool texture = true;
-    bool instances = false; ///< leaves and apples as a list
+    bool instances = false; ///< leaves and fruit as a list
     int mapSize = WriteOptions().mapSize;
     int joints = WriteOptions().joints;
     bool compressed = false;
@@ -177,7 +177,9 @@ Expected<Request> requestOf(const CommandLine& line)
     if (line.has("report") && !out.report.endsWith(QLatin1String(".json"), Qt::CaseInsensitive))
         return fail(ErrorCode::Invalid, "--report \"%1\": a .json file expected", {out.report.toStdString()});
     if (line.has("part")) {
-        const auto parts = choose(partChoices, "part", line.value("part"));
+        const bool isOldName = line.value("part") == QLatin1String("apples");
+        const auto parts =
+            choose(partChoices, "part", isOldName ? QStringLiteral("fruit") : line.value("part"));
         if (!parts)
             return fail(parts.error());
         out.parts = *parts;
@@ -416,7 +418,7 @@ void addOptions(CommandLine& line)
     line.addNodeOption();
     line.add({QStringLiteral("part")},
              QStringLiteral("What is written. Without it formats with objects get all, others the branches."),
-             QStringLiteral("branches|leaves|apples|all"));
+             QStringLiteral("branches|leaves|fruit|all"));
     line.add({QStringLiteral("model")},
              QStringLiteral("mesh (one continuous mesh; the default), rough (open cylinders, squares, cubes) "
                             "or skeleton (line segments)."),
@@ -424,10 +426,10 @@ void addOptions(CommandLine& line)
     line.addDefault(
         {QStringLiteral("leaves")},
         QStringLiteral(
-            "merged (one mesh of all leaves, one of all apples) or instances: FILE holds what else "
+            "merged (one mesh of all leaves, all fruit another) or instances: FILE holds what else "
             "there is, and beside it stand FILE_leaves.csv, a row for each leaf, fruit and flower "
             "with its node, shape, material, branch, colour and matrix (3 rows of 4), and "
-            "FILE_leaves.json, the same as JSON, and FILE_leaves_birch.obj, FILE_apples_acorn.obj and so on, "
+            "FILE_leaves.json, the same as JSON, and FILE_leaves_birch.obj, FILE_fruit_acorn.obj and so on, "
             "the shapes that the rows name. "
             "A point of the shape times the matrix is the point of the merged mesh."),
         QStringLiteral("merged|instances"), QStringLiteral("merged"));

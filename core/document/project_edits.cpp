@@ -87,9 +87,20 @@ QJsonArray writeLimb(const std::vector<LimbPiece>& limb)
     return array;
 }
 
+/// What a value that is not written is. A bend without an end is all at its start, as in files from before
+/// there were others.
+TreeEdit usualEdit(EditOperation operation)
+{
+    TreeEdit usual;
+    usual.operation = operation;
+    if (operation == EditOperation::Bend)
+        usual.to = 0.0;
+    return usual;
+}
+
 QJsonObject writeEdit(const TreeEdit& edit)
 {
-    const TreeEdit usual;
+    const TreeEdit usual = usualEdit(edit.operation);
     const EditOperationInfo& info = infoOf(edit.operation);
     QJsonObject object{{QStringLiteral("id"), branchKey(edit.id)},
                        {QStringLiteral("op"), QLatin1String(info.key)}};
@@ -155,7 +166,7 @@ private:
         if (!m_info)
             return failAt("op", ErrorCode::Unknown, RAMURE_NOOP("unknown operation \"%1\""),
                           {op.toStdString()});
-        m_edit.operation = m_info->operation;
+        m_edit = usualEdit(m_info->operation);
         const QJsonValue name = m_rest.take(QLatin1String("name"));
         if (!name.isString() && !name.isUndefined())
             return failAt("name", ErrorCode::Invalid, RAMURE_NOOP("a text is expected here"));

@@ -21,7 +21,8 @@ inline constexpr std::array dressRows{
         ParamUnit::Ratio, {0, 10, 0, 1, 0.01, 3}, Stage::Foliage, paramAnimatable),
     row<&NodeParams::foliage, &FoliageParams::leavesDensity>(
         {"foliage.leavesDensity", foliageGroup, RAMURE_NOOP("Leaves per twig"),
-         RAMURE_NOOP("How many leaves grow on each branch that is thin enough.")},
+         RAMURE_NOOP("How many leaves grow on each branch that is thin enough. Leaves of a plant grow by their internode: "
+                     "of them 0 alone says something, that there are none.")},
         ParamUnit::Count, {0, 1000, 0, 50, 1, 0}, Stage::Foliage, paramAnimatable, treeOnly, isFaithful),
     row<&NodeParams::leaf, &LeafParams::internode>(
         {"foliage.internode", foliageGroup, RAMURE_NOOP("Internode"),

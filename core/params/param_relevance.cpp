@@ -107,6 +107,9 @@ bool isRelevant(const NodeParams& params, const ParamDef& def)
     const Relevance* relevance = relevanceOf(def);
     if (!relevance)
         return true;
+    // No leaves at all: whoever misses them finds the reason.
+    if (def.key == std::string_view("foliage.leavesDensity") && params.foliage.leavesDensity == 0)
+        return true;
     const ParamDef& chooser = *findParam(relevance->chooser);
     if (!isRelevant(params, chooser))
         return false;

@@ -16,7 +16,7 @@ enum class EditOperation : std::uint8_t {
     Cut,       ///< what lies above `at` goes, or falls; a closed end stays
     Remove,    ///< the limb goes, with all on it
     Keep,      ///< all goes but the limb, what is on it and the way down to the ground
-    Bend,      ///< what lies above `from` is turned about that point
+    Bend,      ///< what lies above `from` is turned, bit by bit up to `to` where that is above
     Curl,      ///< turned bit by bit between `from` and `to`
     Twist,     ///< what grows on the axis is turned about it, by `angleRad` at the tip
     Length,    ///< times `factor`

@@ -17,7 +17,7 @@ constexpr EditOperationInfo operations[] = {
     {EditOperation::Remove, "remove", RAMURE_NOOP("Remove"), "target", "", editNeedsTarget},
     {EditOperation::Keep, "keep", RAMURE_NOOP("Keep only this"), "target", "", editNeedsTarget},
     {EditOperation::Bend, "bend", RAMURE_NOOP("Bend"), "target", "",
-     editFrom | editRotation | editNeedsTarget},
+     editFrom | editTo | editRotation | editNeedsTarget},
     {EditOperation::Curl, "curl", RAMURE_NOOP("Curl"), "target", "",
      editFrom | editTo | editRotation | editNeedsTarget},
     {EditOperation::Twist, "twist", RAMURE_NOOP("Twist"), "target", "", editAngle | editNeedsTarget},

@@ -50,7 +50,7 @@ Material leavesMaterial(LeafShape shape, bool turn, const PictureParams& picture
 
 Material applesMaterial(FruitKind kind, const PictureParams& pictures)
 {
-    Material fruit{"apples", {0x5F, 0x0B, 0x0B}, true, false};
+    Material fruit{"fruit", {0x5F, 0x0B, 0x0B}, true, false};
     if (kind != FruitKind::Faithful) {
         fruit.name =
             std::string("fruit_") + findParam("foliage.fruit")->items[static_cast<std::size_t>(kind)].name;

@@ -43,7 +43,7 @@ void nameShapes(std::vector<Candidate>& shapes, const std::vector<Candidate>& tr
 {
     std::set<std::string> taken;
     for (const Candidate& tree : trees)
-        for (const char* part : {"branches", "leaves", "apples"})
+        for (const char* part : {"branches", "leaves", "fruit"})
             taken.insert(part + tree.suffix);
     std::map<std::string, int> numbers;
     for (Candidate& shape : shapes) {
@@ -191,7 +191,7 @@ void addMeshes(ExportScene& out, const Candidate& tree, const TreeMeshes& meshes
             motion.bones ? std::make_shared<const Skin>(bindRigidly(*meshes.cuts)) : nullptr, woodMaterial(),
             0);
     add("leaves", meshes.leaves, motion.leaves, leafMaterial(params), foliage.leaves.size());
-    add("apples", meshes.apples, motion.apples, fruitMaterial(params), foliage.apples.size());
+    add("fruit", meshes.apples, motion.apples, fruitMaterial(params), foliage.apples.size());
     out.frames.front().bones[tree.number] = motion.bones;
 }
 
@@ -210,7 +210,7 @@ void takeInstances(ExportScene& out, const Candidate& tree, TreeMeshes& meshes,
         mesh.reset();
     };
     add("leaves", meshes.leaves, &leafInstances, leafMaterial(instances.params));
-    add("apples", meshes.apples, &appleInstances, fruitMaterial(instances.params));
+    add("fruit", meshes.apples, &appleInstances, fruitMaterial(instances.params));
 }
 
 /// Children share their parent's end point, so that the lines hang together.

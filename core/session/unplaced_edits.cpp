@@ -2,6 +2,8 @@
 
 #include "core/skeleton/edit_places.h"
 #include <algorithm>
+#include <map>
+#include <tuple>
 
 namespace ramure {
 
@@ -22,6 +24,26 @@ std::vector<UnplacedEdit> unplacedEdits(const Document& document)
             all.push_back({node.id, name, false});
     }
     return all;
+}
+
+std::vector<std::vector<UnplacedEdit>> unplacedGroups(const Document& document)
+{
+    std::vector<std::vector<UnplacedEdit>> groups;
+    std::map<std::tuple<NodeId, std::uint64_t, bool>, std::size_t> byAxis; // true: bends
+    for (const UnplacedEdit& edit : unplacedEdits(document)) {
+        const NodeParams& params = document.scene().find(edit.node)->params;
+        const BranchParams* branch = edit.isTreeEdit ? nullptr : &params.branches.at(edit.name);
+        if (!branch || branch->place.way.empty()) {
+            groups.push_back({edit});
+            continue;
+        }
+        const auto [at, isNew] = byAxis.try_emplace(
+            {edit.node, branch->place.way.back().address, branch->bendRad != glm::dvec3(0.0)}, groups.size());
+        if (isNew)
+            groups.emplace_back();
+        groups[at->second].push_back(edit);
+    }
+    return groups;
 }
 
 } // namespace ramure

@@ -18,5 +18,7 @@ struct UnplacedEdit
 
 /// Of all trees, as they are shown; those that were never grown have none.
 std::vector<UnplacedEdit> unplacedEdits(const Document& document);
+/// The same as an artist counts them: what was bent, or rolled, along one axis is one edit.
+std::vector<std::vector<UnplacedEdit>> unplacedGroups(const Document& document);
 
 } // namespace ramure

@@ -26,7 +26,7 @@ std::vector<WindVertex> verticesOf(const WindTree& tree, const ExportMesh& mesh,
     const Foliage& foliage = foliageOf(levels, mesh);
     if (isOf(mesh, "leaves"))
         return windOfItems(tree, *mesh.mesh, foliage.leaves, true);
-    if (isOf(mesh, "apples"))
+    if (isOf(mesh, "fruit"))
         return windOfItems(tree, *mesh.mesh, foliage.apples, false);
     return windOfBark(tree, *mesh.mesh);
 }

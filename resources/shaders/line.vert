@@ -33,7 +33,7 @@ void main()
     uint state = branchState(aBranch);
     vec4 tint = stateTint(state);
     float width = (end ? aWidths.y : aWidths.x) * (state == 0u ? 1.0 : 1.7);
-    if (uOnlySelected && (state == 0u || state == 3u))
+    if (uOnlySelected && (state == 0u || state == 3u || state == 5u))
         width = 0.0;
     vColour = vec4(mix(aColour.rgb, tint.rgb, tint.a), aColour.a);
 

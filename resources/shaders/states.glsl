@@ -5,6 +5,7 @@ uniform int uStateCount; // 0 = none
 const vec3 selectedColour = vec3(1.0, 0.50, 0.06);
 const vec3 activeColour = vec3(1.0, 0.72, 0.22);
 const vec3 hoveredColour = vec3(1.0, 0.93, 0.78);
+const vec3 goesColour = vec3(0.92, 0.13, 0.10); // what a tool would take away
 
 uint branchState(uint branch)
 {
@@ -29,5 +30,7 @@ vec4 stateTint(uint state)
         return vec4(hoveredColour, 0.38);
     if (state == 4u)
         return vec4(mix(selectedColour, hoveredColour, 0.45), 0.80);
+    if (state == 5u)
+        return vec4(goesColour, 0.75);
     return vec4(0.0);
 }

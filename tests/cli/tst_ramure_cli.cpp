@@ -73,7 +73,7 @@ private slots:
             "too thick for a print");
         row("export preset:SmallTree -o t.stl --print fdm --height 18cm --foot toes", "disc, flat expected");
         row("export preset:SmallTree -o t.stl --print fdm --height 18cm --scale 2", "exclude each other");
-        row("export preset:SmallTree -o t.obj --part roots", "branches, leaves, apples, all expected");
+        row("export preset:SmallTree -o t.obj --part roots", "branches, leaves, fruit, all expected");
         row("export preset:SmallTree -o t.obj --model fine", "mesh, rough, skeleton expected");
         row("validate", "missing INPUT");
         row("render preset:SmallTree", "one -o FILE.png expected");

@@ -105,7 +105,7 @@ private slots:
             isRefused(runCli({"export", "preset:TinyTree", "-o", path("a.obj"), "--set", "tree.scale=0,1,1"}),
                       "tree.scale"));
         QVERIFY(!QFile::exists(path("a.obj")));
-        QVERIFY(isRefused(runCli({"export", "preset:TinyTree", "-o", path("a.ply"), "--part", "apples",
+        QVERIFY(isRefused(runCli({"export", "preset:TinyTree", "-o", path("a.ply"), "--part", "fruit",
                                   "--set", "foliage.applesProbability=0"}),
                           "nothing to export"));
     }
@@ -128,7 +128,7 @@ private slots:
         QCOMPARE(names(read(path("i.obj"))), QStringList{"branches"});
         QVERIFY(test::bytesOf(path("i_leaves.csv")).startsWith("node,object,kind,mesh,material,branch,"));
         QCOMPARE(names(read(path("i_leaves_oak.obj"))), QStringList{"leaves_oak"});
-        QCOMPARE(names(read(path("i_apples_acorn.obj"))), QStringList{"apples_acorn"});
+        QCOMPARE(names(read(path("i_fruit_acorn.obj"))), QStringList{"fruit_acorn"});
     }
     void compressedGlb()
     {
@@ -161,9 +161,9 @@ private slots:
         QVERIFY2(run.code == 0, qPrintable(run.err));
         QVERIFY(!QFile::exists(path("l.obj")));
         QCOMPARE(names(read(path("l_LOD0.obj"))),
-                 (QStringList{"branches_LOD0", "leaves_LOD0", "apples_LOD0"}));
+                 (QStringList{"branches_LOD0", "leaves_LOD0", "fruit_LOD0"}));
         QCOMPARE(names(read(path("l_LOD1.obj"))),
-                 (QStringList{"branches_LOD1", "leaves_LOD1", "apples_LOD1"}));
+                 (QStringList{"branches_LOD1", "leaves_LOD1", "fruit_LOD1"}));
         QVERIFY(test::bytesOf(path("l.json")).contains("l_LOD1.obj"));
     }
     void exportWritesWhatIsAskedFor()
@@ -175,7 +175,7 @@ private slots:
                 qFatal("%s", qPrintable(run.err));
             return read(path(file));
         };
-        QCOMPARE(names(exported({}, "all.obj")), (QStringList{"branches", "leaves", "apples"}));
+        QCOMPARE(names(exported({}, "all.obj")), (QStringList{"branches", "leaves", "fruit"}));
         QVERIFY(QFile::exists(path("all.mtl")));
         QCOMPARE(names(exported({"--part", "leaves"}, "leaves.obj")), QStringList{"leaves"});
         const ReadMesh branches = exported({}, "branches.ply");
@@ -189,7 +189,7 @@ private slots:
         QVERIFY(ascii == mesh);
         QVERIFY(exported({"--part", "all"}, "joined.ply").objects[0].mesh.vertexCount() > mesh.vertexCount());
         QCOMPARE(names(exported({"--model", "rough"}, "rough.obj")),
-                 (QStringList{"branches", "leaves", "apples"}));
+                 (QStringList{"branches", "leaves", "fruit"}));
         const ReadMesh skeleton = exported({"--model", "skeleton"}, "skeleton.obj");
         QCOMPARE(skeleton.objects[0].mesh.vertexCount(), 56u); // 55 branches after simplification
         QVERIFY(skeleton.notes[0].find("l skipped, 55 lines") != std::string::npos);

@@ -337,7 +337,9 @@ void TestEditCommands::scriptsAreAsByHand()
         "\n"
         R"({"op": "length", "target": ["00000000000000aa", "UPPER"], "factor": 1.5})"
         "\n"
-        R"({"op": "bend", "target": "UPPER", "rotation": [0.1, 0, 0], "frame": "parent"})";
+        R"({"op": "bend", "target": "UPPER", "rotation": [0.1, 0, 0], "frame": "parent"})"
+        "\n"
+        R"({"op": "bend", "target": "UPPER", "to": 0.75, "rotation": [0.1, 0, 0], "frame": "parent"})";
     const QByteArray named = QByteArray(lines)
                                  .replace("TRUNK", hex(address[0]))
                                  .replace("LIMB", hex(address[1]))
@@ -378,6 +380,8 @@ void TestEditCommands::scriptsAreAsByHand()
     }
     edit = editOf(EditOperation::Bend, address[3]);
     edit.rotation = {0.1, 0.0, 0.0};
+    put(edit, false);
+    edit.to = 0.75; // bit by bit
     put(edit, false);
     QCOMPARE(fileOf(script), fileOf(hand));
 }

@@ -179,7 +179,7 @@ private:
         raise("validationDock");
         QVERIFY(isDrawn());
         view()->frameAll();
-        QTRY_COMPARE_WITH_TIMEOUT(m_window->status()->badgeState(), QStringLiteral("warning"), patienceMs);
+        QTRY_COMPARE_WITH_TIMEOUT(m_window->status()->badgeState(), QStringLiteral("closed"), patienceMs);
         take("print-bonsai");
         raise("propertiesDock");
     }

@@ -36,7 +36,7 @@ private slots:
         test::FakeChooser chooser;
         ActionSet set;
         ViewportHost host(&document);
-        const PictureActions pictures(&host, &preferences, &chooser, &set, nullptr);
+        PictureActions pictures(&host, &preferences, &chooser, &set, nullptr);
         QSignalSpy messages(&pictures, &PictureActions::messageRaised);
         host.resize(320, 200);
         host.show();
@@ -48,6 +48,7 @@ private slots:
             QVERIFY(asked);
             choose(*asked);
             QTRY_VERIFY(!dialog());
+            QTRY_VERIFY_WITH_TIMEOUT(!pictures.job()->isRunning(), 20'000);
         };
         const auto save = [&] { ask([](PictureDialog& asked) { asked.accept(); }); };
         ask([](PictureDialog& asked) { asked.reject(); });
@@ -86,8 +87,16 @@ private slots:
             asked.reject();
         });
         QCOMPARE(messages.count(), 2);
-        set.find(QStringLiteral("view.copyPicture"))->trigger();
+        // Given up: no file, and what was there stays.
+        const QDateTime before = QFileInfo(chooser.answer).lastModified();
+        set.find(QStringLiteral("view.savePicture"))->trigger();
+        dialog()->accept();
+        pictures.job()->cancel();
+        QTRY_VERIFY_WITH_TIMEOUT(!pictures.job()->isRunning(), 20'000);
+        QCOMPARE(QFileInfo(chooser.answer).lastModified(), before);
         QCOMPARE(messages.count(), 3);
+        set.find(QStringLiteral("view.copyPicture"))->trigger();
+        QCOMPARE(messages.count(), 4);
         QCOMPARE(QGuiApplication::clipboard()->image().size(), QSize(320, 200));
     }
 

@@ -185,7 +185,7 @@ void TestExporter::oneTreeIsShared()
     const Scene scene = oneTree();
     const auto set = collect(scene);
     QVERIFY2(set, test::why(set));
-    QCOMPARE(namesOf(*set), (Names{"branches", "leaves", "apples"}));
+    QCOMPARE(namesOf(*set), (Names{"branches", "leaves", "fruit"}));
     const auto tree = m_pipeline.evaluate(scene.find(1)->params);
     QCOMPARE(set->meshes[0].mesh.get(), &tree->branches->mesh); // out of the cache, and not copied
     QCOMPARE(set->meshes[1].mesh, tree->leaves);
@@ -201,20 +201,20 @@ void TestExporter::severalTreesGetNumbers()
     const Scene scene = *Scene::fromNodes({makeTree(1), group, bare, makeTree(3, 2)});
     const auto set = collect(scene);
     QVERIFY2(set, test::why(set));
-    QCOMPARE(namesOf(*set), (Names{"branches_1", "leaves_1", "apples_1", "branches_2", "branches_3",
-                                   "leaves_3", "apples_3"}));
+    QCOMPARE(namesOf(*set),
+             (Names{"branches_1", "leaves_1", "fruit_1", "branches_2", "branches_3", "leaves_3", "fruit_3"}));
     ExportOptions options;
     options.nodes = {9};
-    QCOMPARE(namesOf(*collect(scene, options)), (Names{"branches_1", "branches_2", "leaves_2", "apples_2"}));
+    QCOMPARE(namesOf(*collect(scene, options)), (Names{"branches_1", "branches_2", "leaves_2", "fruit_2"}));
     options.nodes = {3};
-    QCOMPARE(namesOf(*collect(scene, options)), (Names{"branches", "leaves", "apples"}));
+    QCOMPARE(namesOf(*collect(scene, options)), (Names{"branches", "leaves", "fruit"}));
 }
 
 void TestExporter::partsAreChosen()
 {
     ExportOptions options;
     options.parts = exportApples;
-    QCOMPARE(namesOf(*collect(oneTree(), options)), (Names{"apples"}));
+    QCOMPARE(namesOf(*collect(oneTree(), options)), (Names{"fruit"}));
     options.parts = exportBranches;
     QCOMPARE(namesOf(*collect(oneTree(), options)), (Names{"branches"}));
     Stage asked = Stage::Placement;
@@ -233,7 +233,7 @@ void TestExporter::textureCoordinatesOnDemand()
     options.texture = true;
     const auto set = collect(oneTree(), options);
     QVERIFY2(set, test::why(set));
-    QCOMPARE(namesOf(*set), (Names{"branches", "leaves", "apples"}));
+    QCOMPARE(namesOf(*set), (Names{"branches", "leaves", "fruit"}));
     for (std::size_t i = 0; i < set->meshes.size(); ++i) {
         const TriangleMesh& mesh = *set->meshes[i].mesh;
         QCOMPARE(mesh.positions, plain->meshes[i].mesh->positions); // never split
@@ -314,7 +314,7 @@ void TestExporter::roughModel()
     options.model = ExportModel::Rough;
     const auto set = collect(scene, options);
     QVERIFY2(set, test::why(set));
-    QCOMPARE(namesOf(*set), (Names{"branches", "leaves", "apples"}));
+    QCOMPARE(namesOf(*set), (Names{"branches", "leaves", "fruit"}));
     const NodeParams& params = scene.find(1)->params;
     const auto tree = m_pipeline.evaluate(params, Stage::Foliage);
     const Skeleton& skeleton = tree->simplified->skeleton;

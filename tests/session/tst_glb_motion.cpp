@@ -207,7 +207,7 @@ private slots:
         options.write.joints = 0;
         const double off = worst(tinyTree(), options, {0.0, 0.25, 0.5, 1.0}, "branches");
         QVERIFY2(off < 3e-5, qPrintable(QString::number(off))); // of 3.4 m: 1e-5 of its height
-        const double fruit = worst(tinyTree(), options, {0.0, 0.5}, "apples");
+        const double fruit = worst(tinyTree(), options, {0.0, 0.5}, "fruit");
         QVERIFY2(fruit < 3e-5, qPrintable(QString::number(fruit)));
     }
     void armsMoveAsOurs()

@@ -274,7 +274,7 @@ private slots:
                 row.at(QStringLiteral("mesh"));
         QCOMPARE(meshes.at("leaves_1Oak"), meshes.at("leaves_2Oak"));
         QCOMPARE(meshes.at("leaves_3Wide, \"odd\""), QStringLiteral("several_leaves_oak_2.obj"));
-        QCOMPARE(meshes.at("apples_1Oak"), meshes.at("apples_3Wide, \"odd\""));
+        QCOMPARE(meshes.at("fruit_1Oak"), meshes.at("fruit_3Wide, \"odd\""));
     }
 
     void jsonSaysTheSameAsTheTable()

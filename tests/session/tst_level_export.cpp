@@ -143,7 +143,7 @@ private slots:
             const double got = double(trianglesOf(json, "_LOD" + std::to_string(level)));
             QVERIFY(std::abs(got - double(wanted[level])) <= 0.02 * double(wanted[level]));
         }
-        for (const char* part : {"branches", "leaves", "apples"}) {
+        for (const char* part : {"branches", "leaves", "fruit"}) {
             const Json* finest = nodeNamed(json, std::string(part) + "_LOD0");
             QVERIFY(finest);
             const Json& ids = (*finest)["extensions"]["MSFT_lod"]["ids"];

@@ -297,7 +297,7 @@ Known knownOf(const Scene& scene, const ExportOptions& options)
             leaves = windLeaves(*mesh.mesh, result->foliage->leaves);
     out.elements = *windElements(out.tree, leaves);
     for (const ExportMesh& mesh : out.scene.meshes) {
-        const bool areLeaves = mesh.name == "leaves", areApples = mesh.name == "apples";
+        const bool areLeaves = mesh.name == "leaves", areApples = mesh.name == "fruit";
         auto vertices = areLeaves   ? windOfItems(out.tree, *mesh.mesh, result->foliage->leaves, true)
                         : areApples ? windOfItems(out.tree, *mesh.mesh, result->foliage->apples, false)
                                     : windOfBark(out.tree, *mesh.mesh);

@@ -39,6 +39,8 @@ inline TreeEdit editOf(EditOperation operation, std::uint64_t target)
     TreeEdit edit;
     edit.operation = operation;
     edit.target.address = target;
+    if (operation == EditOperation::Bend)
+        edit.to = 0.0; // all at its start, as in a file that names no end
     return edit;
 }
 

@@ -28,6 +28,7 @@ struct ToolBench : ToolHost
     std::optional<AxisView> side;
     QStringList messages;
     std::vector<Index> marked; ///< branches
+    bool markedGo = false;     ///< they would be taken away
     int repaints = 0;
     /// Says what is in the box that is looked at.
     std::function<void(const std::vector<PickedBranches>&)> answerBox;
@@ -55,7 +56,11 @@ struct ToolBench : ToolHost
         return ready;
     }
     void dispose(std::shared_ptr<const void>) override {}
-    void markBranches(NodeId, std::vector<Index> branches) override { marked = std::move(branches); }
+    void markBranches(NodeId, std::vector<Index> branches, bool go) override
+    {
+        marked = std::move(branches);
+        markedGo = go;
+    }
     void repaint() override { ++repaints; }
     void updateHint() override {}
     void raiseMessage(const QString& text) override { messages << text; }

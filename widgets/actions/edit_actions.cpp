@@ -134,12 +134,12 @@ QList<QAction*> EditActions::nodeActions() const
 
 void EditActions::retranslate()
 {
+    for (std::size_t i = 0; i < m_addPresets.size(); ++i)
+        describePreset(presets()[i], m_addPresets[i]);
     if (m_addMenu) {
         m_addMenu->setTitle(tr("&Add to the scene"));
         nameGroups(m_addMenu);
     }
-    for (std::size_t i = 0; i < m_addPresets.size(); ++i)
-        describePreset(presets()[i], m_addPresets[i]);
     for (const auto& [action, label] : m_addPrimitives)
         action->setText(coreText(label));
     update();

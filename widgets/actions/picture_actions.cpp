@@ -5,11 +5,14 @@
 #include "widgets/base/core_text.h"
 #include "widgets/base/preferences.h"
 #include "widgets/dialogs/picture_dialog.h"
+#include "widgets/view/render/offscreen_renderer.h"
+#include "widgets/view/render/picture_file.h"
 #include "widgets/view/tools/hand_settings.h"
 #include "widgets/view/viewport.h"
 #include "widgets/view/viewport_host.h"
 #include <QDir>
 #include <QFileInfo>
+#include <QOpenGLContext>
 
 namespace ramure {
 
@@ -89,7 +92,34 @@ void PictureActions::save(const ViewPicture& wish)
         tr("Pictures (*.png *.jpg);;All files (*)"), QStringLiteral("png"));
     if (path.isEmpty())
         return;
-    if (const auto done = m_host->viewport()->saveScreenshot(path, wish); !done) {
+    Viewport* view = m_host->viewport();
+    if (!QOpenGLContext::supportsThreadedOpenGL())
+        return taken(view->saveScreenshot(path, wish), path);
+    m_renderer = std::shared_ptr<OffscreenRenderer>(
+        new OffscreenRenderer, [](OffscreenRenderer* last) { // a work left to itself ends on another thread
+            QMetaObject::invokeMethod(QCoreApplication::instance(), [last] { delete last; });
+        });
+    m_job.start(
+        [shot = view->shot(wish), renderer = m_renderer,
+         file = QFile::encodeName(path).toStdString()](const Progress& progress) -> Expected<void> {
+            if (auto begun = renderer->begin(); !begun)
+                return begun;
+            const auto image =
+                renderer->draw(*shot.scene, shot.camera, shot.pixels, shot.options, progress.part(0.0, 0.95));
+            renderer->end();
+            return image ? savePicture(*image, file) : Expected<void>(fail(image.error()));
+        },
+        [this, path](const Expected<void>& done) { taken(done, path); });
+}
+
+void PictureActions::taken(const Expected<void>& done, const QString& path)
+{
+    m_renderer.reset();
+    if (!done && done.error().code == ErrorCode::Cancelled) {
+        emit messageRaised(tr("No picture was written"));
+        return;
+    }
+    if (!done) {
         m_chooser->report(Severity::Error, errorTextWithPlace(done.error()));
         return;
     }

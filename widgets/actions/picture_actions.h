@@ -2,6 +2,7 @@
 /// Pictures of the view, to a file and to the clipboard; and the selection of branches by keyboard.
 #pragma once
 
+#include "core/session/job.h"
 #include <QObject>
 
 class QAction;
@@ -11,6 +12,7 @@ namespace ramure {
 
 class ActionSet;
 class Chooser;
+class OffscreenRenderer;
 class Preferences;
 class ViewportHost;
 struct ViewPicture;
@@ -25,6 +27,8 @@ public:
 
     [[nodiscard]] QList<QAction*> pictureActions() const;
     [[nodiscard]] QList<QAction*> selectionActions() const;
+    /// That writes a picture: how far it is, and its end before time.
+    [[nodiscard]] Job* job() { return &m_job; }
 
 signals:
     /// Something was done that cannot be seen: a line for the status bar.
@@ -33,6 +37,7 @@ signals:
 private:
     void ask();
     void save(const ViewPicture& wish);
+    void taken(const Expected<void>& done, const QString& path);
 
     ViewportHost* m_host;
     Preferences* m_preferences;
@@ -41,6 +46,8 @@ private:
     QAction* m_copy;
     QAction* m_selectAll;
     QAction* m_clearSelection;
+    std::shared_ptr<OffscreenRenderer> m_renderer; ///< its surface belongs to the application's thread
+    Job m_job;
 };
 
 } // namespace ramure

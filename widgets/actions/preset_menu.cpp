@@ -2,24 +2,29 @@
 
 #include "widgets/base/core_text.h"
 #include "widgets/base/preset_title.h"
+#include <QCollator>
+#include <QLocale>
 #include <QMenu>
-#include <string_view>
+#include <algorithm>
 
 namespace ramure {
 
+static constexpr const char* isSpeciesKey = "isSpecies";
+
 void addPreset(QMenu* menu, const Preset& preset, QAction* action)
 {
-    if (std::string_view(preset.group) == presets().front().group) {
-        menu->addAction(action);
-        return;
-    }
     const QString group = QString::fromUtf8(preset.group);
     auto* submenu = menu->findChild<QMenu*>(group, Qt::FindDirectChildrenOnly);
     if (!submenu) {
         submenu = new QMenu(menu);
         submenu->setObjectName(group);
         submenu->setToolTipsVisible(true);
-        menu->addMenu(submenu);
+        submenu->menuAction()->setProperty(isSpeciesKey, isSpecies(preset));
+        const QList<QAction*> groups = menu->actions();
+        const auto before = std::ranges::find_if(groups, [&preset](const QAction* other) {
+            return isSpecies(preset) && !other->property(isSpeciesKey).toBool();
+        });
+        menu->insertMenu(before == groups.end() ? nullptr : *before, submenu);
     }
     submenu->addAction(action);
 }
@@ -33,8 +38,18 @@ void describePreset(const Preset& preset, QAction* action)
 
 void nameGroups(QMenu* menu)
 {
-    for (QMenu* submenu : menu->findChildren<QMenu*>(QString(), Qt::FindDirectChildrenOnly))
+    QCollator collator{QLocale()};
+    collator.setNumericMode(true);
+    for (QMenu* submenu : menu->findChildren<QMenu*>(QString(), Qt::FindDirectChildrenOnly)) {
+        if (!submenu->menuAction()->property(isSpeciesKey).isValid())
+            continue;
         submenu->setTitle(coreText(submenu->objectName().toUtf8().constData()));
+        QList<QAction*> actions = submenu->actions();
+        std::ranges::stable_sort(actions, [&collator](const QAction* a, const QAction* b) {
+            return collator.compare(a->text(), b->text()) < 0;
+        });
+        submenu->addActions(actions); // of those that are there: to the end
+    }
 }
 
 } // namespace ramure

@@ -139,12 +139,13 @@ void LevelForm::retranslate()
            "formats each is a file."));
     m_count->setAccessibleName(tr("Number of levels"));
     m_label->setText(tr("Triangles"));
-    m_budgets->setPlaceholderText(m_isNarrow ? tr("as it is, then a quarter", "the tree")
-                                             : tr("the tree as it is, then a quarter each"));
-    m_budgets->setToolTip(
-        tr("Triangles of each level, with commas between them, such as 10000, 2500: bark, leaves and "
-           "fruit together, kept within 2 %. Nothing here: the first level is the tree as it is, each "
-           "further one has a quarter."));
+    m_budgets->setPlaceholderText(m_isNarrow ? tr("as it is, then a quarter or less", "the tree")
+                                             : tr("the tree as it is, then a quarter or less each"));
+    m_budgets->setToolTip(tr(
+        "Triangles of each level, with commas between them, such as 10000, 2500: bark, leaves and "
+        "fruit together, kept within 2 %. Nothing here: the first level is the tree as it is, each "
+        "further one has a quarter of the one before; less, often an eighth, where its bark would keep more "
+        "than half of its triangles, as in a tree full of leaves."));
     m_budgets->setAccessibleName(tr("Triangles of each level"));
     m_fromLabel->setText(tr("From"));
     m_from->setPlaceholderText(m_isNarrow ? tr("60 %, then half of it each")

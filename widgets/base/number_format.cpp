@@ -22,6 +22,8 @@ constexpr double openEnd =
 
 QString NumberFormat::text(double value) const
 {
+    if (value == 0.0 && !atZero.isEmpty())
+        return atZero;
     double shown = value * factor;
     QLocale locale;
     locale.setNumberOptions(QLocale::OmitGroupSeparator);
@@ -45,6 +47,8 @@ QString NumberFormat::text(double value) const
 
 Expected<double> NumberFormat::parse(const QString& text) const
 {
+    if (!atZero.isEmpty() && text == atZero)
+        return 0.0;
     auto value = evaluateExpression(text, unit, 1.0 / factor);
     if (value && whole)
         *value = std::round(*value);

@@ -17,6 +17,7 @@ struct NumberFormat
     QString suffix;      ///< with its space, such as " m"
     int decimals = 2;    ///< of what is shown
     bool whole = false;  ///< an integer
+    QString atZero{};    ///< shown in the place of 0, where that is no number but a wish; empty: 0
 
     /// With the locale's decimal sign and without group separators. Small values get the decimals they need
     /// to show three digits, but only down to where the unit has no use any more: a rest of arithmetic is

@@ -4,6 +4,7 @@
 #include "core/scene/scene.h"
 #include "widgets/base/core_text.h"
 #include <QCoreApplication>
+#include <algorithm>
 
 namespace ramure {
 namespace {
@@ -107,6 +108,13 @@ QString presetTip(const Preset& preset)
     return latin.isEmpty()
                ? about
                : QCoreApplication::translate("presets", "%1: %2", "Latin name: habit").arg(latin, about);
+}
+
+bool isSpecies(const Preset& preset)
+{
+    const auto first = std::ranges::find(presets(), TreeGenerator::WeberPenn,
+                                         [](const Preset& each) { return each.params.generator.kind; });
+    return &preset >= &*first;
 }
 
 void giveTitle(Node& tree)

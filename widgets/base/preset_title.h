@@ -15,6 +15,9 @@ QString presetTitle(const QString& name);
 QString presetNames(const Preset& preset);
 /// Its Latin name, where it has one, and what it is like.
 QString presetTip(const Preset& preset);
+/// Not what grammars and points are shown with: these stand before the species among the presets, and behind
+/// them in menus and galleries.
+bool isSpecies(const Preset& preset);
 /// Names a tree just made of a preset by its title where that is no English one: names of nodes and files are
 /// without blanks else.
 void giveTitle(Node& tree);

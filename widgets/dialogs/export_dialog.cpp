@@ -33,6 +33,25 @@
 
 namespace ramure {
 
+/// Of a node's name: letters without accents, digits, - and _, as every program and system takes them.
+/// "Chêne pédonculé" is "Chene_pedoncule".
+static QString plainFileName(QString name)
+{
+    name.replace(QStringLiteral("œ"), QStringLiteral("oe"))
+        .replace(QStringLiteral("Œ"), QStringLiteral("Oe"));
+    QString plain;
+    for (const QChar letter : name.normalized(QString::NormalizationForm_KD)) {
+        const bool isPlain = letter.unicode() < 128 && (letter.isLetterOrNumber() || letter == u'-');
+        if (isPlain)
+            plain += letter;
+        else if (letter.category() != QChar::Mark_NonSpacing && !plain.isEmpty() && !plain.endsWith(u'_'))
+            plain += u'_';
+    }
+    while (plain.endsWith(u'_'))
+        plain.chop(1);
+    return plain.isEmpty() ? QStringLiteral("tree") : plain;
+}
+
 ExportDialog::ExportDialog(Document* document, Recompute* recompute, Preferences* preferences,
                            Chooser* chooser, QWidget* parent, std::int64_t shownFrame)
     : QDialog(parent)
@@ -83,7 +102,8 @@ ExportDialog::ExportDialog(Document* document, Recompute* recompute, Preferences
     const auto& nodes = document->scene().nodes();
     QString name = QFileInfo(document->filePath()).completeBaseName();
     if (name.isEmpty())
-        name = nodes.empty() ? QStringLiteral("tree") : QString::fromStdString(nodes.front().name);
+        name = nodes.empty() ? QStringLiteral("tree")
+                             : plainFileName(QString::fromStdString(nodes.front().name));
     m_path->setText(
         QDir::toNativeSeparators(QDir(preferences->lastFolder()).filePath(name + QStringLiteral(".obj"))));
     setPicturesEnabled(false);

@@ -61,6 +61,8 @@ public:
     [[nodiscard]] ExportUse use() const { return m_use; }
     /// Turns to the page for games, which has them.
     void setLevels(const LevelOptions& levels);
+    /// Its page for games has these when it is turned to, not those of an export before.
+    void offerLevels(const LevelOptions& levels);
     /// FileFormat::id, or "png": pictures of the view. Turns to a page that has it.
     void setFormat(const QString& id);
     /// All that was chosen, but where to; and the same again. Numbers out of range are brought into it.
@@ -178,6 +180,7 @@ private:
     QPushButton* m_forget = nullptr;
     QComboBox* m_maps = nullptr; ///< pixels a side of the pictures of bark and leaves
     LevelForm* m_levels = nullptr;
+    std::optional<LevelOptions> m_offered;
     QComboBox* m_wind = nullptr; ///< WindProfile by the numbers of its rows
     QComboBox* m_format = nullptr;
     QComboBox* m_model = nullptr;

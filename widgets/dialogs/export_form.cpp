@@ -147,6 +147,13 @@ void ExportDialog::setLevels(const LevelOptions& levels)
     m_levels->setOptions(levels);
 }
 
+void ExportDialog::offerLevels(const LevelOptions& levels)
+{
+    m_offered = levels;
+    if (m_use == ExportUse::Game)
+        m_levels->setOptions(levels);
+}
+
 void ExportDialog::takeUse(int tab)
 {
     m_pages[m_use] = settings();

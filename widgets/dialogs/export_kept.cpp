@@ -222,6 +222,8 @@ void ExportDialog::turnPage(ExportUse use)
     for (const char* key : ofDocument) // frames and nodes of another document are none of this one
         page.insert(QLatin1String(key), m_usual.value(QLatin1String(key)));
     setSettings(page);
+    if (use == ExportUse::Game && m_offered)
+        m_levels->setOptions(*m_offered);
     if (isNew)
         takeFormat(); // the parts that it usually has
 }

@@ -79,7 +79,8 @@ Expected<void> drawAll(const Pictures& pictures, OffscreenRenderer& renderer, co
             camera.frameAllAround(shown->scene.framePoints(),
                                   double(pictures.look.size.width()) / pictures.look.size.height());
         camera.yawRad += shot.turnRad;
-        const auto image = renderer.draw(shown->scene, camera, pictures.look.size, options);
+        const auto image = renderer.draw(shown->scene, camera, pictures.look.size, options,
+                                         progress.part(from + 0.5 / count, from + 1.0 / count));
         if (!image)
             return fail(image.error());
         if (auto saved = savePicture(*image, shot.file); !saved)

@@ -55,10 +55,16 @@ QString whereText(const BranchPlace& place)
 }
 
 /// What an edit does, and where its branch was.
-std::pair<QString, QString> textsOf(const Node& node, const UnplacedEdit& edit, AngleUnit unit)
+std::pair<QString, QString> textsOf(const Node& node, const std::vector<UnplacedEdit>& group, AngleUnit unit)
 {
+    const UnplacedEdit& edit = group.front();
     if (!edit.isTreeEdit) {
         const BranchParams& values = node.params.branches.at(edit.name);
+        if (group.size() > 1)
+            return {values.bendRad != glm::dvec3(0.0)
+                        ? UnplacedDialog::tr("Bend of %n branch(es)", nullptr, int(group.size()))
+                        : UnplacedDialog::tr("Roll of %n branch(es)", nullptr, int(group.size())),
+                    whereText(values.place)};
         return {whatText(values, unit), whereText(values.place)};
     }
     const TreeEdit& found = *std::ranges::find(node.params.edits, edit.name, &TreeEdit::id);
@@ -113,16 +119,16 @@ UnplacedDialog::UnplacedDialog(Document* document, AngleUnit unit, QWidget* pare
 
 void UnplacedDialog::follow()
 {
-    std::vector<UnplacedEdit> edits = unplacedEdits(*m_document);
+    std::vector<std::vector<UnplacedEdit>> edits = unplacedGroups(*m_document);
     if (edits.empty())
         return reject();
     if (edits == m_edits)
         return;
     m_edits = std::move(edits);
     m_list->clear();
-    for (const UnplacedEdit& edit : m_edits) {
-        const Node& node = *m_document->scene().find(edit.node);
-        const auto [what, where] = textsOf(node, edit, m_unit);
+    for (const std::vector<UnplacedEdit>& group : m_edits) {
+        const Node& node = *m_document->scene().find(group.front().node);
+        const auto [what, where] = textsOf(node, group, m_unit);
         new QTreeWidgetItem(m_list, {QString::fromStdString(node.name), what, where});
     }
     m_list->setCurrentItem(m_list->topLevelItem(0));
@@ -132,10 +138,9 @@ void UnplacedDialog::remove(bool all)
 {
     std::map<std::pair<NodeId, bool>, std::vector<std::uint64_t>> names; // true: of edits of the tree
     for (int row = 0; row < m_list->topLevelItemCount(); ++row)
-        if (all || m_list->topLevelItem(row)->isSelected()) {
-            const UnplacedEdit& edit = m_edits[static_cast<std::size_t>(row)];
-            names[{edit.node, edit.isTreeEdit}].push_back(edit.name);
-        }
+        if (all || m_list->topLevelItem(row)->isSelected())
+            for (const UnplacedEdit& edit : m_edits[static_cast<std::size_t>(row)])
+                names[{edit.node, edit.isTreeEdit}].push_back(edit.name);
     for (const auto& [of, list] : names) {
         const auto done = of.second ? edit::removeTreeEdits(*m_document, of.first, list)
                                     : edit::removeBranchEdits(*m_document, of.first, list);

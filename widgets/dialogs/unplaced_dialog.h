@@ -28,7 +28,7 @@ private:
 
     Document* m_document;
     AngleUnit m_unit;
-    std::vector<UnplacedEdit> m_edits; ///< in the order of the rows
+    std::vector<std::vector<UnplacedEdit>> m_edits; ///< in the order of the rows
     QTreeWidget* m_list;
     QPushButton* m_delete;
 };

@@ -14,6 +14,7 @@
 #include "core/base/index.h"
 #include "core/scene/scene.h"
 #include "widgets/view/render/camera.h"
+#include "widgets/view/render/renderer_options.h"
 #include "widgets/view/tools/gizmo_settings.h"
 #include "widgets/view/view_settings.h"
 #include <QImage>
@@ -53,6 +54,17 @@ struct ViewPicture
     std::optional<bool> grid; ///< with its axes; nothing: as the view has it
 };
 
+struct RenderScene;
+
+/// All that a picture is drawn from, on any thread.
+struct ViewShot
+{
+    std::shared_ptr<const RenderScene> scene;
+    Camera camera;
+    QSize pixels;
+    RenderOptions options;
+};
+
 class Viewport : public QOpenGLWidget
 {
     Q_OBJECT
@@ -89,6 +101,8 @@ public:
     /// A click on a large tree takes effect when the structure to pick in is ready; true until then.
     [[nodiscard]] bool isPickPending() const;
 
+    /// The scene as it is seen now.
+    [[nodiscard]] ViewShot shot(const ViewPicture& wish = {});
     /// A picture of the scene as it is seen, without cube and overlays. Null image where there is no context.
     [[nodiscard]] QImage screenshot(const ViewPicture& wish = {});
     /// The picture as a file (PNG by the ending). Errors: Io, Unknown (ending).

@@ -71,10 +71,10 @@ bool Viewport::Private::pickBox(QPointF cornerA, QPointF cornerB,
     return picker.pickBox(view(), {cornerA.x(), cornerA.y()}, {cornerB.x(), cornerB.y()}, std::move(done));
 }
 
-void Viewport::Private::markBranches(NodeId node, std::vector<Index> branches)
+void Viewport::Private::markBranches(NodeId node, std::vector<Index> branches, bool go)
 {
     const bool any = node != noNode && !branches.empty();
-    Branches wanted = any ? Branches{node, std::move(branches)} : Branches();
+    Branches wanted = any ? Branches{node, std::move(branches), go} : Branches();
     if (wanted == marked)
         return;
     marked = std::move(wanted);

@@ -13,18 +13,27 @@ QSize Viewport::pixelSize() const
     return (QSizeF(size()) * devicePixelRatioF()).toSize();
 }
 
-QImage Viewport::screenshot(const ViewPicture& wish)
+ViewShot Viewport::shot(const ViewPicture& wish)
 {
     finishScene();
-    const QSize pixels = wish.size.isEmpty() ? pixelSize() : wish.size;
-    RenderOptions options = d->options(devicePixelRatioF());
+    ViewShot shot;
+    shot.pixels = wish.size.isEmpty() ? pixelSize() : wish.size;
+    RenderOptions& options = shot.options = d->options(devicePixelRatioF());
     options.shadowTaps = 24;
     options.smoothing = options.sparing = options.hurried = false;
     options.outline = false;
     options.world = !wish.transparent;
     options.grid = wish.grid.value_or(options.grid);
     d->updateShown();
-    auto image = renderImage(d->shownScene(), d->camera(), pixels, options);
+    shot.scene = std::make_shared<const RenderScene>(d->shownScene()); // of shared blocks: quickly copied
+    shot.camera = d->camera();
+    return shot;
+}
+
+QImage Viewport::screenshot(const ViewPicture& wish)
+{
+    const ViewShot shot = this->shot(wish);
+    auto image = renderImage(*shot.scene, shot.camera, shot.pixels, shot.options);
     return image ? *image : QImage();
 }
 

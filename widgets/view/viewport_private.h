@@ -72,6 +72,7 @@ struct Viewport::Private final : ToolHost
     {
         NodeId node = noNode;
         std::vector<Index> branches;
+        bool go = false; ///< they would be taken away
         bool operator==(const Branches&) const = default;
     };
     InspectedSection inspected;
@@ -139,7 +140,7 @@ struct Viewport::Private final : ToolHost
     bool pickBox(QPointF cornerA, QPointF cornerB,
                  std::function<void(const std::vector<PickedBranches>&)> done) override;
     void dispose(std::shared_ptr<const void> block) override { builder.dispose(std::move(block)); }
-    void markBranches(NodeId node, std::vector<Index> branches) override;
+    void markBranches(NodeId node, std::vector<Index> branches, bool go) override;
     void repaint() override { widget->update(); }
     void updateHint() override;
     void raiseMessage(const QString& text) override { emit widget->messageRaised(text); }

@@ -66,6 +66,7 @@ SceneView Viewport::Private::sceneView() const
         view.hoverBranches = shownAs.branches;
     else if (context.hoverBranch != noIndex)
         view.hoverBranches = {context.hoverBranch};
+    view.hoverGoes = shownAs.go;
     view.hoverThrough = shownAs.node != noNode && !shownAs.branches.empty();
     if (pointed.node != noNode && pointed.branches.empty())
         view.hoverNodes = withAllBelow(document->scene(), pointed.node);
@@ -236,7 +237,7 @@ void Viewport::showScene()
     const SceneView now = d->sceneView();
     d->highlightsStale = now.hoverNode != built.view.hoverNode ||
                          now.hoverBranches != built.view.hoverBranches ||
-                         now.hoverNodes != built.view.hoverNodes;
+                         now.hoverGoes != built.view.hoverGoes || now.hoverNodes != built.view.hoverNodes;
     d->builder.dispose(std::exchange(d->scene, std::move(built.scene)));
     d->sceneIsNew = true;
     d->times.buildMs = built.buildMs;

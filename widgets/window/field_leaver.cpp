@@ -7,7 +7,9 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QMainWindow>
+#include <QMenuBar>
 #include <QPointer>
+#include <QScrollBar>
 
 namespace ramure {
 
@@ -21,6 +23,8 @@ FieldLeaver::FieldLeaver(QMainWindow* window, QWidget* view)
 
 bool FieldLeaver::eventFilter(QObject* watched, QEvent* event)
 {
+    if (event->type() == QEvent::MouseButtonPress)
+        pressedOn(qobject_cast<QWidget*>(watched));
     if (event->type() != QEvent::KeyPress || watched != QApplication::focusWidget())
         return false;
     const int key = static_cast<QKeyEvent*>(event)->key();
@@ -37,6 +41,21 @@ bool FieldLeaver::eventFilter(QObject* watched, QEvent* event)
             Qt::QueuedConnection);
     }
     return false;
+}
+
+/// On what takes no keys itself: those that follow are for the view, not for the field. Bars that scroll
+/// what the field is about, and menus, whose actions may be about its text, leave it alone.
+void FieldLeaver::pressedOn(const QWidget* pressed)
+{
+    const QWidget* field = QApplication::focusWidget();
+    if (!field || !pressed || !isOurs(field) || pressed->window() != field->window())
+        return;
+    if (qobject_cast<const QScrollBar*>(pressed) || qobject_cast<const QMenuBar*>(pressed))
+        return;
+    for (const QWidget* around = pressed; around; around = around->parentWidget())
+        if (around == field || (around->isEnabled() && (around->focusPolicy() & Qt::ClickFocus)))
+            return; // it has the keys, or gets them
+    leave(field);
 }
 
 bool FieldLeaver::isOurs(const QWidget* field) const

@@ -12,9 +12,10 @@ namespace ramure {
 class FieldLeaver : public QObject
 {
 public:
-    /// Return and Esc in a field of one line, in \p window or in a panel that floats beside it, bring the
-    /// focus to \p view: unless the field itself gave it to something else, or what was typed is refused.
-    /// Dialogs, texts of several lines and names in lists are left alone. Neither is owned.
+    /// A press elsewhere, on what takes no keys itself, and Return and Esc in a field of one line, in \p
+    /// window or in a panel that floats beside it, bring the focus to \p view: unless the field itself gave
+    /// it to something else, or what was typed is refused. Dialogs, texts of several lines and names in lists
+    /// are left alone. Neither is owned.
     FieldLeaver(QMainWindow* window, QWidget* view);
 
 protected:
@@ -23,6 +24,7 @@ protected:
 private:
     [[nodiscard]] bool isOurs(const QWidget* field) const;
     void leave(const QWidget* field);
+    void pressedOn(const QWidget* pressed);
 
     QMainWindow* m_window;
     QWidget* m_view;

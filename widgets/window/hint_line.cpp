@@ -64,7 +64,19 @@ void HintLine::update()
 
 void HintLine::elide()
 {
-    setText(fontMetrics().elidedText(m_hint, Qt::ElideRight, contentsRect().width()));
+    // What the hand does first stands first: as many whole parts as there is room for.
+    static const QString between = QStringLiteral(" · "), more = QStringLiteral(" · …");
+    const int room = contentsRect().width();
+    QString shown = m_hint;
+    for (qsizetype end = m_hint.size(); fontMetrics().horizontalAdvance(shown) > room;) {
+        end = end > 0 ? m_hint.lastIndexOf(between, end - 1) : -1;
+        if (end <= 0) {
+            shown = fontMetrics().elidedText(m_hint, Qt::ElideRight, room);
+            break;
+        }
+        shown = m_hint.left(end) + more;
+    }
+    setText(shown);
     setToolTip(m_hint == text() ? QString() : m_hint);
     setAccessibleName(m_hint);
 }

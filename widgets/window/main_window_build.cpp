@@ -424,7 +424,12 @@ void MainWindow::buildStatusBar()
     statusBar()->addPermanentWidget(m_armProgress);
     m_wearProgress = new JobPanel(m_arm->meshRow()->job(), QStringLiteral("wearProgress"), this);
     statusBar()->addPermanentWidget(m_wearProgress);
+    auto* picture = new JobPanel(m_pictures->job(), QStringLiteral("pictureProgress"), this);
+    statusBar()->addPermanentWidget(picture);
+    connect(m_pictures->job(), &Job::runningChanged, picture,
+            [picture] { picture->setText(tr("Drawing a picture")); });
     buildSequences();
+    m_status->follow(m_player);
     connect(m_status, &StatusPanel::reportRequested, this, [this] { showPanel(m_validation); });
     statusBar()->addPermanentWidget(m_status);
 }

@@ -5,6 +5,7 @@
 #include "widgets/base/message_banner.h"
 #include "widgets/base/preferences.h"
 #include "widgets/dialogs/export_dialog.h"
+#include "widgets/panels/levels/levels_panel.h"
 #include "widgets/panels/validation/validation_panel.h"
 #include "widgets/view/view_settings.h"
 #include "widgets/view/viewport.h"
@@ -54,9 +55,13 @@ ExportDialog* MainWindow::newExportDialog()
     return dialog;
 }
 
+/// What the panel of levels shows is what its page for games would write.
 void MainWindow::showExportDialog()
 {
-    newExportDialog()->open();
+    ExportDialog* dialog = newExportDialog();
+    if (const auto levels = findChild<LevelsPanel*>()->chosen())
+        dialog->offerLevels(*levels);
+    dialog->open();
 }
 
 /// On its page for games.

@@ -2,6 +2,7 @@
 
 #include "core/scene/kinds/node_kinds.h"
 #include "core/session/analysis.h"
+#include "core/session/player.h"
 #include "core/session/recompute.h"
 #include "widgets/base/core_text.h"
 #include "widgets/base/icons.h"
@@ -140,15 +141,19 @@ StatusPanel::StatusPanel(Document* document, Recompute* recompute, Analysis* ana
 /// What there is to say comes from the work, the checks and the document.
 void StatusPanel::follow()
 {
-    connect(m_patience, &QTimer::timeout, this, [this] { showBusy(m_recompute->isBusy()); });
-    connect(m_cancel, &QToolButton::clicked, m_recompute, &Recompute::cancel);
+    connect(m_patience, &QTimer::timeout, this, &StatusPanel::showBusy);
+    connect(m_cancel, &QToolButton::clicked, this, [this] {
+        m_recompute->cancel();
+        if (m_player && m_player->isBusy())
+            m_player->cancel();
+    });
     connect(m_recompute, &Recompute::busyChanged, this, [this](bool busy) {
         if (busy) {
             m_progress->setValue(0);
             m_patience->start();
-        } else {
+        } else if (!isBusy()) {
             m_patience->stop();
-            showBusy(false);
+            showBusy();
         }
         update();
     });
@@ -166,6 +171,30 @@ void StatusPanel::follow()
                        changeNodeState | changeJoints))
             update();
     });
+}
+
+/// While it plays, frames follow each other too quickly to be told.
+void StatusPanel::follow(Player* player)
+{
+    m_player = player;
+    connect(player, &Player::busyChanged, this, [this](bool busy) {
+        if (busy && !m_player->isPlaying() && !m_recompute->isBusy()) {
+            m_progress->setValue(0);
+            m_patience->start();
+        } else if (!isBusy()) {
+            m_patience->stop();
+            showBusy();
+        }
+    });
+    connect(player, &Player::progress, this, [this](double fraction) {
+        if (!m_recompute->isBusy())
+            m_progress->setValue(static_cast<int>(fraction * progressSteps));
+    });
+}
+
+bool StatusPanel::isBusy() const
+{
+    return m_recompute->isBusy() || (m_player && m_player->isBusy() && !m_player->isPlaying());
 }
 
 QString StatusPanel::countsText() const
@@ -199,8 +228,9 @@ QString StatusPanel::badgeState() const
     return m_badge->property("state").toString();
 }
 
-void StatusPanel::showBusy(bool busy)
+void StatusPanel::showBusy()
 {
+    const bool busy = isBusy();
     m_progress->setVisible(busy);
     m_cancel->setVisible(busy);
 }
@@ -274,11 +304,10 @@ void StatusPanel::showCounts(const SceneTotals& totals)
         return; // a draft has no mesh to count: the numbers of before stay until there are others
     const PartCount all = counts.total();
     QStringList words;
+    if (all.faces > 0)
+        words += tr("%Ln triangle(s)", nullptr, pluralCount(all.faces));
     if (totals.branches > 0)
         words += tr("%Ln branch(es)", nullptr, pluralCount(totals.branches));
-    if (all.faces > 0)
-        words << tr("%Ln vertex(es)", nullptr, pluralCount(all.vertices))
-              << tr("%Ln face(s)", nullptr, pluralCount(all.faces));
     if (words.isEmpty() && counts.complete)
         words += tr("Nothing visible");
     showText(m_counts, words.join(separator));
@@ -320,7 +349,7 @@ void StatusPanel::showBadge(const SceneTotals& totals)
                         tr("A quick draft is shown until the full result is there."));
     switch (totals.verdict) {
     case MeshVerdict::Clean:
-        return setBadge(QStringLiteral("good"), tr("closed, no crossings"),
+        return setBadge(QStringLiteral("good"), tr("closed"),
                         tr("<p>Closed, 2-manifold and outward: every edge has two faces. No triangle runs "
                            "through another.</p>") +
                             reportTip(totals));
@@ -329,13 +358,14 @@ void StatusPanel::showBadge(const SceneTotals& totals)
                         tr("<p>Closed, 2-manifold and outward: every edge has two faces. Whether triangles "
                            "run through each other has not been looked for yet.</p>") +
                             reportTip(totals));
-    case MeshVerdict::Crossing:
-        return setBadge(QStringLiteral("warning"),
-                        tr("closed, %Ln crossing(s)", nullptr, pluralCount(totals.crossings)),
-                        tr("<p>Closed, 2-manifold and outward, but %Ln pair(s) of triangles run through each "
-                           "other.</p>",
-                           nullptr, pluralCount(totals.crossings)) +
-                            reportTip(totals));
+    case MeshVerdict::Crossing: // of weight for a print alone, whose page tells them
+        return setBadge(
+            QStringLiteral("closed"), tr("closed"),
+            tr("<p>Closed, 2-manifold and outward: every edge has two faces. %Ln pair(s) of triangles "
+               "run through each other, as twigs do that touch: that matters for a print, which "
+               "can be made without.</p>",
+               nullptr, pluralCount(totals.crossings)) +
+                reportTip(totals));
     case MeshVerdict::Broken:
         break;
     }
@@ -351,8 +381,26 @@ void StatusPanel::changeEvent(QEvent* event)
         measureAnew();
 }
 
+/// In a small window what the hand does comes before figures of the computation.
+void StatusPanel::fitWindow()
+{
+    constexpr int narrow = 1180;
+    const bool fits = window()->width() >= narrow;
+    m_time->setVisible(fits);
+    m_hash->setVisible(fits);
+}
+
+void StatusPanel::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    window()->installEventFilter(this);
+    fitWindow();
+}
+
 bool StatusPanel::eventFilter(QObject* watched, QEvent* event)
 {
+    if (watched == window() && event->type() == QEvent::Resize && watched != this)
+        fitWindow();
     if (watched == m_badge && event->type() == QEvent::MouseButtonRelease) {
         const auto* mouse = static_cast<QMouseEvent*>(event);
         if (mouse->button() == Qt::LeftButton && m_badge->rect().contains(mouse->position().toPoint()))

@@ -15,6 +15,7 @@ class QToolButton;
 namespace ramure {
 
 class Analysis;
+class Player;
 class Recompute;
 
 /// What the status bar tells of all trees of the scene.
@@ -41,11 +42,14 @@ public:
     StatusPanel(Document* document, Recompute* recompute, QWidget* parent = nullptr);
     StatusPanel(Document* document, Recompute* recompute, Analysis* analysis, QWidget* parent = nullptr);
 
+    /// Also what it computes that takes long: trees whose shape has keys. It must outlive the panel.
+    void follow(Player* player);
+
     [[nodiscard]] QString countsText() const;
     /// How long the trees took; a word where nothing had to be computed.
     [[nodiscard]] static QString timeText(double seconds);
     [[nodiscard]] QString hashText() const;
-    /// "good", "bad", "warning", "busy", or "closed" while crossings have not been looked for.
+    /// "good", "bad", "busy", or "closed" where crossings have not been looked for, or do not matter.
     [[nodiscard]] QString badgeState() const;
 
 signals:
@@ -55,6 +59,7 @@ signals:
 protected:
     void changeEvent(QEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
 private:
     void follow();
@@ -63,14 +68,17 @@ private:
     [[nodiscard]] static QString countsTip(const SceneCounts& counts);
     void showBadge(const SceneTotals& totals);
     void setBadge(const QString& state, const QString& text, const QString& tip);
-    void showBusy(bool busy);
+    void showBusy();
+    [[nodiscard]] bool isBusy() const;
     void showHash();
     void retranslate();
     void measureAnew();
+    void fitWindow();
     [[nodiscard]] QString reportTip(const SceneTotals& totals) const;
 
     Document* m_document;
     Recompute* m_recompute;
+    Player* m_player = nullptr;
     Analysis* m_analysis;
     QProgressBar* m_progress;
     QToolButton* m_cancel;

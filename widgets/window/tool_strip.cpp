@@ -29,6 +29,13 @@ QString words(const char* english)
     return QCoreApplication::translate("HandOptions", english);
 }
 
+NumberFormat formatOf(const HandNumber& row)
+{
+    NumberFormat format{ParamUnit::None, row.scale, QString::fromLatin1(row.suffix), row.decimals};
+    format.atZero = row.atZero ? words(row.atZero) : QString();
+    return format;
+}
+
 } // namespace
 
 ToolStrip::ToolStrip(ViewSettings* settings, QList<QAction*> tools, QToolBar* transforms, QWidget* parent)
@@ -109,8 +116,7 @@ void ToolStrip::addNumbers()
         return made;
     };
     for (const HandNumber& row : handNumbers()) {
-        const NumberFormat format{ParamUnit::None, row.scale, QString::fromLatin1(row.suffix), row.decimals};
-        NumberField* made = field(row.least, row.most, row.step, format);
+        NumberField* made = field(row.least, row.most, row.step, formatOf(row));
         connect(made, &NumberField::valueEdited, this, [this, member = row.member](double value) {
             HandOptions options = m_settings->options();
             options.*member = value;
@@ -298,6 +304,8 @@ void ToolStrip::retranslate()
     for (const HandChoice& row : handChoices())
         for (std::size_t item = 0; item < row.items.size(); ++item)
             findChild<QComboBox*>(QLatin1String(row.id))->setItemText(int(item), words(row.items[item]));
+    for (std::size_t i = 0; i < handNumbers().size(); ++i)
+        m_numbers[i]->setFormat(formatOf(handNumbers()[i]));
     m_more->setToolTip(tr("More options"));
     m_more->setAccessibleName(m_more->toolTip());
     m_inStrip.clear(); // texts have other widths

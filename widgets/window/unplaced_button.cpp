@@ -34,7 +34,7 @@ UnplacedButton::UnplacedButton(Document* document, const Preferences* preference
 
 void UnplacedButton::update()
 {
-    const auto count = static_cast<int>(unplacedEdits(*m_document).size());
+    const auto count = static_cast<int>(unplacedGroups(*m_document).size());
     setText(tr("%Ln edit(s) without a place", nullptr, count));
     setToolTip(
         tr("Rolls and bends of branches that are not there at present. They are kept. A click lists them."));

@@ -11,6 +11,7 @@ namespace ramure::edits {
 namespace {
 
 constexpr double finestTurn = 0.15; ///< rad, of a curl from one piece to the next
+constexpr double finestBow = 0.08;  ///< likewise of a bend: its middle turns half as much again
 constexpr int mostTurns = 48;
 
 /// Of where an axis' piece ends, as a share of its length; the same order as its pieces.
@@ -77,10 +78,44 @@ Expected<void> brush(EditTree& tree, const TreeEdit& edit, Index target, Wanted&
     return any ? Expected<void>() : fail(ErrorCode::Invalid, RAMURE_NOOP("no branch is within reach"));
 }
 
+/// Turns an axis bit by bit between two shares of its length: long pieces are split, so that it becomes a
+/// curve however few it had. \param finest rad from one piece to the next, on average
+/// \param done share of the turn that is made at a share of the way, from 0 to 1
+template <class Done> void bow(EditTree& tree, const TreeEdit& edit, Index target, double finest, Done&& done)
+{
+    const glm::dvec3 whole = outOf(tree.frameBelow(target), edit.rotation);
+    const int turns = static_cast<int>(
+        std::clamp(std::ceil(glm::length(whole) / finest), 2.0, static_cast<double>(mostTurns)));
+    for (int k = 0; k <= turns; ++k)
+        if (const double share = edit.from + (edit.to - edit.from) * k / turns; share > 1e-3)
+            tree.splitAt(target, share);
+    const AxisShares shares = sharesOf(tree, target);
+    std::vector<double> part(tree.pieces().size(), -1.0);
+    double before = 0.0;
+    for (std::size_t k = 0; k < shares.pieces.size(); ++k) {
+        const double middle = 0.5 * (shares.from[k] + shares.to[k]);
+        const double now = done(std::clamp((middle - edit.from) / (edit.to - edit.from), 0.0, 1.0));
+        part[shares.pieces[k]] = now - before;
+        before = now;
+    }
+    tree.carry([&](Index i, glm::dquat& turn, glm::dvec3& along) {
+        if (!(part[i] > 0.0))
+            return false;
+        const glm::dquat rotation = bendRotation(part[i] * whole);
+        turn = glm::normalize(rotation * turn);
+        along = rotation * along;
+        return true;
+    });
+}
+
 } // namespace
 
 Expected<void> bend(EditTree& tree, const TreeEdit& edit, Index target, Index /*other*/)
 {
+    if (edit.to > edit.from) { // curved nowhere at once: neither where it begins nor where it ends
+        bow(tree, edit, target, finestBow, [](double t) { return t * t * (3.0 - 2.0 * t); });
+        return {};
+    }
     const AxisSpot spot = tree.spotOn(target, edit.from);
     if (spot.t >= 1.0 && tree.piece(spot.piece).next == noIndex)
         return fail(ErrorCode::Invalid, RAMURE_NOOP("there is nothing above the bend"));
@@ -101,29 +136,7 @@ Expected<void> curl(EditTree& tree, const TreeEdit& edit, Index target, Index /*
 {
     if (edit.to <= edit.from)
         return fail(ErrorCode::Invalid, RAMURE_NOOP("a curl must end above its start"));
-    const glm::dvec3 whole = outOf(tree.frameBelow(target), edit.rotation);
-    const int turns = static_cast<int>(
-        std::clamp(std::ceil(glm::length(whole) / finestTurn), 2.0, static_cast<double>(mostTurns)));
-    for (int k = 0; k <= turns; ++k)
-        if (const double share = edit.from + (edit.to - edit.from) * k / turns; share > 1e-3)
-            tree.splitAt(target, share);
-    const AxisShares shares = sharesOf(tree, target);
-    std::vector<double> part(tree.pieces().size(), -1.0);
-    double before = 0.0;
-    for (std::size_t k = 0; k < shares.pieces.size(); ++k) {
-        const double middle = 0.5 * (shares.from[k] + shares.to[k]);
-        const double done = std::clamp((middle - edit.from) / (edit.to - edit.from), 0.0, 1.0);
-        part[shares.pieces[k]] = done - before;
-        before = done;
-    }
-    tree.carry([&](Index i, glm::dquat& turn, glm::dvec3& along) {
-        if (!(part[i] > 0.0))
-            return false;
-        const glm::dquat rotation = bendRotation(part[i] * whole);
-        turn = glm::normalize(rotation * turn);
-        along = rotation * along;
-        return true;
-    });
+    bow(tree, edit, target, finestTurn, [](double share) { return share; });
     return {};
 }
 

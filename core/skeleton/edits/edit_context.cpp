@@ -23,6 +23,15 @@ void putInto(const Frame& frame, const glm::dvec3& origin, std::vector<StrokePoi
         point.position = into(frame, point.position - origin);
 }
 
+Expected<void> actOn(EditTree& tree, const TreeAxes& grown, const TreeEdit& edit)
+{
+    const EditReport report = applyEdits(tree, grown, {&edit, 1});
+    const EditOutcome& outcome = report.front();
+    if (outcome.state == EditState::Unplaced || outcome.state == EditState::Idle)
+        return fail(outcome.why);
+    return {};
+}
+
 } // namespace
 
 EditContext::EditContext(const Skeleton& grown, std::span<const TreeEdit> edits)
@@ -129,20 +138,28 @@ Expected<TreeEdit> EditContext::prepared(TreeEdit edit, bool inTreeSpace) const
 Expected<void> EditContext::tried(const TreeEdit& edit) const
 {
     EditTree copy = *m_tree;
-    const EditReport report = applyEdits(copy, *m_grown, {&edit, 1});
-    const EditOutcome& outcome = report.front();
-    if (outcome.state == EditState::Unplaced || outcome.state == EditState::Idle)
-        return fail(outcome.why);
-    return {};
+    return actOn(copy, *m_grown, edit);
+}
+
+Expected<EditLoss> EditContext::lossOf(const TreeEdit& edit) const
+{
+    EditTree after = *m_tree;
+    if (auto done = actOn(after, *m_grown, edit); !done)
+        return tl::unexpected(done.error());
+    EditLoss loss;
+    for (Index i = m_tree->firstPiece(); i != noIndex; i = m_tree->piece(i).after) {
+        const double was = m_tree->length(i), is = after.piece(i).gone ? 0.0 : after.length(i);
+        if (is >= was && !after.piece(i).gone)
+            continue;
+        loss.pieces.emplace_back(m_tree->piece(i).key, was > 0.0 ? 1.0 - is / was : 1.0);
+        loss.metres += was - is;
+    }
+    return loss;
 }
 
 Expected<void> EditContext::apply(const TreeEdit& edit)
 {
-    const EditReport report = applyEdits(*m_tree, *m_grown, {&edit, 1});
-    const EditOutcome& outcome = report.front();
-    if (outcome.state == EditState::Unplaced || outcome.state == EditState::Idle)
-        return fail(outcome.why);
-    return {};
+    return actOn(*m_tree, *m_grown, edit);
 }
 
 std::vector<LimbPiece> EditContext::limb(std::uint64_t address) const

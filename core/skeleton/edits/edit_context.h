@@ -10,10 +10,19 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 
 namespace ramure {
 
 class EditTree;
+
+/// What an edit would take off a tree.
+struct EditLoss
+{
+    /// Pieces by Skeleton::key, and what share of their length goes, from their ends.
+    std::vector<std::pair<std::uint64_t, double>> pieces;
+    double metres = 0.0; ///< of wood, along all that goes
+};
 
 class EditContext
 {
@@ -43,6 +52,8 @@ public:
     [[nodiscard]] Expected<TreeEdit> prepared(TreeEdit edit, bool inTreeSpace) const;
     /// Whether a prepared edit can act on the tree as it is now. Errors: why not.
     [[nodiscard]] Expected<void> tried(const TreeEdit& edit) const;
+    /// What goes where a prepared edit is made: of one that takes nothing away, nothing. Errors: as tried().
+    [[nodiscard]] Expected<EditLoss> lossOf(const TreeEdit& edit) const;
     /// Makes it, for the edits behind it. Errors: why not, and then nothing is changed.
     Expected<void> apply(const TreeEdit& edit);
 

@@ -206,6 +206,7 @@ Expected<Foliage> placeFoliage(const Skeleton& skeleton, const FoliageParams& pa
                           alpha, static_cast<std::uint64_t>(params.seed)};
     const auto density = static_cast<std::size_t>(std::max<std::int64_t>(params.leavesDensity, 0));
     auto leaves = leaf.shape == LeafShape::Faithful ? placeFaithfully(placing, density, progress)
+                  : density == 0                    ? Expected<std::vector<FoliageItem>>()
                                                     : placeLeaves(placing, leaf, progress);
     if (!leaves)
         return fail(std::move(leaves.error()));

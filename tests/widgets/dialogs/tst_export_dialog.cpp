@@ -59,6 +59,19 @@ private slots:
         QVERIFY(!QFileInfo::exists(path("tree.fbx")));
     }
 
+    void theUsualNameIsPlain()
+    {
+        for (const auto& [name, file] :
+             {std::pair("Chêne pédonculé", "Chene_pedoncule.obj"),
+              std::pair("Œillet n° 3 (vieux)", "Oeillet_n_3_vieux.obj"), std::pair("橡树", "tree.obj")}) {
+            test::openNodes(m_document, {test::treeNode(1, name)});
+            const ExportDialog dialog(&m_document, &m_recompute, &m_preferences, &m_chooser);
+            QCOMPARE(QFileInfo(dialog.path()).completeBaseName(),
+                     QFileInfo(QString::fromLatin1(file)).completeBaseName());
+        }
+        QVERIFY(m_recompute.waitForFull(20'000));
+    }
+
     void filesAreWritten_data()
     {
         QTest::addColumn<QString>("format");

@@ -87,6 +87,15 @@ private slots:
         m_dialog->setLevels({1, {}}); // the tree as it is
         QVERIFY(!m_dialog->options().levels.isWanted());
     }
+    void thePageForGamesHasThoseOfThePanel()
+    {
+        const LevelOptions wanted{2, {900, 300}, {}, {0.25}};
+        m_dialog->setUse(ExportUse::Blender);
+        m_dialog->offerLevels(wanted);
+        QCOMPARE(m_dialog->use(), ExportUse::Blender);
+        m_dialog->setUse(ExportUse::Game);
+        QVERIFY(m_dialog->options().levels == wanted);
+    }
     void badBudgetsAreTold_data()
     {
         QTest::addColumn<int>("levels");

@@ -19,10 +19,14 @@
 #include "widgets/window/main_window.h"
 #include "widgets/window/problem_button.h"
 #include "widgets/window/status_panel.h"
+#include <QCollator>
 #include <QDockWidget>
 #include <QDropEvent>
 #include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
 #include <QProgressBar>
+#include <QStatusBar>
 #include <QToolBar>
 #include <QToolButton>
 
@@ -101,6 +105,54 @@ private slots:
         QTest::keyClick(lines, Qt::Key(key)); // a text of several lines
         QCoreApplication::processEvents();
         QCOMPARE(QApplication::focusWidget(), lines);
+    }
+
+    /// Keys that follow a press elsewhere are for the view.
+    void aPressElsewhereLeavesTheField()
+    {
+        auto* search = m_window->findChild<QLineEdit*>(QStringLiteral("presetSearch"));
+        auto* dock = m_window->findChild<QDockWidget*>(QStringLiteral("galleryDock"));
+        dock->show();
+        dock->raise();
+        auto* tile = m_window->findChild<QAbstractButton*>(QStringLiteral("preset.Baobab"));
+        QTRY_VERIFY(tile->isVisible() && search->isVisible());
+        const QList<QWidget*> places{tile->parentWidget(), tile, m_window->statusBar()};
+        for (QWidget* place : places) {
+            search->setFocus();
+            QTRY_VERIFY(search->hasFocus());
+            QTest::mousePress(search, Qt::LeftButton); // within
+            QTest::mouseRelease(search, Qt::LeftButton);
+            QVERIFY(search->hasFocus());
+            QTest::mousePress(place, Qt::LeftButton, {}, {2, 2});
+            QVERIFY(!search->hasFocus());
+            QTest::mouseRelease(place, Qt::LeftButton, {}, {-5, -5}); // no click: nothing is planted
+        }
+    }
+
+    void speciesStandFirstInTheMenu()
+    {
+        const auto* baobab = m_window->findChild<QAction*>(QStringLiteral("file.new.Baobab"));
+        const auto* coursework = m_window->findChild<QAction*>(QStringLiteral("file.new.SmallTree"));
+        const auto menuOf = [](const QAction* action) {
+            return qobject_cast<QMenu*>(action->associatedObjects().constFirst());
+        };
+        QMenu *species = menuOf(baobab), *grammars = menuOf(coursework);
+        QVERIFY(species && grammars && species != grammars);
+        const QList<QAction*> groups = qobject_cast<QMenu*>(species->parent())->actions();
+        QVERIFY(groups.indexOf(species->menuAction()) < groups.indexOf(grammars->menuAction()));
+        const Language language(m_preferences.get());
+        m_preferences->setLanguage(QStringLiteral("fr"));
+        QTRY_COMPARE(language.current(), QStringLiteral("fr"));
+        QStringList names;
+        for (const QAction* action : species->actions())
+            names += action->text();
+        QStringList sorted = names;
+        QCollator collator{QLocale(QLocale::French)};
+        std::ranges::stable_sort(sorted, [&](const QString& a, const QString& b) { return collator(a, b); });
+        QCOMPARE(names, sorted);
+        QVERIFY(names.contains(QStringLiteral("Baobab africain")) &&
+                names.front() != QStringLiteral("American Elm"));
+        m_preferences->setLanguage(QStringLiteral("en"));
     }
 
     void wrongGrammarsShowWhereAndKeepTheTree()
@@ -432,10 +484,10 @@ private slots:
         m_preferences->setLanguage(QStringLiteral("en"));
         const Language language(m_preferences.get());
         QVERIFY(m_recompute->waitForFull(20'000));
-        QTRY_VERIFY2(m_window->status()->countsText().startsWith(QStringLiteral("1 branch  ·")),
+        QTRY_VERIFY2(m_window->status()->countsText().endsWith(QStringLiteral("·  1 branch")),
                      qPrintable(m_window->status()->countsText()));
         m_preferences->setLanguage(QStringLiteral("fr"));
-        QTRY_VERIFY2(m_window->status()->countsText().startsWith(QStringLiteral("1 branche  ·")),
+        QTRY_VERIFY2(m_window->status()->countsText().endsWith(QStringLiteral("·  1 branche")),
                      qPrintable(m_window->status()->countsText()));
         m_preferences->setLanguage(QStringLiteral("en"));
         QVERIFY(!StatusPanel::timeText(0.0).contains(u'0'));

@@ -1,5 +1,6 @@
 #include "widgets/panels/edits/bend_rows.h"
 
+#include "core/session/unplaced_edits.h"
 #include "widgets/base/branch_names.h"
 #include <algorithm>
 #include <map>
@@ -27,6 +28,14 @@ std::vector<BendRow> bendRows(const Document& document, NodeId tree)
             bends.push_back({{}, {}, names.axis(rows, rows.axisOf(b))});
         bends[place->second].names.push_back(found->first);
         bends[place->second].branches.push_back(b);
+    }
+    for (const std::vector<UnplacedEdit>& group : unplacedGroups(document)) {
+        const UnplacedEdit& first = group.front();
+        if (first.node != tree || first.isTreeEdit || !isBent(*node->params.branches.find(first.name)))
+            continue;
+        BendRow& lost = bends.emplace_back();
+        for (const UnplacedEdit& edit : group)
+            lost.names.push_back(edit.name);
     }
     return bends;
 }

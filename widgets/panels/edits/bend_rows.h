@@ -11,7 +11,7 @@ namespace ramure {
 struct BendRow
 {
     std::vector<std::uint64_t> names; ///< Skeleton::name of the branches that are bent
-    std::vector<Index> branches;      ///< the same, of the simplified skeleton
+    std::vector<Index> branches;      ///< the same, of the simplified skeleton; empty: they are gone
     QString limb;                     ///< in the interface's language
     bool operator==(const BendRow&) const = default;
 
@@ -19,7 +19,8 @@ struct BendRow
     [[nodiscard]] std::uint64_t id() const { return ~names.front(); }
 };
 
-/// In the order of the branches. Those without a place in the tree as it is shown are left out.
+/// In the order of the branches; behind them, by the axis that they were on, those without a place in the
+/// tree as it is shown.
 std::vector<BendRow> bendRows(const Document& document, NodeId tree);
 
 } // namespace ramure

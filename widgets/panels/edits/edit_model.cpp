@@ -215,9 +215,19 @@ QVariant EditModel::data(const QModelIndex& index, int role) const
 
 QVariant EditModel::bendData(const BendRow& bend, int column, int role) const
 {
+    const bool isGone = bend.branches.empty();
     if (role == Qt::DisplayRole)
         return column == Name ? tr("Bend of %n branch(es)", nullptr, static_cast<int>(bend.names.size()))
+               : isGone       ? tr("no place at present")
                               : bend.limb;
+    if (role == Qt::DecorationRole && isGone && column == Limb)
+        return icon("warning");
+    if (role == Qt::ForegroundRole && isGone)
+        return QApplication::palette().brush(QPalette::PlaceholderText);
+    if (role == Qt::ToolTipRole && isGone)
+        return tr(
+            "The branches are not there at present. It is kept, and acts again as soon as such branches "
+            "grow; Del removes it.");
     if (role == Qt::ToolTipRole)
         return tr("A bend acts after the other edits; it cannot be switched off, moved or copied");
     return {};

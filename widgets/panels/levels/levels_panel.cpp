@@ -74,6 +74,13 @@ LevelsPanel::LevelsPanel(Document* document, LevelWatch* watch, Preferences* pre
     connect(m_watch, &LevelWatch::progress, this,
             [this](double fraction) { m_progress->setValue(static_cast<int>(fraction * progressSteps)); });
     connect(document, &Document::changed, this, [this](const Change& change) {
+        if (change.has(changeReset)) {
+            m_metres.clear(); // ids are those of other trees
+            m_metresOf = noNode;
+            LevelOptions options = m_form->options();
+            if (!std::exchange(options.distances, {}).empty())
+                m_form->setOptions(options);
+        }
         if (change.has(changeNodeState | changeSelection | changeReset | changeStructure))
             showState();
     });
@@ -281,6 +288,7 @@ void LevelsPanel::takeStored()
     for (const QString& key : {lastGameKey, storedKey})
         if (const LevelOptions stored = LevelForm::optionsIn(kept.value(key).toMap()); checkLevels(stored))
             options = stored;
+    options.distances.clear(); // of a tree of then
     m_form->setOptions(options);
     m_watch->setOptions(options);
 }
@@ -295,7 +303,9 @@ void LevelsPanel::takeForm()
     LevelOptions options = m_form->options();
     options.count = std::max<std::int64_t>(1, options.count); // one without a budget is the tree as it is
     QVariantMap kept = m_preferences->exportSettings();
-    kept.insert(storedKey, LevelForm::settingsOf(options));
+    LevelOptions anyTree = options;
+    anyTree.distances.clear();
+    kept.insert(storedKey, LevelForm::settingsOf(anyTree));
     m_preferences->setExportSettings(kept);
     m_watch->setOptions(options);
     follow();
@@ -314,8 +324,35 @@ void LevelsPanel::takeEdited(const std::vector<double>& distances, const std::ve
     showState();
 }
 
+/// Metres suit one tree: another one has its own, or the usual shares. Counts and shares suit all.
+void LevelsPanel::takeTree()
+{
+    const NodeId tree = m_watch->tree();
+    if (tree == noNode || tree == m_metresOf)
+        return;
+    LevelOptions options = m_form->options();
+    m_metres[std::exchange(m_metresOf, tree)] = options.distances;
+    const auto own = m_metres.find(tree);
+    options.distances = own == m_metres.end() ? std::vector<double>() : own->second;
+    if (!options.distances.empty()) {
+        options.distances.resize(std::size_t(std::max<std::int64_t>(options.count, 1)) - 1,
+                                 options.distances.back());
+        options.shares.clear();
+    }
+    if (options.distances != m_form->options().distances && checkLevels(options))
+        m_form->setOptions(options);
+}
+
+std::optional<LevelOptions> LevelsPanel::chosen() const
+{
+    const bool isStored = m_preferences->exportSettings().contains(storedKey);
+    return (isStored || m_levels) && m_formProblem.isEmpty() ? std::optional(m_watch->options())
+                                                             : std::nullopt;
+}
+
 void LevelsPanel::follow()
 {
+    takeTree();
     const auto levels = m_formProblem.isEmpty() ? m_watch->levels() : nullptr;
     if (levels != m_levels) {
         m_levels = levels;

@@ -5,6 +5,7 @@
 
 #include "core/session/level_watch.h"
 #include <QWidget>
+#include <map>
 
 class QCheckBox;
 class QLabel;
@@ -39,6 +40,8 @@ public:
     [[nodiscard]] QTreeView* table() const { return m_table; }
     [[nodiscard]] LevelView* levelView() const { return m_levelView; }
     [[nodiscard]] LevelView* wholeView() const { return m_wholeView; }
+    /// What an export for a game takes; nothing where nobody has chosen or seen levels yet.
+    [[nodiscard]] std::optional<LevelOptions> chosen() const;
     /// m, from the eye to the tree.
     [[nodiscard]] double distance() const { return m_distance; }
     /// The one that is shown; nothing while there are none.
@@ -73,6 +76,7 @@ private:
     void takeForm();
     void takeEdited(const std::vector<double>& distances, const std::vector<double>& shares);
     void takeStored();
+    void takeTree();
     void follow();
     void takeLevels();
     void fitTable();
@@ -92,10 +96,12 @@ private:
     double m_distance = 0.0;
     double m_least = 0.0, m_most = 0.0; ///< m, of the slider
     std::optional<std::size_t> m_level;
-    NodeId m_tree = noNode; ///< whose distance is kept
-    QString m_formProblem;  ///< why what is written there is no budget
-    QString m_editProblem;  ///< and why a cell of the table stayed as it was
-    bool m_shows = false;   ///< the row is being chosen by the distance
+    NodeId m_tree = noNode;                         ///< whose distance is kept
+    NodeId m_metresOf = noNode;                     ///< whose distances stand in the form
+    std::map<NodeId, std::vector<double>> m_metres; ///< of the other trees, where somebody has said some
+    QString m_formProblem;                          ///< why what is written there is no budget
+    QString m_editProblem;                          ///< and why a cell of the table stayed as it was
+    bool m_shows = false;                           ///< the row is being chosen by the distance
     QStackedWidget* m_pages = nullptr;
     EmptyPage* m_empty = nullptr;
     QLabel* m_title = nullptr;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int aspectWidth = 8, aspectHeight = 5;
 constexpr int margin = 1;
-constexpr int textGap = 5;
+constexpr int textGap = 5, textLines = 2; // names of two words or three are common
 constexpr qreal radius = 7.0;
 constexpr int starSize = 20, starGap = 4;
 
@@ -52,7 +52,7 @@ PictureButton::PictureButton(const QString& preset, int width, QWidget* parent)
     , m_picture(preset.isEmpty() ? QPixmap() : QPixmap(QStringLiteral(":/welcome/%1.png").arg(preset)))
     , m_size(width, width * aspectHeight / aspectWidth)
 {
-    setFocusPolicy(Qt::StrongFocus);
+    setFocusPolicy(Qt::TabFocus); // after a click the keys are the view's
     setCursor(Qt::PointingHandCursor);
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
 }
@@ -121,7 +121,8 @@ void PictureButton::mouseMoveEvent(QMouseEvent* event)
 
 QSize PictureButton::sizeHint() const
 {
-    return {m_size.width() + 2 * margin, m_size.height() + textGap + fontMetrics().height() + 2 * margin};
+    return {m_size.width() + 2 * margin,
+            m_size.height() + textGap + textLines * fontMetrics().height() + 2 * margin};
 }
 
 void PictureButton::paintEvent(QPaintEvent*)
@@ -150,9 +151,14 @@ void PictureButton::paintEvent(QPaintEvent*)
     if (m_hasStar && (m_isStarred || underMouse()))
         paintPictureStar(painter, starPlace(), m_isStarred);
     painter.setPen(palette().color(QPalette::WindowText));
-    const QRectF below(margin, place.bottom() + textGap, place.width(), fontMetrics().height());
-    painter.drawText(below, Qt::AlignHCenter | Qt::AlignVCenter,
-                     fontMetrics().elidedText(text(), Qt::ElideRight, m_size.width()));
+    const int lineHeight = fontMetrics().height();
+    const QRectF below(margin, place.bottom() + textGap, place.width(), textLines * lineHeight);
+    const int wrapped = Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap;
+    const bool fits =
+        fontMetrics().boundingRect(below.toRect(), wrapped, text()).height() <= below.height() &&
+        fontMetrics().boundingRect(below.toRect(), wrapped, text()).width() <= below.width();
+    painter.drawText(below, wrapped,
+                     fits ? text() : fontMetrics().elidedText(text(), Qt::ElideRight, m_size.width()));
 }
 
 void PictureButton::enterEvent(QEnterEvent* event)

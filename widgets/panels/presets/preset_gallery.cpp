@@ -7,10 +7,12 @@
 #include "widgets/base/preset_title.h"
 #include "widgets/base/search_text.h"
 #include "widgets/panels/presets/picture_button.h"
+#include <QCollator>
 #include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QLocale>
 #include <QMenu>
 #include <QResizeEvent>
 #include <QVBoxLayout>
@@ -35,10 +37,8 @@ std::vector<const Preset*> speciesFirst()
     std::vector<const Preset*> all;
     for (const Preset& preset : presets())
         all.push_back(&preset);
-    const auto isSpecies = [](const Preset* preset) {
-        return preset->params.generator.kind == TreeGenerator::WeberPenn;
-    };
-    std::rotate(all.begin(), std::ranges::find_if(all, isSpecies), all.end());
+    std::rotate(all.begin(), std::ranges::find_if(all, [](const Preset* each) { return isSpecies(*each); }),
+                all.end());
     return all;
 }
 
@@ -273,11 +273,19 @@ void PresetGallery::retranslate()
 {
     m_search->setPlaceholderText(tr("Search trees"));
     m_search->setAccessibleName(m_search->placeholderText());
-    for (const Group& group : m_groups) {
+    QCollator collator{QLocale()};
+    for (Group& group : m_groups) {
         group.heading->setText(coreText(group.name));
         for (const Item& item : group.items)
             describe(item);
+        const bool areSpecies =
+            !group.items.empty() && group.items.front().preset && isSpecies(*group.items.front().preset);
+        if (areSpecies && &group != &m_groups.front())
+            std::ranges::stable_sort(group.items, [&collator](const Item& a, const Item& b) {
+                return collator.compare(a.picture->text(), b.picture->text()) < 0;
+            });
     }
+    m_columns = 0; // in another order
 }
 
 void PresetGallery::describe(const Item& item)

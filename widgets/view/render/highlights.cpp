@@ -10,7 +10,7 @@ void addPointedCurves(RenderScene& built, const SceneBuilder::ResultOf& resultOf
 {
     std::erase_if(built.lines, [](const LineItem& item) { return item.pointed; });
     const TreeResult* tree = view.hoverThrough ? resultOf(view.hoverNode) : nullptr;
-    if (!tree || !tree->simplified || view.hoverBranches.size() > mostCurves)
+    if (!tree || !tree->simplified || (view.hoverBranches.size() > mostCurves && !view.hoverGoes))
         return;
     const auto bark = std::ranges::find_if(built.meshes, [&view](const MeshItem& item) {
         return item.node == view.hoverNode && !item.isMark && !item.mesh->branch.empty();
@@ -18,8 +18,9 @@ void addPointedCurves(RenderScene& built, const SceneBuilder::ResultOf& resultOf
     if (bark == built.meshes.end())
         return;
     LineItem line;
-    line.lines =
-        std::make_shared<const LineSet>(branchCurves(tree->simplified->skeleton, view.hoverBranches, true));
+    line.lines = std::make_shared<const LineSet>(
+        branchCurves(tree->simplified->skeleton, view.hoverBranches,
+                     view.hoverGoes ? CurveColour::Goes : CurveColour::Pointed));
     line.world = bark->world;
     line.node = view.hoverNode;
     line.throughSurfaces = line.pointed = true;
@@ -47,8 +48,10 @@ void updateHighlights(RenderScene& built, const SceneBuilder::ResultOf& resultOf
         if (branch < selected.size())
             selected[branch] = branch == view.activeBranch ? BranchState::Active : BranchState::Selected;
     }
-    const auto hover = [](BranchState& state) {
-        state = state == BranchState::Plain ? BranchState::Hovered : BranchState::HoveredSelected;
+    const auto hover = [&view](BranchState& state) {
+        state = view.hoverGoes && !view.hoverBranches.empty() ? BranchState::Goes
+                : state == BranchState::Plain                 ? BranchState::Hovered
+                                                              : BranchState::HoveredSelected;
     };
     if (!view.hoverBranches.empty()) {
         const bool same = view.hoverNode == view.branchNode && !selected.empty();

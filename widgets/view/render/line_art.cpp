@@ -17,7 +17,8 @@ constexpr Colour curveColour{74, 46, 22, 255};
 constexpr Colour tangentColour{36, 92, 232, 255};
 constexpr Colour normalColour{224, 44, 40, 255};
 constexpr Colour binormalColour{34, 158, 58, 255};
-constexpr Colour inspectColour{255, 138, 20, 255}, pointedColour{255, 237, 199, 255};
+constexpr Colour inspectColour{255, 138, 20, 255}, pointedColour{255, 237, 199, 255},
+    goesColour{255, 58, 42, 255};
 
 /// From the dark trunk to the light twigs.
 Colour levelColour(Index level)
@@ -205,12 +206,20 @@ LineSet inspectedLines(const Skeleton& skeleton, const SectionSet& sections, Ind
     return set;
 }
 
-LineSet branchCurves(const Skeleton& skeleton, std::span<const Index> branches, bool pointed)
+LineSet branchCurves(const Skeleton& skeleton, std::span<const Index> branches, CurveColour kind)
 {
+    constexpr float width = 2.0f;
+    const Colour colour = kind == CurveColour::Goes      ? goesColour
+                          : kind == CurveColour::Pointed ? pointedColour
+                                                         : inspectColour;
     LineSet set;
     for (const Index branch : branches) {
-        if (branch < skeleton.size())
-            addCurve(set, skeleton, branch, 2.0f, pointed ? pointedColour : inspectColour, noIndex);
+        if (branch >= skeleton.size())
+            continue;
+        if (branches.size() > mostCurves)
+            addLine(set, skeleton.p0[branch], skeleton.p1[branch], width, colour, noIndex);
+        else
+            addCurve(set, skeleton, branch, width, colour, noIndex);
     }
     return set;
 }

@@ -29,8 +29,11 @@ LineSet frameArrows(const Skeleton& skeleton, const SectionSet& sections, std::s
 /// One section: its circle, a square of its plane, its frame.
 LineSet inspectedLines(const Skeleton& skeleton, const SectionSet& sections, Index branch, Index section,
                        int radialDivisions);
-/// The curves of these branches in the colour of the selection, to be seen through leaves and bark.
-/// \param pointed in the colour of what the mouse is over.
-LineSet branchCurves(const Skeleton& skeleton, std::span<const Index> branches, bool pointed = false);
+/// Of the selection, of what the mouse is over, of what a tool would take away.
+enum class CurveColour : std::uint8_t { Selected, Pointed, Goes };
+/// The curves of these branches, to be seen through leaves and bark; straight where there are more than
+/// mostCurves.
+LineSet branchCurves(const Skeleton& skeleton, std::span<const Index> branches,
+                     CurveColour colour = CurveColour::Selected);
 
 } // namespace ramure

@@ -155,27 +155,39 @@ Expected<void> OffscreenRenderer::begin()
 }
 
 Expected<QImage> OffscreenRenderer::draw(const RenderScene& scene, const Camera& camera, QSize size,
-                                         const RenderOptions& options)
+                                         const RenderOptions& options, const Progress& progress)
 {
     if (auto checked = checkSize(size); !checked)
         return fail(std::move(checked.error()));
     QOpenGLFramebufferObject target(size, targetFormat(options.samples));
     if (auto checked = checkTarget(target, size); !checked)
         return fail(std::move(checked.error()));
-    const auto picture = [&](const Camera& seenBy) {
+    const bool isWatched = progress.onFraction || progress.stop.stop_possible();
+    const auto picture = [&](const Camera& seenBy, const Progress& part) {
+        d->renderer->setProgress(isWatched ? &part : nullptr);
         d->renderer->draw(scene, seenBy, size, target.handle(), options);
+        d->renderer->setProgress(nullptr);
         (void)d->renderer->takeReleased(); // nobody waits for the memory here
         // toImage resolves the samples; the colours are not multiplied by the alpha of a missing background.
         return target.toImage().convertToFormat(QImage::Format_ARGB32);
     };
     const bool hasLens = options.lens.diameter > 0.0 && !camera.orthographic;
     const int count = std::max(options.pictures, hasLens ? lensSamples : 1);
-    if (count == 1)
-        return picture(camera);
+    const auto cancelled = [] { return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled")); };
+    if (count == 1) {
+        QImage image = picture(camera, progress);
+        if (progress.cancelled())
+            return cancelled();
+        return image;
+    }
     const Lens lens = hasLens ? options.lens : Lens();
     LightSum light(size);
-    for (int i = 0; i < count; ++i)
-        light.add(picture(throughLens(camera, lens, size, i, count)));
+    for (int i = 0; i < count; ++i) {
+        light.add(picture(throughLens(camera, lens, size, i, count),
+                          progress.part(double(i) / count, double(i + 1) / count)));
+        if (progress.cancelled())
+            return cancelled();
+    }
     return light.mean();
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/base/progress.h"
 #include "widgets/view/render/camera.h"
 #include "widgets/view/render/render_scene.h"
 #include "widgets/view/render/renderer_options.h"
@@ -37,9 +38,9 @@ public:
     Expected<void> begin();
     /// After begin(), on its thread. \param size in pixels, 1..16384 each way.
     /// \returns an image in Format_ARGB32 (opaque where options.world is on).
-    /// Errors: Invalid (size), Unknown (a framebuffer the driver refuses).
+    /// Errors: Invalid (size), Unknown (a framebuffer the driver refuses), Cancelled.
     Expected<QImage> draw(const RenderScene& scene, const Camera& camera, QSize size,
-                          const RenderOptions& options = {});
+                          const RenderOptions& options = {}, const Progress& progress = {});
     /// As draw(), one sample a pixel. \param reach m before and behind the camera's target that the depth
     /// tells \param sparing leaves of a few pixels have the least triangles
     Expected<SurfacePictures> drawSurfaces(const RenderScene& scene, const Camera& camera, QSize size,

@@ -151,7 +151,7 @@ struct GhostItem
 };
 
 /// State of one branch in a highlight.
-enum class BranchState : std::uint8_t { Plain, Selected, Active, Hovered, HoveredSelected };
+enum class BranchState : std::uint8_t { Plain, Selected, Active, Hovered, HoveredSelected, Goes };
 using BranchStates = std::vector<BranchState>;
 
 /// One state per branch of the simplified skeleton of a node. Changing it uploads one byte per branch, no

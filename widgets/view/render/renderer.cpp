@@ -156,6 +156,7 @@ void Renderer::draw(const RenderScene& scene, const Camera& camera, QSize size, 
                     const RenderOptions& options)
 {
     Stopwatch watch;
+    m_drawn = 0;
     m_cache.beginPicture();
     m_cache.restAttributes();
     upload(scene);
@@ -435,12 +436,19 @@ void Renderer::drawWorld(const Picture& picture)
 /// The depth pass and the shading pass must draw the same triangles.
 void Renderer::drawItem(const Picture& picture, const MeshItem& item, const GpuBlock& block)
 {
+    if (m_progress && m_progress->cancelled())
+        return;
     const bool culls = item.closed && picture.options.shading == ShadingMode::Solid;
     m_gl.glFrontFace(glm::determinant(glm::dmat3(item.world)) < 0.0 ? GL_CW : GL_CCW);
     culls ? m_gl.glEnable(GL_CULL_FACE) : m_gl.glDisable(GL_CULL_FACE);
     m_cache.drawTriangles(block, picture.detailOf(item));
     m_gl.glDisable(GL_CULL_FACE);
     m_gl.glFrontFace(GL_CCW);
+    if (!m_progress)
+        return;
+    constexpr double passes = 3.0; // what is close, depth, colour
+    m_gl.glFinish();               // drivers only note down what is to be drawn
+    m_progress->report(std::min(1.0, double(++m_drawn) / (passes * double(picture.scene.meshes.size()))));
 }
 
 void Renderer::drawMeshDepth(const Picture& picture, const MeshItem& item)

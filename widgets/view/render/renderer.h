@@ -3,6 +3,7 @@
 /// nothing that cannot be made again: after a lost context throw it away and make another.
 #pragma once
 
+#include "core/base/progress.h"
 #include "widgets/view/render/camera.h"
 #include "widgets/view/render/gpu_cache.h"
 #include "widgets/view/render/occlusion.h"
@@ -44,6 +45,10 @@ public:
     /// and depth test off, no program, buffer or texture bound.
     void draw(const RenderScene& scene, const Camera& camera, QSize size, GLuint framebuffer,
               const RenderOptions& options);
+    /// While it is set, draw() tells how far it is after each mesh, and leaves out the rest where it is to
+    /// stop: the framebuffer then has no picture. For pictures that take long; it waits for the card each
+    /// time. Null: none. Not owned.
+    void setProgress(const Progress* progress) { m_progress = progress; }
     /// One of the pictures that make depth of field (offscreen_renderer.h), and in \p framebuffer the mean of
     /// those from 0 on: the more, the finer. Past the last nothing is drawn anew.
     /// \param sample 0, or one more than the time before with the same scene, camera, lens and size.
@@ -113,6 +118,8 @@ private:
     GLint m_samples = 0;   ///< of a pixel of the picture at hand
     bool m_software = false;
     RenderStats m_stats;
+    const Progress* m_progress = nullptr;
+    std::size_t m_drawn = 0; ///< meshes, in all passes of this picture
 };
 
 } // namespace ramure

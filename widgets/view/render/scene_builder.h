@@ -38,6 +38,7 @@ struct SceneView
     Index activeBranch = noIndex;
     NodeId hoverNode = noNode;
     std::vector<Index> hoverBranches;
+    bool hoverGoes = false;         ///< a tool would take hoverBranches away
     bool hoverThrough = false;      ///< a line shows them through leaves
     std::vector<NodeId> hoverNodes; ///< as a whole
     InspectedSection inspected;

@@ -14,6 +14,7 @@ public:
     using ClickTool::ClickTool;
 
 protected:
+    [[nodiscard]] bool takesAway() const override { return true; }
     std::vector<Index> aboveAll(const std::vector<LimbHit>& limbs, bool whole)
     {
         std::vector<Index> all;
@@ -47,11 +48,13 @@ public:
     void offer(ToolOffers& offers) const override
     {
         if (isChosen() && offers.held() == Qt::NoModifier)
-            offers.add(ToolOffers::Click, aim() ? tr("Click: cut here") : tr("Click a branch: cut it there"));
+            offers.add(ToolOffers::Click, aim() ? tr("Click: cut here, %1 would go").arg(aimedLoss())
+                                                : tr("Click a branch: cut it there"));
     }
     [[nodiscard]] QString hint(Qt::KeyboardModifiers) const override
     {
-        return tr("Release: cut here · Esc: not at all");
+        return aim() ? tr("Release: cut here, %1 would go · Esc: not at all").arg(aimedLoss())
+                     : tr("Release: nothing is cut");
     }
     void paint(QPainter& painter, const PickView& view) override
     {
@@ -81,11 +84,13 @@ public:
     void offer(ToolOffers& offers) const override
     {
         if (isChosen() && offers.held() == Qt::NoModifier)
-            offers.add(ToolOffers::Click, tr("Click: the limb goes · one of several selected: all of them"));
+            offers.add(ToolOffers::Click,
+                       aim() ? tr("Click: the limb goes, %1").arg(aimedLoss())
+                             : tr("Click: the limb goes · one of several selected: all of them"));
     }
     [[nodiscard]] QString hint(Qt::KeyboardModifiers) const override
     {
-        return tr("Release: it goes · Esc: it stays");
+        return aim() ? tr("Release: %1 go · Esc: all stays").arg(aimedLoss()) : tr("Release: all stays");
     }
 
 protected:

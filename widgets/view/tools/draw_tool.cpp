@@ -61,7 +61,8 @@ private:
     [[nodiscard]] std::vector<TreeEdit> newWays() const;
     [[nodiscard]] TreeEdit newWay(std::uint64_t address, const SymmetryMap& map) const;
     Expected<void> grow(const PickView& view);
-    [[nodiscard]] double footRadius() const;
+    [[nodiscard]] double footRadius(const LimbHit& limb) const;
+    [[nodiscard]] QString radiusText(const LimbHit& limb) const;
 
     HandTool m_kind;
     std::unique_ptr<HandEdit> m_edit;
@@ -178,11 +179,17 @@ double DrawTool::thicknessAt(const ToolPoint& point)
     return glm::mix(hardest, softest, std::clamp(m_pace / quick, 0.0, 1.0));
 }
 
-double DrawTool::footRadius() const
+double DrawTool::footRadius(const LimbHit& limb) const
 {
     const double chosen = m_kind == HandTool::Draw ? m_context.hand.options().drawRadius : 0.0;
     const double share = m_kind == HandTool::Draw ? ofParent : 1.0;
-    return chosen > 0.0 ? chosen : std::max(share * m_limb.radius, 1e-4);
+    return chosen > 0.0 ? chosen : std::max(share * limb.radius, 1e-4);
+}
+
+QString DrawTool::radiusText(const LimbHit& limb) const
+{
+    const double cm = 100.0 * footRadius(limb);
+    return tr("radius %1 cm").arg(QLocale().toString(cm, 'f', cm < 1.0 ? 2 : 1));
 }
 
 std::vector<StrokePoint> DrawTool::stroke() const
@@ -190,7 +197,7 @@ std::vector<StrokePoint> DrawTool::stroke() const
     const HandOptions& options = m_context.hand.options();
     StrokeShape shape;
     shape.smoothing = options.drawSmooth;
-    shape.footRadius = footRadius();
+    shape.footRadius = footRadius(m_limb);
     shape.tipRadius = options.drawTip * shape.footRadius;
     return strokeBranch(m_drawn, shape);
 }
@@ -342,6 +349,11 @@ void DrawTool::paint(QPainter& painter, const PickView& view)
     if (!m_edit) {
         if (aim())
             paintRing(painter, view, worldOf(aim()->node), *aim(), handGreen);
+        const auto foot = aim() && m_kind == HandTool::Draw
+                              ? view.pixel(glm::dvec3(worldOf(aim()->node) * glm::dvec4(aim()->seen, 1.0)))
+                              : std::nullopt;
+        if (foot)
+            paintReadout(painter, {foot->x, foot->y}, sizeOf(view), radiusText(*aim()));
         return;
     }
     QPolygonF line;
@@ -355,7 +367,9 @@ void DrawTool::paint(QPainter& painter, const PickView& view)
     painter.drawPolyline(line);
     painter.setPen(QPen(handGreen, 2.2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.drawPolyline(line);
-    paintReadout(painter, m_at, sizeOf(view), tr("%1 m").arg(QLocale().toString(length, 'f', 2)));
+    paintReadout(painter, m_at, sizeOf(view),
+                 tr("%1 m").arg(QLocale().toString(length, 'f', 2)) + QStringLiteral(" · ") +
+                     radiusText(m_limb));
 }
 
 } // namespace

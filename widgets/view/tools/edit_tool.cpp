@@ -5,6 +5,7 @@
 #include "widgets/base/core_text.h"
 #include "widgets/view/tools/hand_cursor.h"
 #include <QCoreApplication>
+#include <QLocale>
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
@@ -54,11 +55,22 @@ void EditTool::setAim(const std::optional<LimbHit>& aim)
     if (!m_aim && !aim)
         return;
     m_aim = aim;
-    if (m_aim)
-        m_context.host.markBranches(m_aim->node, affected(*m_aim));
-    else
-        m_context.host.markBranches(noNode, {});
+    std::vector<Index> branches = m_aim ? affected(*m_aim) : std::vector<Index>();
+    if (takesAway()) {
+        m_loss = {branches, 0.0};
+        const NodeResult* result = m_aim ? m_context.document.result(m_aim->node) : nullptr;
+        for (const Index branch : branches)
+            m_loss.metres += result ? result->tree.simplified->skeleton.length(branch) : 0.0;
+    }
+    m_context.host.markBranches(m_aim ? m_aim->node : noNode, std::move(branches), takesAway());
+    m_context.host.updateHint();
     m_context.host.repaint();
+}
+
+QString EditTool::lossWords(const HandLoss& loss)
+{
+    return Words::tr("%n branch(es), %1 m", nullptr, static_cast<int>(loss.branches.size()))
+        .arg(QLocale().toString(loss.metres, 'f', 1));
 }
 
 std::optional<LimbHit> EditTool::limbAt(const ToolPoint& point)

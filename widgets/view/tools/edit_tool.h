@@ -32,6 +32,11 @@ protected:
     virtual void forget() {}
     /// Branches that the tool would change.
     [[nodiscard]] virtual std::vector<Index> affected(const LimbHit&) { return {}; }
+    /// affected() would be gone: shown in a colour that warns.
+    [[nodiscard]] virtual bool takesAway() const { return false; }
+    /// How much of the tree aim() would take: "12 branches, 3.4 m".
+    [[nodiscard]] QString aimedLoss() const { return lossWords(m_loss); }
+    [[nodiscard]] static QString lossWords(const HandLoss& loss);
 
     [[nodiscard]] std::optional<LimbHit> limbAt(const ToolPoint& point);
     /// The same without waiting for what is picked in.
@@ -65,6 +70,7 @@ private:
     QCursor m_cursor;
     glm::dvec3 m_eye{0.0}; ///< world, where the picture was last looked at from
     std::optional<LimbHit> m_aim;
+    HandLoss m_loss; ///< of m_aim, where the tool takes away
 };
 
 /// Acts on the limb that is clicked; a press can be moved to another one before it is let go.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <set>
+#include <unordered_map>
 #include <utility>
 
 namespace ramure {
@@ -63,6 +64,35 @@ Expected<void> HandEdit::replace(const std::vector<TreeEdit>& edits, bool inTree
     }
     m_edits = std::move(made);
     return {};
+}
+
+Expected<HandLoss> HandEdit::loss(const TreeEdit& edit, bool inTreeSpace) const
+{
+    constexpr double most = 0.5; // of a branch
+    const auto lost = m_context.prepared(edit, inTreeSpace).and_then([this](const TreeEdit& ready) {
+        return m_context.lossOf(ready);
+    });
+    if (!lost)
+        return tl::unexpected(lost.error());
+    HandLoss loss;
+    loss.metres = lost->metres;
+    const NodeResult* result = m_document.result(m_node);
+    if (!result || !result->tree.skeleton || !result->tree.simplified)
+        return loss;
+    const Skeleton& drawn = *result->tree.skeleton;
+    const SimplifiedSkeleton& seen = *result->tree.simplified;
+    const std::unordered_map<std::uint64_t, double> shares(lost->pieces.begin(), lost->pieces.end());
+    std::vector<double> gone(seen.skeleton.size(), 0.0), whole(seen.skeleton.size(), 0.0);
+    for (Index piece = 0; piece < drawn.size(); ++piece) {
+        const Index branch = seen.mergedInto[piece];
+        const auto share = shares.find(drawn.key[piece]);
+        gone[branch] += share == shares.end() ? 0.0 : share->second * drawn.length(piece);
+        whole[branch] += drawn.length(piece);
+    }
+    for (Index branch = 0; branch < gone.size(); ++branch)
+        if (gone[branch] > most * whole[branch])
+            loss.branches.push_back(branch);
+    return loss;
 }
 
 bool HandEdit::resume(EditOperation operation, std::uint64_t address)

@@ -10,6 +10,13 @@
 
 namespace ramure {
 
+/// What a gesture would take off a tree that is shown.
+struct HandLoss
+{
+    std::vector<Index> branches; ///< of the simplified skeleton, of which most goes
+    double metres = 0.0;         ///< of wood
+};
+
 class HandEdit
 {
 public:
@@ -31,6 +38,8 @@ public:
     /// In the place of all so far, each of them as if it were the only one: for a stroke that goes on. Not
     /// with add(). Errors: likewise.
     Expected<void> replace(const std::vector<TreeEdit>& edits, bool inTreeSpace = true);
+    /// What goes if this edit were the only one. Errors: why it cannot be done.
+    [[nodiscard]] Expected<HandLoss> loss(const TreeEdit& edit, bool inTreeSpace = true) const;
     /// The gesture goes on with the tree's last edit, where that is one of this kind of this limb alone: then
     /// it is in edits(), and not in the context. Before anything is added.
     bool resume(EditOperation operation, std::uint64_t address);

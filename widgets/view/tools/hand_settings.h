@@ -76,6 +76,7 @@ struct HandOptions
     double fallsAfter = 0.0;   ///< s
     bool withBelow = true;     ///< Length and Thickness: also of what grows on the limb
     double curlFrom = 0.0;     ///< share of the limb that stays straight
+    double bendReach = 0.0;    ///< m, along the wood below the hand that bows; 0: down to the limb's foot
     BrushKind brush = BrushKind::Comb;
     double brushRadius = 0.0;   ///< m; 0: to suit the tree
     double brushStrength = 0.5; ///< 0..1
@@ -135,6 +136,7 @@ struct HandNumber
     double scale;                       ///< shown = scale * value
     const char* suffix;                 ///< " cm"
     bool HandOptions::*where = nullptr; ///< only where that is chosen; null: always
+    const char* atZero = nullptr;       ///< shown in the place of 0; English, context "HandOptions"
 };
 struct HandCount
 {

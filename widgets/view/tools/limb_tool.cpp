@@ -1,7 +1,6 @@
 // A limb follows the hand: seen at once as a pose, made anew when the hand rests or lets go.
 #include "core/evaluate/evaluator.h"
 #include "widgets/view/tools/gizmo_handles.h"
-#include "widgets/view/tools/hand_cursor.h"
 #include "widgets/view/tools/limb_drag.h"
 #include "widgets/view/tools/pending_pick.h"
 #include "widgets/view/tools/tool_table.h"
@@ -26,8 +25,6 @@ class LimbTool : public Tool
 public:
     explicit LimbTool(ToolContext& context);
 
-    [[nodiscard]] bool isChosen() const override { return m_context.hand.tool() == HandTool::Bend; }
-    [[nodiscard]] QCursor cursor() const override { return m_cursor; }
     bool press(const ToolPoint& point) override;
     void drag(const ToolPoint& point) override;
     void release(const ToolPoint& point) override;
@@ -52,7 +49,6 @@ private:
     bool m_moves = false;             ///< the pointer has left the place of the press
     std::size_t m_branches = LimbDrag::usualBranches;
     QTimer m_rest;
-    QCursor m_cursor = handCursor(HandTool::Bend);
 };
 
 LimbTool::LimbTool(ToolContext& context)
@@ -65,8 +61,7 @@ LimbTool::LimbTool(ToolContext& context)
 
 bool LimbTool::press(const ToolPoint& point)
 {
-    const bool bends = isChosen() || point.held.testFlag(Qt::ControlModifier);
-    if (point.button != Qt::LeftButton || !bends)
+    if (point.button != Qt::LeftButton || !point.held.testFlag(Qt::ControlModifier))
         return false;
     const auto scene = m_context.host.pickScene(pickPatience);
     const auto hit = scene ? scene->pick(point.view, point.pixel()) : std::nullopt;
@@ -97,7 +92,7 @@ void LimbTool::findTwins(const PickHit& hit, const PickView& view)
     const glm::dmat4 world = EvaluatedScene(document.scene()).transforms(hit.node).geometry;
     const glm::dvec3 eye(glm::inverse(world) * glm::dvec4(view.camera.eye(), 1.0));
     Symmetry symmetry(*axes, *tree.skeleton, m_context.hand.options(), tree.skeleton->p0[0] - eye);
-    if (!symmetry.isOn() || !isChosen())
+    if (!symmetry.isOn() || m_context.hand.tool() != HandTool::Bend)
         return;
     const Skeleton& seen = m_drag->skeleton()->skeleton;
     const std::vector<LimbSpan> spans = limbs.spans(document, hit.node);
@@ -225,9 +220,7 @@ void LimbTool::offer(ToolOffers& offers) const
 {
     if (m_context.isPlaying() || !m_context.isOverBranch())
         return;
-    if (isChosen() && offers.held() == Qt::NoModifier)
-        offers.add(ToolOffers::Drag, tr("Drag: bend the limb · Shift: trunk and root, too"));
-    else if (offers.held() == Qt::NoModifier)
+    if (offers.held() == Qt::NoModifier)
         offers.add(ToolOffers::Drag, tr("Ctrl + drag: bend the limb"));
     else if (offers.held() == Qt::ControlModifier)
         offers.add(ToolOffers::Drag, tr("Ctrl: drag bends the limb (with Shift: trunk and root, too)"));

@@ -3,6 +3,7 @@
 #include "core/math/frame.h"
 #include "core/scene/edit_shapes.h"
 #include "core/scene/kinds/node_kinds.h"
+#include "widgets/base/core_text.h"
 #include "widgets/view/tools/edit_tool.h"
 #include "widgets/view/tools/motion_tools.h"
 #include "widgets/view/tools/readout.h"
@@ -19,6 +20,8 @@ namespace ramure {
 namespace {
 
 constexpr double least = 0.01; ///< m, of a radius
+/// Pixels: a shape that is smaller was hardly meant, and would take the whole crown.
+constexpr double leastDrag = 24.0;
 constexpr double aslant =
     0.27; ///< of the other way in the picture: a drag that goes less far is straight (15°)
 constexpr int sides = 64;
@@ -36,16 +39,17 @@ public:
     void drag(const ToolPoint& point) override;
     void release(const ToolPoint& point) override;
     void cancel() override;
-    [[nodiscard]] QString hint(Qt::KeyboardModifiers) const override
-    {
-        return tr("What stands out of the shape is cut · release: done · Esc: nothing is cut");
-    }
+    [[nodiscard]] QString hint(Qt::KeyboardModifiers) const override;
     void offer(ToolOffers& offers) const override;
     void paint(QPainter& painter, const PickView& view) override;
 
 protected:
     bool take(const ToolPoint& point, const std::optional<LimbHit>& limb) override;
-    void forget() override { m_edit.reset(); }
+    void forget() override
+    {
+        m_edit.reset();
+        m_context.host.unmarkBranches();
+    }
 
 private:
     [[nodiscard]] EditShapeKind kind() const { return m_context.hand.options().shape; }
@@ -53,7 +57,9 @@ private:
     void addToOutline(const ToolPoint& point);
     [[nodiscard]] EditShape outline() const;
     [[nodiscard]] EditShape shapeTo(const PickView& view, QPointF at) const;
-    Expected<void> prune(const ToolPoint& point);
+    [[nodiscard]] TreeEdit editTo(const ToolPoint& point);
+    void look(const ToolPoint& point);
+    void finish(bool keep);
 
     std::unique_ptr<HandEdit> m_edit;
     glm::dmat4 m_world{1.0}, m_inverse{1.0};
@@ -64,7 +70,17 @@ private:
     std::vector<glm::dvec2> m_outline{}; ///< m from that, and above the foot
     bool m_moves = false;
     QPointF m_at;
+    Expected<HandLoss> m_loss; ///< of the shape of now; or why it cannot be
 };
+
+QString PruneTool::hint(Qt::KeyboardModifiers) const
+{
+    if (!m_moves)
+        return kind() == EditShapeKind::Profile ? tr("Draw half of the outline beside the trunk.")
+                                                : tr("Drag from the middle of the tree outwards.");
+    return m_loss ? tr("Red: %1 would go · release: cut · Esc: nothing is cut").arg(lossWords(*m_loss))
+                  : tr("Nothing is cut: %1 · Esc: back").arg(errorText(m_loss.error()));
+}
 
 void PruneTool::offer(ToolOffers& offers) const
 {
@@ -192,23 +208,32 @@ EditShape PruneTool::shapeTo(const PickView& view, QPointF at) const
     return shape;
 }
 
-Expected<void> PruneTool::prune(const ToolPoint& point)
+TreeEdit PruneTool::editTo(const ToolPoint& point)
 {
     m_shape = kind() == EditShapeKind::Profile ? outline() : shapeTo(point.view, point.at);
     TreeEdit edit;
     edit.operation = EditOperation::Prune;
     edit.shape = m_shape;
-    return m_edit->replace({edit}).and_then([this] { return m_edit->show(); });
+    return edit;
+}
+
+/// What would go is marked; the tree stays until the hand lets go.
+void PruneTool::look(const ToolPoint& point)
+{
+    m_loss = m_edit->loss(editTo(point));
+    m_context.host.markBranches(m_edit->node(), m_loss ? m_loss->branches : std::vector<Index>(), true);
+    m_context.host.updateHint();
 }
 
 void PruneTool::drag(const ToolPoint& point)
 {
     m_at = point.at;
-    m_moves = m_moves || point.isDrag();
-    if (m_edit && m_moves)
+    const QPointF way = point.at - point.pressed;
+    m_moves = m_moves || std::hypot(way.x(), way.y()) >= leastDrag;
+    if (m_edit && kind() == EditShapeKind::Profile)
         addToOutline(point);
     if (m_edit && m_moves)
-        (void)prune(point); // what cannot be is said at the end
+        look(point);
     m_context.host.repaint();
 }
 
@@ -216,20 +241,26 @@ void PruneTool::release(const ToolPoint& point)
 {
     if (!m_edit)
         return;
-    m_moves&& report(prune(point)) ? m_edit->keep() : m_edit->cancel();
-    if (!m_moves)
-        m_context.host.raiseMessage(kind() == EditShapeKind::Profile
-                                        ? tr("Draw half of the outline beside the trunk.")
-                                        : tr("Drag from the middle of the tree outwards."));
-    m_edit.reset();
-    m_context.host.repaint();
+    if (m_moves)
+        return finish(report(m_edit->replace({editTo(point)}).and_then([this] { return m_edit->show(); })));
+    m_context.host.raiseMessage(kind() == EditShapeKind::Profile
+                                    ? tr("That was too short: draw half of the outline beside the trunk.")
+                                    : tr("That was too short: drag from the middle of the tree outwards, and "
+                                         "what is red goes."));
+    finish(false);
 }
 
 void PruneTool::cancel()
 {
+    finish(false);
+}
+
+void PruneTool::finish(bool keep)
+{
     if (m_edit)
-        m_edit->cancel();
+        keep ? m_edit->keep() : m_edit->cancel();
     m_edit.reset();
+    m_context.host.unmarkBranches();
     m_context.host.repaint();
 }
 
@@ -302,6 +333,8 @@ void PruneTool::paint(QPainter& painter, const PickView& view)
         text = tr("radius %1 m, %2 m high").arg(metres(n[3]), metres(n[4]));
     else
         text = tr("%1 m wide, %2 m high").arg(metres(n[3] - n[0]), metres(n[4] - n[1]));
+    if (m_loss)
+        text += QStringLiteral(" · ") + tr("%1 would go").arg(lossWords(*m_loss));
     paintReadout(painter, m_at, sizeOf(view), text);
 }
 

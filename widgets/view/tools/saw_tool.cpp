@@ -198,8 +198,8 @@ void SawTool::markArea()
 {
     for (const Seen& tree : m_trees)
         if (Within found = within(tree); !found.goes.empty())
-            return m_context.host.markBranches(tree.node, std::move(found.goes));
-    m_context.host.markBranches(noNode, {});
+            return m_context.host.markBranches(tree.node, std::move(found.goes), true);
+    m_context.host.unmarkBranches();
 }
 
 Expected<void> SawTool::cutArea()
@@ -274,7 +274,7 @@ bool SawTool::cut(std::uint64_t address, double metres)
 void SawTool::release(const ToolPoint& point)
 {
     if (m_way != SawWay::Line) {
-        m_context.host.markBranches(noNode, {});
+        m_context.host.unmarkBranches();
         if (m_line.size() > 2 && point.isDrag())
             report(cutArea());
     }
@@ -288,7 +288,7 @@ void SawTool::release(const ToolPoint& point)
 
 void SawTool::cancel()
 {
-    m_context.host.markBranches(noNode, {});
+    m_context.host.unmarkBranches();
     m_line.clear();
     if (const auto edit = std::exchange(m_edit, nullptr))
         edit->cancel();

@@ -41,7 +41,9 @@ public:
     virtual void dispose(std::shared_ptr<const void> last) = 0;
 
     /// Of this tree these branches are shown as what would change, until noNode is given.
-    virtual void markBranches(NodeId node, std::vector<Index> branches) = 0;
+    /// \param go they would be taken away
+    virtual void markBranches(NodeId node, std::vector<Index> branches, bool go) = 0;
+    void unmarkBranches() { markBranches(noNode, {}, false); }
 
     virtual void repaint() = 0;
     virtual void updateHint() = 0;

@@ -32,6 +32,7 @@ std::unique_ptr<Tool> makeGizmoTool(ToolContext& context);
 std::unique_ptr<Tool> makeJointTool(ToolContext& context);
 std::unique_ptr<Tool> makeWindTool(ToolContext& context);
 std::unique_ptr<Tool> makePullTool(ToolContext& context);
+std::unique_ptr<Tool> makeBendTool(ToolContext& context);
 std::unique_ptr<Tool> makeLimbTool(ToolContext& context);
 std::unique_ptr<Tool> makeTargetTool(ToolContext& context);
 std::unique_ptr<Tool> makeSelectTool(ToolContext& context);
@@ -66,6 +67,7 @@ inline constexpr ToolMaker toolTable[] = {
     makeJointTool,
     makeWindTool,
     makePullTool,
+    makeBendTool,
     makeLimbTool,
     makeTargetTool,
     makeSelectTool,

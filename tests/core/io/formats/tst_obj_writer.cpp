@@ -47,7 +47,7 @@ private slots:
                             "usemtl bark\ns 1\nf 1//1 2//2 3//3\n"
                             "o leaves\nv 0 0 0\nv 1 -0.5 0\nv 0 1 1e-07\nusemtl leaves\nf 4 5 6\n"
                             "o apples_\nv 0 0 0\nv 1 -0.5 0\nv 0 1 1e-07\nvn 0 0 1\nvn 0 1 0\nvn 1 0 0\n"
-                            "usemtl apples\ns 1\nf 7//4 8//5 9//6\n"));
+                            "usemtl fruit\ns 1\nf 7//4 8//5 9//6\n"));
         QCOMPARE(
             test::fileBytes(m_folder.filePath("tree 1.mtl")),
             QByteArray(
@@ -55,7 +55,7 @@ private slots:
                 "\nnewmtl bark\nKd 0.54509807 0.3529412 0.16862746\nKs 0 0 0\nillum 1\n"
                 "\nnewmtl leaves\n# seen from both sides\nKd 0.22745098 0.37254903 0.043137256\nKs 0.2 "
                 "0.2 0.2\nNs 30\nillum 2\n"
-                "\nnewmtl apples\nKd 0.37254903 0.043137256 0.043137256\nKs 0.2 0.2 0.2\nNs 30\nillum 2\n"));
+                "\nnewmtl fruit\nKd 0.37254903 0.043137256 0.043137256\nKs 0.2 0.2 0.2\nNs 30\nillum 2\n"));
     }
     void oneMaterialOfSeveralParts()
     {

@@ -30,6 +30,8 @@ private slots:
     void placesOrgans();
     void cutEndsAreFlat();
     void whatIsCutFalls();
+    void saysWhatWouldGo();
+    void bowsAreSmooth();
 };
 
 void TestTreeEdits::tableIsWhole()
@@ -524,6 +526,62 @@ void TestTreeEdits::whatIsCutFalls()
     foot.target.address = felled.address[0];
     QVERIFY(felled.make(foot));
     QCOMPARE(felled.skeleton().loose, (std::vector<LooseLimb>{{0, noIndex, 0.0}}));
+}
+
+void TestTreeEdits::saysWhatWouldGo()
+{
+    Shaped shaped;
+    const EditContext context(*shaped.tree().grown, {});
+    const auto lossOf = [&](const TreeEdit& edit) {
+        return context.prepared(edit, true).and_then([&](const TreeEdit& ready) {
+            return context.lossOf(ready);
+        });
+    };
+    QVERIFY(!lossOf(editOf(EditOperation::Remove, shaped.address[0]))); // nothing would be left
+    QVERIFY(lossOf(editOf(EditOperation::Thickness, shaped.address[1]))->pieces.empty());
+    TreeEdit cut = editOf(EditOperation::Cut, shaped.address[1]);
+    cut.at = 0.25;
+    TreeEdit prune = editOf(EditOperation::Prune, 0);
+    prune.shape.numbers = {0.0, 0.0, 0.0, 1.5, 0.0, 0.0};
+    for (const TreeEdit& edit : {cut, prune}) {
+        const auto loss = lossOf(edit);
+        QVERIFY(loss && !loss->pieces.empty());
+        Shaped after;
+        QVERIFY(after.make(edit));
+        const double less =
+            skeletonStats(shaped.skeleton()).totalLength - skeletonStats(after.skeleton()).totalLength;
+        QVERIFY(std::abs(less - loss->metres) < 1e-9 && less > 0.0);
+        for (const auto& [key, share] : loss->pieces)
+            QVERIFY(share > 0.0 && share <= 1.0);
+    }
+}
+
+/// An axis of few pieces becomes a curve: no two pieces that follow each other turn by more than a little,
+/// and where it begins and ends it turns least.
+void TestTreeEdits::bowsAreSmooth()
+{
+    Shaped shaped;
+    const Index before = shaped.axis(shaped.address[1])->nodes;
+    const double length = shaped.axis(shaped.address[1])->length;
+    TreeEdit edit = editOf(EditOperation::Bend, shaped.address[1]);
+    edit.from = 0.1;
+    edit.to = 0.9;
+    edit.rotation = {0.0, 1.5, 0.0};
+    QVERIFY(shaped.make(edit));
+    QVERIFY(isNear(shaped.axis(shaped.address[1])->length, length));
+    QVERIFY(shaped.axis(shaped.address[1])->nodes > before + 10);
+    const Skeleton skeleton = shaped.skeleton();
+    const TreeAxes axes = axesOf(skeleton);
+    const auto axis = std::ranges::find(axes.axes, shaped.address[1], &Axis::address);
+    const std::span<const Index> nodes = axes.nodesOf(Index(axis - axes.axes.begin()));
+    const auto way = [&](Index i) { return glm::normalize(skeleton.p1[i] - skeleton.p0[i]); };
+    std::vector<double> turns;
+    for (std::size_t i = 1; i < nodes.size(); ++i)
+        turns.push_back(std::acos(std::min(1.0, glm::dot(way(nodes[i - 1]), way(nodes[i])))));
+    const double most = *std::ranges::max_element(turns);
+    QVERIFY2(most < 0.14, qPrintable(QString::number(most)));
+    QVERIFY(turns.front() < 0.5 * most && turns.back() < 0.5 * most);
+    QVERIFY(shaped.tree(Stage::Mesh).report->valid);
 }
 
 QTEST_GUILESS_MAIN(TestTreeEdits)

@@ -80,6 +80,14 @@ class TestLeafPlacement : public QObject
     Q_OBJECT
 private slots:
     void init() { test::failOnAnyWarning(); }
+    void noLeavesAreNone()
+    {
+        LeafParams oak;
+        oak.shape = LeafShape::Oak;
+        QVERIFY(!leavesOn(twig({0, 1, 0}), oak).empty());
+        const auto bare = placeFoliage(twig({0, 1, 0}), {0.1, 0, 0.0, 1}, oak, {}, alpha);
+        QVERIFY(bare && bare->leaves.empty());
+    }
 
     void tooManyIsAnError()
     {

@@ -77,7 +77,12 @@ private slots:
     {
         Bench bench;
         QVERIFY(edit::turnBranches(bench.document, 1, {{12345, glm::dvec3(0.3)}})); // no such branch
+        QCOMPARE(bench.panel.model()->rowCount(), 1);
+        QVERIFY(bench.text(0, EditModel::Limb).contains(QStringLiteral("no place")));
+        bench.choose(0);
+        bench.button("editDelete")->click();
         QCOMPARE(bench.panel.model()->rowCount(), 0);
+        QVERIFY(bench.document.scene().find(1)->params.branches.empty());
         bench.shape();
         const Index twig = bench.twig();
         const std::uint64_t name = bench.skeleton().name(twig);

@@ -33,6 +33,8 @@ private slots:
     void aLimbIsCopiedAndGrows();
     void aLimbGrowsOnAnotherTree();
     void aShapePrunesTheTree();
+    void aShortDragPrunesNothing();
+    void whatAShapeWouldTakeIsShownFirst();
     void aStraightDragPrunesOneWay();
     void anOutlinePrunesTheTree();
     void aSolidPrunesTheTree();
@@ -441,6 +443,39 @@ void TestStrokeTools::aShapePrunesTheTree()
         bench.grow();
         QVERIFY(skeletonStats(bench.skeleton()).totalLength < before);
     }
+}
+
+void TestStrokeTools::aShortDragPrunesNothing()
+{
+    HandBench bench(HandTool::Prune);
+    const QPointF air(12.0, 12.0);
+    bench.press(air);
+    bench.move(air + QPointF(14.0, 8.0));
+    QVERIFY(bench.marked.empty());
+    QVERIFY(bench.says("Drag from the middle"));
+    bench.release(air + QPointF(14.0, 8.0));
+    QVERIFY(bench.edits().empty());
+    QCOMPARE(bench.document.undoStack()->count(), 0);
+    QCOMPARE(bench.messages.size(), 1);
+}
+
+void TestStrokeTools::whatAShapeWouldTakeIsShownFirst()
+{
+    HandBench bench(HandTool::Prune);
+    const QPointF trunk = bench.on(0, 0.2), to = trunk + QPointF(60.0, -90.0);
+    bench.press(trunk);
+    bench.move(to);
+    QVERIFY(bench.edits().empty());
+    QVERIFY(!bench.marked.empty() && bench.markedGo);
+    QVERIFY(bench.says("would go"));
+    const std::size_t before = bench.skeleton().size(), goes = bench.marked.size();
+    bench.release(to);
+    QVERIFY(bench.marked.empty());
+    QCOMPARE(bench.edits().size(), std::size_t(1));
+    bench.grow();
+    QVERIFY(bench.skeleton().size() <= before - goes / 2 && bench.skeleton().size() < before);
+    bench.document.undoStack()->undo();
+    QVERIFY(bench.edits().empty());
 }
 
 /// The other measure is the tree's: nothing is flat.

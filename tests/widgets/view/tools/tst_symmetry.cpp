@@ -178,7 +178,7 @@ void TestSymmetry::bentLimbsStayEven()
     const QPointF at = bench.onAxis(limb);
     bench.drag(at, at + QPointF(0.0, 60.0));
     QCOMPARE(bench.document.undoStack()->count(), 1);
-    QVERIFY(bench.document.scene().find(1)->params.branches.size() >= 4);
+    QVERIFY(bench.edits().size() >= 4);
     bench.grow();
     std::vector<double> heights;
     for (Index axis = 1; axis <= 4; ++axis)
