@@ -119,6 +119,7 @@ NodeParams bonsai(NodeParams tree)
     small.ratioPower = 1.9;
     small.flare = 0.9;
     small.attractionUp = 1.6;
+    small.clearance = 0.02;
     small.level[0] = {.curveRes = 8, .curve = 1.1, .curveBack = -1.7, .curveV = 0.5};
     small.level[1] = {.length = 0.55,
                       .lengthV = 0.1,
@@ -143,8 +144,8 @@ NodeParams bonsai(NodeParams tree)
         .length = 0.5, .curveRes = 3, .curve = -0.6, .downAngle = 0.9, .rotate = 1.35, .branches = 12};
     tree.grammar.seed = 19;
     tree.leaf.shape = LeafShape::ScotsPine;
-    tree.leaf.size = 0.6;
-    tree.leaf.internode = 0.5;
+    tree.leaf.size = 1.0;
+    tree.leaf.internode = 1.0;
     tree.foliage.leavesCutoff = 0.06;
     tree.foliage.applesProbability = 0.0;
     tree.bark.family = BarkFamily::Plated;
@@ -210,6 +211,7 @@ std::vector<Preset> forms(std::span<const Preset> grown)
     young.scaleV = 0.4;
     young.ratio = 0.011;
     young.baseSize = 0.12;
+    young.clearance = 0.2;
     young.level[1].branches = 16;
     young.level[2].branches = 7;
     sapling.params.leaf.size = 4.0;

@@ -173,7 +173,7 @@ const std::array all{
                     {.length = 0.62, .lengthV = 0.08, .segSplits = 0.2, .splitAngle = 28, .splitAngleV = 8, .curveRes = 8, .curve = -25, .curveV = 80, .downAngle = 62, .downAngleV = -25, .rotate = 137, .rotateV = 25, .branches = 26},
                     {.length = 0.32, .lengthV = 0.08, .segSplits = 0.1, .splitAngle = 30, .curveRes = 5, .curve = -20, .curveV = 90, .downAngle = 50, .downAngleV = 15, .rotate = 137, .rotateV = 25, .branches = 60},
                     {.length = 0.3, .curveRes = 1}}}},
-        {L::HorseChestnut, 0.1, 0.16, 0.05, B::Smooth, -0.1}},
+        {L::HorseChestnut, 0.1, 0.16, 0.05, B::Smooth, -0.1, F::Faithful, 0, 4}},
     Species{"NorwayMaple", "Acer platanoides", RAMURE_NOOP("A round dense head on a short straight trunk"), false,
         {.shape = S::Spherical, .baseSize = 0.2, .scale = 17, .scaleV = 1.5, .levels = 3, .ratio = 0.0246, .ratioPower = 1.35, .flare = 0.6, .attractionUp = 0.7,
          .level = {{{.length = 0.95, .segSplits = 0.1, .splitAngle = 20, .curveRes = 8, .curveV = 25},

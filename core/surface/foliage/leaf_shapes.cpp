@@ -13,6 +13,7 @@ namespace ramure {
 namespace {
 
 constexpr double pi = std::numbers::pi;
+constexpr double goldenAngle = pi * (3.0 - 2.23606797749978969);
 constexpr glm::u8vec3 bladeShade{255, 255, 255}, stalkShade{255, 226, 158};
 /// Of petioles; and how far they reach into the bark, whose facets lie below its circle.
 constexpr double stalkRadius = 0.016, sunk = 0.03;
@@ -60,6 +61,9 @@ public:
             break;
         case LeafFamily::Tuft:
             tuft();
+            break;
+        case LeafFamily::Shoot:
+            shoot();
             break;
         }
         computeNormals(m_mesh);
@@ -229,6 +233,75 @@ private:
             blade(flat, BladeBend(m_form, flat.halfWidth, 0.25, 0.45 * gap),
                   poseTowards(base.at(0.03 * way), base.along(way), base.along({-sine, 0.2, -cosine})),
                   length - 0.03);
+        }
+    }
+
+    /// One or two triangles from its foot on.
+    void needle(const Pose& pose, double length, double halfWidth)
+    {
+        const double widest = 0.25;
+        if (m_form.detail > 2) {
+            const Index foot = add(pose.origin, {0.5, 0.0});
+            const Index right = add(pose.at({halfWidth, widest * length, 0.0}), {1.0, widest});
+            const Index tip = add(pose.at({0.0, length, 0.0}), {0.5, 1.0});
+            const Index left = add(pose.at({-halfWidth, widest * length, 0.0}), {0.0, widest});
+            face({foot, right, left}, bladeShade);
+            face({right, tip, left}, bladeShade);
+            return;
+        }
+        const Index right = add(pose.at({halfWidth, 0.0, 0.0}), {1.0, widest});
+        const Index tip = add(pose.at({0.0, length, 0.0}), {0.5, 1.0});
+        const Index left = add(pose.at({-halfWidth, 0.0, 0.0}), {0.0, widest});
+        face({right, tip, left}, bladeShade);
+    }
+
+    /// Where needle \p i of \p count stands along the stem, 0..1, and how far around it.
+    [[nodiscard]] std::pair<double, double> needlePlace(int i, int count) const
+    {
+        const double even = (i + 0.5) / count;
+        if (m_row.rosettes > 0) {
+            const int own = std::min(i * m_row.rosettes / count, m_row.rosettes - 1);
+            return {(own + 0.6) / m_row.rosettes, i * goldenAngle};
+        }
+        if (!m_row.flat)
+            return {even, i * goldenAngle};
+        // Left and right in turn; every second one a little raised.
+        return {even, (i % 2 == 0 ? 0.0 : pi) + (i % 2 == 0 ? 1.0 : -1.0) * (i / 2 % 2 == 0 ? 0.12 : 0.5)};
+    }
+
+    /// Coarser shoots have fewer and wider needles, which cover as much.
+    void shoot()
+    {
+        const BladeBend bend(m_form, 1.0, 0.5);
+        const double curl = 0.5 * m_form.curl, foot = petiole();
+        const double stem = 1.0 - 0.8 * m_row.leaflet * maths::cos(0.6 * m_row.spread);
+        const auto onStem = [&](double y) { return glm::dvec3(0.0, foot, 0.0) + bend.at({0.0, y}); };
+        std::vector<glm::dvec3> axis{{0.0, -sunk, 0.0}};
+        for (int i = 1; i <= m_form.detail; ++i)
+            axis.push_back(onStem(stem * i / m_form.detail));
+        stalk(axis, 0.55 * stalkRadius, 0.3 * stalkRadius);
+
+        const double fullness = m_form.detail == 1 ? 0.5 : m_form.detail == 2 ? 1.0 : 1.6;
+        const int count = static_cast<int>(fullness * m_row.leaflets);
+        const double half =
+            0.5 * m_row.leaflet * m_row.width * std::min(m_form.width, 2.5) / std::sqrt(fullness);
+        for (int i = 0; i < count; ++i) {
+            const auto [share, around] = needlePlace(i, count);
+            const double y = stem * (m_row.bareFoot + (0.98 - m_row.bareFoot) * share);
+            const auto [down, onwards] = maths::sincos(curl * y);
+            const glm::dvec3 right(1.0, 0.0, 0.0), along(0.0, onwards, -down), upper(0.0, down, onwards);
+            const auto [sine, cosine] = maths::sincos(around);
+            const glm::dvec3 out = cosine * right + sine * upper, aside = glm::cross(along, out);
+            const double steep =
+                m_row.spread * (m_row.rosettes > 0 ? 0.55 + 0.45 * (i % 2) : 1.0 - 0.4 * share);
+            const auto [across, ahead] = maths::sincos(steep);
+            // Needles that stand all around show their broad sides to all sides, too.
+            const auto [turn, level] = maths::sincos(i * 1.7);
+            const glm::dvec3 facing = m_row.flat ? upper : level * along + turn * aside;
+            const double length =
+                m_row.leaflet * (1.0 - m_row.dwindle * share * share) * (1.0 - 0.09 * (i % 3));
+            needle(poseTowards(onStem(y) + 0.25 * stalkRadius * out, across * out + ahead * along, facing),
+                   length, half);
         }
     }
 
