@@ -237,12 +237,13 @@ std::vector<Preset> colonised()
     umbrella.influence = 1.5;
     umbrella.step = 0.12;
     constexpr const char* group = RAMURE_NOOP("Space colonisation");
-    return {{"ParkTree", RAMURE_NOOP("A round crown that its branches fill"),
-             dressed(filling(ColonisationParams()), LeafShape::Linden, 1.3, FruitKind::Faithful, 0.0,
-                     BarkFamily::Furrowed),
-             "", group},
-            {"UmbrellaAcacia", RAMURE_NOOP("A flat roof of twigs, drawn as a profile"),
-             dressed(filling(umbrella), LeafShape::Mimosa, 1.1, FruitKind::Faithful, 0.0, BarkFamily::Corky),
+    NodeParams park = dressed(filling(ColonisationParams()), LeafShape::Linden, 1.7, FruitKind::Faithful, 0.0,
+                              BarkFamily::Furrowed);
+    NodeParams acacia =
+        dressed(filling(umbrella), LeafShape::Mimosa, 1.5, FruitKind::Faithful, 0.0, BarkFamily::Corky);
+    park.leaf.internode = acacia.leaf.internode = 0.5;
+    return {{"ParkTree", RAMURE_NOOP("A round crown that its branches fill"), park, "", group},
+            {"UmbrellaAcacia", RAMURE_NOOP("A flat roof of twigs, drawn as a profile"), acacia,
              "Vachellia tortilis", group}};
 }
 

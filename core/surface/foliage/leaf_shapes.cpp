@@ -272,13 +272,14 @@ private:
     /// Coarser shoots have fewer and wider needles, which cover as much.
     void shoot()
     {
-        const BladeBend bend(m_form, 1.0, 0.5);
-        const double curl = 0.5 * m_form.curl, foot = petiole();
+        const BladeBend bend(m_form, 1.0, 0.4);
+        const double curl = 0.4 * m_form.curl, foot = petiole();
         const double stem = 1.0 - 0.8 * m_row.leaflet * maths::cos(0.6 * m_row.spread);
         const auto onStem = [&](double y) { return glm::dvec3(0.0, foot, 0.0) + bend.at({0.0, y}); };
         std::vector<glm::dvec3> axis{{0.0, -sunk, 0.0}};
-        for (int i = 1; i <= m_form.detail; ++i)
-            axis.push_back(onStem(stem * i / m_form.detail));
+        const int pieces = m_form.detail > 2 ? 3 : 1;
+        for (int i = 1; i <= pieces; ++i)
+            axis.push_back(onStem(stem * i / pieces));
         stalk(axis, 0.55 * stalkRadius, 0.3 * stalkRadius);
 
         const double fullness = m_form.detail == 1 ? 0.5 : m_form.detail == 2 ? 1.0 : 1.6;
