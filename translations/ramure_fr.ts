@@ -7425,6 +7425,18 @@
         <source>The chance that a branch which is thin enough carries fruit, of the kind below: 0 for none, 1 for one on each.</source>
         <translation>La chance qu’une branche assez mince porte des fruits, de la sorte ci-dessous : 0 pour aucun, 1 pour chacune.</translation>
     </message>
+    <message>
+        <source>Blue spruce</source>
+        <translation>Épicéa bleu</translation>
+    </message>
+    <message>
+        <source>Ground clearance</source>
+        <translation>Hauteur libre au sol</translation>
+    </message>
+    <message>
+        <source>Limbs that sink so low go on level, and what they carry ends above the ground; 0: they may grow below it.</source>
+        <translation>Les branches qui descendent si bas poursuivent à l’horizontale, et ce qu’elles portent s’arrête au-dessus du sol&#xa0;; 0&#xa0;: elles peuvent descendre plus bas.</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>

@@ -76,14 +76,14 @@ const std::array all{
                     {.length = 0.274, .lengthV = 0.02, .curveRes = 6, .curve = 25, .curveBack = -45, .curveV = 20, .downAngle = 80, .downAngleV = -32, .rotate = 137, .rotateV = 10, .branches = 95},
                     {.length = 0.36, .lengthV = 0.05, .curveRes = 2, .curve = 25, .curveV = 20, .downAngle = 55, .downAngleV = 8, .rotate = -95, .rotateV = 12, .branches = 40},
                     {.length = 0.3, .curveRes = 1}}}},
-        {L::Spruce, 3.6, 1.35, 0.2, B::Scaly, -0.1, F::Cone, 0.005}},
+        {L::Spruce, 3.6, 1.4, 0.2, B::Scaly, -0.1, F::Cone, 0.005}},
     Species{"ScotsPine", "Pinus sylvestris", RAMURE_NOOP("A tall bare trunk below an open crown of tufts"), true,
         {.shape = S::Hemispherical, .baseSize = 0.5, .scale = 12.9, .scaleV = 1.4, .levels = 3, .ratio = 0.0258, .ratioPower = 1.4, .lobes = 0, .flare = 0.5, .attractionUp = 1,
          .level = {{{.curveRes = 8, .curveV = 45},
                     {.length = 0.339, .lengthV = 0.06, .curveRes = 8, .curve = -30, .curveV = 110, .downAngle = 75, .downAngleV = -25, .rotate = 137, .rotateV = 25, .branches = 34},
                     {.length = 0.45, .lengthV = 0.1, .curveRes = 4, .curve = -40, .curveV = 70, .downAngle = 50, .downAngleV = 12, .rotate = 137, .rotateV = 20, .branches = 36},
                     {.length = 0.3, .curveRes = 1}}}},
-        {L::ScotsPine, 1.2, 0.75, 0.1, B::Plated, 0.15, F::Cone, 0.01}},
+        {L::ScotsPine, 1.25, 0.62, 0.1, B::Plated, 0.15, F::Cone, 0.01}},
 };
 // clang-format on
 

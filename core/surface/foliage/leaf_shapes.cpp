@@ -236,73 +236,80 @@ private:
         }
     }
 
-    /// One or two triangles from its foot on.
-    void needle(const Pose& pose, double length, double halfWidth)
+    /// Two needles that leave the stem at one place to either side of it, with a foot in common.
+    /// \param way of the stem. \param out one needle, \param other the other, for a length of 1.
+    void needles(const glm::dvec3& foot, const glm::dvec3& way, const glm::dvec3& out,
+                 const glm::dvec3& other, double length, double half)
     {
-        const double widest = 0.25;
-        if (m_form.detail > 2) {
-            const Index foot = add(pose.origin, {0.5, 0.0});
-            const Index right = add(pose.at({halfWidth, widest * length, 0.0}), {1.0, widest});
-            const Index tip = add(pose.at({0.0, length, 0.0}), {0.5, 1.0});
-            const Index left = add(pose.at({-halfWidth, widest * length, 0.0}), {0.0, widest});
-            face({foot, right, left}, bladeShade);
-            face({right, tip, left}, bladeShade);
-            return;
-        }
-        const Index right = add(pose.at({halfWidth, 0.0, 0.0}), {1.0, widest});
-        const Index tip = add(pose.at({0.0, length, 0.0}), {0.5, 1.0});
-        const Index left = add(pose.at({-halfWidth, 0.0, 0.0}), {0.0, widest});
-        face({right, tip, left}, bladeShade);
+        constexpr float widest = 0.25F; // of the picture: they begin where it is widest
+        const Index below = add(foot - half * way, {0.0, widest}),
+                    above = add(foot + half * way, {1.0, widest});
+        const Index right = add(foot + length * out, {0.5, 1.0}),
+                    left = add(foot + length * other, {0.5, 1.0});
+        face({below, right, above}, bladeShade);
+        face({above, left, below}, bladeShade);
     }
 
-    /// Where needle \p i of \p count stands along the stem, 0..1, and how far around it.
-    [[nodiscard]] std::pair<double, double> needlePlace(int i, int count) const
+    struct PairPlace
     {
-        const double even = (i + 0.5) / count;
-        if (m_row.rosettes > 0) {
-            const int own = std::min(i * m_row.rosettes / count, m_row.rosettes - 1);
-            return {(own + 0.6) / m_row.rosettes, i * goldenAngle};
-        }
-        if (!m_row.flat)
-            return {even, i * goldenAngle};
-        // Left and right in turn; every second one a little raised.
-        return {even, (i % 2 == 0 ? 0.0 : pi) + (i % 2 == 0 ? 1.0 : -1.0) * (i / 2 % 2 == 0 ? 0.12 : 0.5)};
+        double share; ///< along the stem, 0..1
+        double lean;  ///< how much it leans towards the stem's end, 0..1: the more, the further it stands
+    };
+    /// \param room that a pair takes, as a share of the stem.
+    [[nodiscard]] PairPlace pairPlace(int i, int count, double room) const
+    {
+        if (m_row.rosettes == 0)
+            return {(i + 0.5) / count, (i + 0.5) / count};
+        const int each = count / m_row.rosettes, rank = i % each;
+        return {(i / each + 0.4) / m_row.rosettes + room * rank, std::min(1.0 * rank, 1.5)};
     }
 
     /// Coarser shoots have fewer and wider needles, which cover as much.
     void shoot()
     {
-        const BladeBend bend(m_form, 1.0, 0.4);
-        const double curl = 0.4 * m_form.curl, foot = petiole();
+        // Stiffer than blades; straight where a bent stem would cost more triangles.
+        const bool straight = m_form.detail < 3;
+        const double foot = petiole(), curl = std::clamp(0.4 * m_form.curl, -0.35, 0.35);
+        LeafForm stiff = m_form;
+        stiff.curl = straight ? 0.0 : curl;
+        stiff.fold = stiff.cup = 0.0;
+        const BladeBend bend(stiff, 1.0);
+        const auto [sinks, onwards0] = maths::sincos(straight ? 0.5 * curl : 0.0);
         const double stem = 1.0 - 0.8 * m_row.leaflet * maths::cos(0.6 * m_row.spread);
-        const auto onStem = [&](double y) { return glm::dvec3(0.0, foot, 0.0) + bend.at({0.0, y}); };
-        std::vector<glm::dvec3> axis{{0.0, -sunk, 0.0}};
-        const int pieces = m_form.detail > 2 ? 3 : 1;
+        const double thick = 0.55 * stalkRadius;
+        const auto onStem = [&](double y) {
+            const glm::dvec3 at = bend.at({0.0, y});
+            return glm::dvec3(0.0, foot + onwards0 * at.y, at.z - sinks * at.y);
+        };
+        std::vector<glm::dvec3> axis{onStem(-sunk)};
+        const int pieces = straight ? 1 : 3;
         for (int i = 1; i <= pieces; ++i)
             axis.push_back(onStem(stem * i / pieces));
-        stalk(axis, 0.55 * stalkRadius, 0.3 * stalkRadius);
+        stalk(axis, thick, 0.5 * thick);
 
         const double fullness = m_form.detail == 1 ? 0.5 : m_form.detail == 2 ? 1.0 : 1.6;
-        const int count = static_cast<int>(fullness * m_row.leaflets);
+        const int places = std::max(m_row.rosettes, 1);
+        const int pairs = places * std::max(1, static_cast<int>(0.5 * fullness * m_row.leaflets / places));
+        const double from = m_row.bareFoot * stem, room = 0.98 * stem - from;
         const double half =
-            0.5 * m_row.leaflet * m_row.width * std::min(m_form.width, 2.5) / std::sqrt(fullness);
-        for (int i = 0; i < count; ++i) {
-            const auto [share, around] = needlePlace(i, count);
-            const double y = stem * (m_row.bareFoot + (0.98 - m_row.bareFoot) * share);
-            const auto [down, onwards] = maths::sincos(curl * y);
+            std::min(0.5 * m_row.leaflet * m_row.width * m_form.width / fullness, 0.45 * room / pairs);
+        for (int i = 0; i < pairs; ++i) {
+            const auto [share, lean] = pairPlace(i, pairs, 2.3 * half / room);
+            const double y = from + room * share;
+            const auto [down, onwards] = maths::sincos(straight ? 0.5 * curl : curl * y);
             const glm::dvec3 right(1.0, 0.0, 0.0), along(0.0, onwards, -down), upper(0.0, down, onwards);
-            const auto [sine, cosine] = maths::sincos(around);
-            const glm::dvec3 out = cosine * right + sine * upper, aside = glm::cross(along, out);
-            const double steep =
-                m_row.spread * (m_row.rosettes > 0 ? 0.55 + 0.45 * (i % 2) : 1.0 - 0.4 * share);
+            const auto [sine, cosine] = maths::sincos(m_row.flat ? 0.0 : i * goldenAngle);
+            const glm::dvec3 out = cosine * right + sine * upper, over = cosine * upper - sine * right;
+            const double steep = m_row.spread * (1.0 - 0.4 * lean);
             const auto [across, ahead] = maths::sincos(steep);
-            // Needles that stand all around show their broad sides to all sides, too.
-            const auto [turn, level] = maths::sincos(i * 1.7);
-            const glm::dvec3 facing = m_row.flat ? upper : level * along + turn * aside;
+            // Every second pair of a flat shoot is raised.
+            const auto [up, level] = maths::sincos(m_row.flat ? 0.12 + 0.4 * (i % 2) : 0.0);
+            const glm::dvec3 one = across * (level * out + up * over),
+                             two = across * (up * over - level * out);
             const double length =
                 m_row.leaflet * (1.0 - m_row.dwindle * share * share) * (1.0 - 0.09 * (i % 3));
-            needle(poseTowards(onStem(y) + 0.25 * stalkRadius * out, across * out + ahead * along, facing),
-                   length, half);
+            needles(onStem(y) + 1.4 * thick * over, along, one + ahead * along, two + ahead * along, length,
+                    half);
         }
     }
 
