@@ -7438,6 +7438,18 @@
         <translation>La chance qu’une branche assez mince porte des fruits, de la sorte ci-dessous : 0 pour aucun, 1 pour chacune.</translation>
     </message>
     <message>
+        <source>Blue spruce</source>
+        <translation>Épicéa bleu</translation>
+    </message>
+    <message>
+        <source>Ground clearance</source>
+        <translation>Hauteur libre au sol</translation>
+    </message>
+    <message>
+        <source>Limbs that sink so low go on level, and what they carry ends above the ground; 0: they may grow below it.</source>
+        <translation>Les branches qui descendent si bas poursuivent à l’horizontale, et ce qu’elles portent s’arrête au-dessus du sol&#xa0;; 0&#xa0;: elles peuvent descendre plus bas.</translation>
+    </message>
+    <message>
         <source>How many leaves grow on each branch that is thin enough. Leaves of a plant grow by their internode: of them 0 alone says something, that there are none.</source>
         <translation>Nombre de feuilles sur chaque branche assez fine. Les feuilles d’une plante suivent leur entre-nœud : pour elles, seul 0 a un effet, aucune feuille.</translation>
     </message>

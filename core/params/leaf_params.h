@@ -46,12 +46,15 @@ enum class LeafShape : std::uint8_t {
     Palm,
     Yew,
     Fir,
+    Spruce,
+    BlueSpruce,
+    Cedar,
     ScotsPine,
     WhitePine,
     Larch,
     Cypress,
 };
-inline constexpr int leafShapeCount = 41;
+inline constexpr int leafShapeCount = 44;
 
 /// How leaves follow each other along a twig.
 enum class LeafArrangement : std::uint8_t {

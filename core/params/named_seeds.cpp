@@ -44,7 +44,7 @@ constexpr std::array all{
     Row{"HoneyLocust", {16, 2, 9, 21, 15, 13}},
     Row{"Hornbeam", {23, 13, 10, 18, 14, 34}},
     Row{"HorseChestnut", {19, 13, 10, 21, 22, 34}},
-    Row{"ItalianCypress", {1, 13, 10, 40, 19, 34}},
+    Row{"ItalianCypress", {1, 13, 10, 22, 26, 34}},
     Row{"Jacaranda", {25, 13, 33, 31, 37, 34}},
     Row{"JapaneseMaple", {40, 34, 33, 35, 37, 13}},
     Row{"JoshuaTree", {6, 20, 28, 3, 18, 26}},

@@ -18,10 +18,10 @@ P(m) : m < 8 -> F(0.21)!(0.07-0.006*m)[+(48)^(12)~(leaf,0.8-0.04*m)][-(48)^(12)~
 constexpr const char* fanPalmRules = R"(T(n) : n < 10 -> F(0.52)!(0.82-0.012*n)F(0.52)!(0.816-0.012*n)T(n+1)
 K(n) : n < 9 -> [/(n*4*r)&(14+n*12)!(0.05)P(0)][/(n*4*r+r)&(17+n*12)!(0.05)P(0)][/(n*4*r+2*r)&(20+n*12)!(0.05)P(0)][/(n*4*r+3*r)&(23+n*12)!(0.05)P(0)]F(0.17)K(n+1)
 P(m) : m < 4 -> F(0.43)!(0.044-0.005*m)&(3)P(m+1)
-P(m) : m == 4 -> F(0.2)~(leaf,1)P(5)
+P(m) : m == 4 -> F(0.2)~(leaf,1.15)P(5)
 )";
 constexpr const char* treeFernRules = R"(T(n) : n < 6 -> &(1.5)F(0.3)!(0.24-0.006*n)F(0.3)T(n+1)
-K(n) : n < 7 -> F(0.09)[/(n*3*r)&(28+n*8)~(leaf,2.4)][/(n*3*r+r)&(31+n*8)~(leaf,2.6)][/(n*3*r+2*r)&(34+n*8)~(leaf,2.3)]K(n+1)
+K(n) : n < 10 -> F(0.06)[/(n*3*r)&(22+n*7)~(leaf,2.4)][/(n*3*r+r)&(24+n*7)~(leaf,2.6)][/(n*3*r+2*r)&(26+n*7)~(leaf,2.3)]K(n+1)
 )";
 /// Arms A and B end in bunches L.
 constexpr const char* joshuaTreeRules = R"(A(s,n) : n < 3 -> !(0.38*s)F(0.8*s)[/(n*70)&(38)B(s*0.86,n)][/(n*70+125)&(46)B(s*0.82,n)][/(n*70+240)&(42)B(s*0.8,n)]
@@ -87,6 +87,9 @@ NodeParams paramsOf(const Plant& plant)
 std::vector<Preset> organPresets()
 {
     constexpr const char* group = RAMURE_NOOP("Palms, bamboos and cacti");
+    NodeParams fanPalm = paramsOf({"!(1)F(0.3)!(0.84)T(0)!(0.1)F(0.25)K(0)", fanPalmRules, 16,
+                                   LeafShape::FanPalm, 1, 0.5, BarkFamily::PalmScars});
+    fanPalm.leaf.petiole = 0.15; // its stalks are branches
     return {
         {"Bamboo", RAMURE_NOOP("A clump of green canes that lean outwards under their leaves"),
          paramsOf({"!(0.14)F(0.06)K(0)", bambooRules, 26, LeafShape::Bamboo, 1, 0.6, BarkFamily::Bamboo,
@@ -100,10 +103,8 @@ std::vector<Preset> organPresets()
          paramsOf({"!(0.7)F(0.2)!(0.6)T(0)!(0.12)F(0.2)K(0)", datePalmRules, 16, LeafShape::Willow, 0.6, 0.1,
                    BarkFamily::PalmScars}),
          "Phoenix dactylifera", group},
-        {"FanPalm", RAMURE_NOOP("A stout column below a head of fans"),
-         paramsOf({"!(1)F(0.3)!(0.84)T(0)!(0.1)F(0.25)K(0)", fanPalmRules, 16, LeafShape::FanPalm, 1, 0.5,
-                   BarkFamily::PalmScars}),
-         "Washingtonia filifera", group},
+        {"FanPalm", RAMURE_NOOP("A stout column below a head of fans"), fanPalm, "Washingtonia filifera",
+         group},
         {"JoshuaTree", RAMURE_NOOP("Forking corky arms that end in bunches of daggers"),
          paramsOf({"!(0.7)F(0.6)!(0.5)F(1.0)A(1,0)", joshuaTreeRules, 9, LeafShape::Grass, 2, 0,
                    BarkFamily::Corky}),

@@ -119,6 +119,7 @@ NodeParams bonsai(NodeParams tree)
     small.ratioPower = 1.9;
     small.flare = 0.9;
     small.attractionUp = 1.6;
+    small.clearance = 0.02;
     small.level[0] = {.curveRes = 8, .curve = 1.1, .curveBack = -1.7, .curveV = 0.5};
     small.level[1] = {.length = 0.55,
                       .lengthV = 0.1,
@@ -143,8 +144,8 @@ NodeParams bonsai(NodeParams tree)
         .length = 0.5, .curveRes = 3, .curve = -0.6, .downAngle = 0.9, .rotate = 1.35, .branches = 12};
     tree.grammar.seed = 19;
     tree.leaf.shape = LeafShape::ScotsPine;
-    tree.leaf.size = 0.6;
-    tree.leaf.internode = 0.5;
+    tree.leaf.size = 1.0;
+    tree.leaf.internode = 1.0;
     tree.foliage.leavesCutoff = 0.06;
     tree.foliage.applesProbability = 0.0;
     tree.bark.family = BarkFamily::Plated;
@@ -210,6 +211,7 @@ std::vector<Preset> forms(std::span<const Preset> grown)
     young.scaleV = 0.4;
     young.ratio = 0.011;
     young.baseSize = 0.12;
+    young.clearance = 0.2;
     young.level[1].branches = 16;
     young.level[2].branches = 7;
     sapling.params.leaf.size = 4.0;
@@ -235,12 +237,13 @@ std::vector<Preset> colonised()
     umbrella.influence = 1.5;
     umbrella.step = 0.12;
     constexpr const char* group = RAMURE_NOOP("Space colonisation");
-    return {{"ParkTree", RAMURE_NOOP("A round crown that its branches fill"),
-             dressed(filling(ColonisationParams()), LeafShape::Linden, 1.3, FruitKind::Faithful, 0.0,
-                     BarkFamily::Furrowed),
-             "", group},
-            {"UmbrellaAcacia", RAMURE_NOOP("A flat roof of twigs, drawn as a profile"),
-             dressed(filling(umbrella), LeafShape::Mimosa, 1.1, FruitKind::Faithful, 0.0, BarkFamily::Corky),
+    NodeParams park = dressed(filling(ColonisationParams()), LeafShape::Linden, 1.7, FruitKind::Faithful, 0.0,
+                              BarkFamily::Furrowed);
+    NodeParams acacia =
+        dressed(filling(umbrella), LeafShape::Mimosa, 1.5, FruitKind::Faithful, 0.0, BarkFamily::Corky);
+    park.leaf.internode = acacia.leaf.internode = 0.5;
+    return {{"ParkTree", RAMURE_NOOP("A round crown that its branches fill"), park, "", group},
+            {"UmbrellaAcacia", RAMURE_NOOP("A flat roof of twigs, drawn as a profile"), acacia,
              "Vachellia tortilis", group}};
 }
 

@@ -70,21 +70,25 @@ const std::array all{
                     {.length = 0.3, .curveRes = 1}}}},
         {L::Oak, 1.15, 0.6, 0.13, B::Furrowed, 0.0, F::Acorn, 0.02}},
     Species{"NorwaySpruce", "Picea abies", RAMURE_NOOP("A dark spire of limbs that droop and rise again"), true,
-        {.shape = S::Conical, .baseSize = 0.04, .scale = 17.9, .scaleV = 1.6, .levels = 3, .ratio = 0.015, .ratioPower = 1.4, .lobes = 0, .flare = 0.5, .attractionUp = -0.2,
+        {.shape = S::Envelope, .baseSize = 0.04, .scale = 17.9, .scaleV = 1.6, .levels = 3, .ratio = 0.015, .ratioPower = 1.4, .lobes = 0, .flare = 0.5, .attractionUp = -0.2,
+         .pruneWidthPeak = 0.05, .prunePowerLow = 0.05, .prunePowerHigh = 0.85,
          .level = {{{.curveRes = 8, .curveV = 5},
-                    {.length = 0.274, .lengthV = 0.02, .curveRes = 6, .curve = 25, .curveBack = -45, .curveV = 20, .downAngle = 85, .downAngleV = -25, .rotate = 137, .rotateV = 10, .branches = 95},
+                    {.length = 0.274, .lengthV = 0.02, .curveRes = 6, .curve = 25, .curveBack = -45, .curveV = 20, .downAngle = 80, .downAngleV = -32, .rotate = 137, .rotateV = 10, .branches = 95},
                     {.length = 0.36, .lengthV = 0.05, .curveRes = 2, .curve = 25, .curveV = 20, .downAngle = 55, .downAngleV = 8, .rotate = -95, .rotateV = 12, .branches = 40},
                     {.length = 0.3, .curveRes = 1}}}},
-        {L::Fir, 3.2, 1.7, 0.2, B::Scaly, -0.1, F::Cone, 0.005}},
+        {L::Spruce, 3.6, 1.4, 0.2, B::Scaly, -0.1, F::Cone, 0.005}},
     Species{"ScotsPine", "Pinus sylvestris", RAMURE_NOOP("A tall bare trunk below an open crown of tufts"), true,
         {.shape = S::Hemispherical, .baseSize = 0.5, .scale = 12.9, .scaleV = 1.4, .levels = 3, .ratio = 0.0258, .ratioPower = 1.4, .lobes = 0, .flare = 0.5, .attractionUp = 1,
          .level = {{{.curveRes = 8, .curveV = 45},
                     {.length = 0.339, .lengthV = 0.06, .curveRes = 8, .curve = -30, .curveV = 110, .downAngle = 75, .downAngleV = -25, .rotate = 137, .rotateV = 25, .branches = 34},
                     {.length = 0.45, .lengthV = 0.1, .curveRes = 4, .curve = -40, .curveV = 70, .downAngle = 50, .downAngleV = 12, .rotate = 137, .rotateV = 20, .branches = 36},
                     {.length = 0.3, .curveRes = 1}}}},
-        {L::ScotsPine, 2.4, 2.0, 0.1, B::Plated, 0.15, F::Cone, 0.01}},
+        {L::ScotsPine, 1.25, 0.62, 0.1, B::Plated, 0.15, F::Cone, 0.01}},
 };
 // clang-format on
+
+/// m: shoots and leaves hang below the twigs.
+constexpr double usualClearance = 0.5;
 
 } // namespace
 
@@ -97,6 +101,7 @@ double grownBarkTile(BarkFamily family)
 {
     switch (family) {
     case BarkFamily::Smooth:
+        return 2.0;
     case BarkFamily::Mosaic:
         return 1.0;
     case BarkFamily::Ringed:
@@ -117,6 +122,8 @@ NodeParams speciesParams(const Species& species)
     NodeParams params;
     params.generator.kind = TreeGenerator::WeberPenn;
     params.weberPenn = species.growth;
+    if (double& clearance = params.weberPenn.clearance; clearance == 0.0)
+        clearance = usualClearance;
     constexpr double degree = std::numbers::pi / 180.0;
     for (WeberPennLevel& level : params.weberPenn.level)
         for (double WeberPennLevel::*angle :
@@ -131,6 +138,7 @@ NodeParams speciesParams(const Species& species)
     params.foliage.leavesCutoff = dress.twig;
     params.bark.family = dress.bark;
     params.bark.light = dress.light;
+    params.texture.tileSize = dress.tile;
     params.fruit.kind = dress.fruit;
     params.foliage.applesProbability = dress.fruitful;
     params.sections = {3, 6};

@@ -16,6 +16,7 @@ struct SpeciesDress
     double light = 0.0;
     FruitKind fruit = FruitKind::Faithful;
     double fruitful = 0.0;
+    double tile = 0.0; ///< m, of the bark; 0: as grownBarkTile says
 };
 
 struct Species

@@ -62,6 +62,7 @@ struct WeberPennParams
     double lobeDepth = 0.07;
     double flare = 0.6;
     double attractionUp = 0.5;
+    double clearance = 0.0; ///< m that limbs and what they carry stay above the ground; 0: they may go below
     double pruneRatio = 0.0, pruneWidth = 0.5, pruneWidthPeak = 0.5;
     double prunePowerLow = 0.5, prunePowerHigh = 0.5;
     std::array<WeberPennLevel, weberPennLevels> level = aspenLevels();

@@ -99,6 +99,11 @@ inline constexpr std::array weberPennRows{
         "weberPenn.attractionUp", RAMURE_NOOP("Upwards"),
         RAMURE_NOOP("How strongly branches from the second level on grow towards the sky; negative, towards the ground."),
         ParamUnit::None, {-10, 10, -4, 4, 0.1, 3}),
+    wholeRow<&WeberPennParams::clearance>(
+        "weberPenn.clearance", RAMURE_NOOP("Ground clearance"),
+        RAMURE_NOOP("Limbs that sink so low go on level, and what they carry ends above the ground; 0: they may grow "
+                    "below it."),
+        ParamUnit::Metre, {0, 1000, 0, 3, 0.05, 3}),
     wholeRow<&WeberPennParams::pruneRatio>(
         "weberPenn.pruneRatio", RAMURE_NOOP("Pruning"),
         RAMURE_NOOP("How far limbs that reach out of the pruning envelope are shortened to fit: 0 not at all, 1 fully."),

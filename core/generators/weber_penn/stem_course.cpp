@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 
 namespace ramure {
 namespace {
@@ -27,6 +28,8 @@ glm::dvec3 turned(const glm::dvec3& v, const glm::dvec3& axis, double angle)
 StemCourse::StemCourse(const WeberPennParams& params, std::uint64_t seed, const Stem& stem, double length)
     : m_level(params.level[stem.level])
     , m_attraction(stem.level > 1 ? params.attractionUp : 0.0)
+    , m_floor(stem.level == 1 && params.clearance > 0.0 ? params.clearance
+                                                        : -std::numeric_limits<double>::infinity())
     , m_seed(seed)
     , m_address(stem.own)
     , m_length(length)
@@ -75,7 +78,22 @@ void StemCourse::attract(double step)
         turned(m_tangent, axis / sine, std::clamp(wanted, declination - std::numbers::pi, declination)));
 }
 
-void StemCourse::bend()
+void StemCourse::level(double next)
+{
+    // It comes down to the floor ever more slowly, as a limb that its own shade lifts.
+    const double lowest = -std::max(m_position.y - m_floor, 0.0) / std::max(next, 0.3 * m_length);
+    if (m_tangent.y >= lowest)
+        return;
+    glm::dvec3 ahead(m_tangent.x, 0.0, m_tangent.z);
+    if (glm::length(ahead) < 1e-6)
+        ahead = {m_frame.normal.x, 0.0, m_frame.normal.z};
+    if (glm::length(ahead) < 1e-6)
+        ahead = {m_frame.binormal.x, 0.0, m_frame.binormal.z};
+    const double down = std::max(lowest, -1.0);
+    m_tangent = std::sqrt(1.0 - down * down) * glm::normalize(ahead) + glm::dvec3(0.0, down, 0.0);
+}
+
+void StemCourse::bend(double next)
 {
     const double half = 0.5 * m_length;
     const auto pieces = static_cast<double>(m_level.curveRes);
@@ -96,13 +114,14 @@ void StemCourse::bend()
     if (m_level.curveV < 0.0)
         m_tangent = glm::normalize(turned(m_tangent, m_helix, 2.0 * std::numbers::pi * m_before / m_length));
     attract(m_before);
+    level(next);
     m_frame = transported(m_frame, m_tangent);
 }
 
 void StemCourse::advance(double step)
 {
     if (m_before > 0.0)
-        bend();
+        bend(step);
     m_position += step * m_frame.tangent;
     m_at += step;
     m_before = step;

@@ -45,11 +45,14 @@ public:
 private:
     /// Rad towards normal and binormal.
     void turn(const glm::dvec2& by);
-    void bend();
+    /// By the way so far, and so that \p next metres stay above the floor.
+    void bend(double next);
     void attract(double step);
+    void level(double next);
 
     const WeberPennLevel& m_level;
     double m_attraction;
+    double m_floor; ///< m, of limbs; below all there is for others
     std::uint64_t m_seed, m_address;
     double m_length;
     glm::dvec2 m_away; ///< from what carries it: normal and binormal

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace ramure {
 namespace {
@@ -164,7 +165,17 @@ private:
         if (stem.level == 0)
             radius *= trunkFactor(m_params, z);
         // A tip is as blunt as a twig.
-        return std::max(radius, 0.06 * stem.radius * stem.thin);
+        return std::max(radius, tipRadius(stem));
+    }
+
+    static double tipRadius(const Stem& stem) { return 0.06 * stem.radius * stem.thin; }
+
+    /// m: below there is nothing of what limbs carry, which has less and less room below them.
+    [[nodiscard]] double floorOf(const Stem& stem) const
+    {
+        if (stem.level < 2 || m_params.clearance == 0.0)
+            return -std::numeric_limits<double>::infinity();
+        return std::min(m_params.clearance * (stem.level == 2 ? 0.6 : 0.4), 0.8 * stem.foot.y);
     }
 
     [[nodiscard]] double bareBase(const Stem& stem) const
@@ -265,6 +276,11 @@ private:
         double at = stem.begin;
         for (const Cut& cut : cuts) {
             course.advance(cut.at - at);
+            if (course.position().y < floorOf(stem)) {
+                if (number == 0 && at > stem.begin) // it comes to its end in the piece before
+                    m_skeleton.a1[branch] = std::min(m_skeleton.a1[branch], tipRadius(stem));
+                break;
+            }
             branch = addPiece(stem, branch, course.position(), at, cut.at, number);
             number = 0;
             at = cut.at;
@@ -309,6 +325,8 @@ private:
              slotAzimuth(carrier.level, carrier.azimuth, level, cut.slot, stem.address));
         if (m_params.pruneRatio > 0.0)
             stem.length = pruned(stem);
+        if (stem.foot.y - stem.length < floorOf(stem))
+            stem.length = aboveGround(stem);
         // What does not leave the wood that carries it is no stem.
         if (stem.length <= std::max(1.5 * stem.carrier, 1e-4 * m_params.scale))
             return;
@@ -368,6 +386,25 @@ private:
         for (int i = 0; i < 24 && !fits(stem, length); ++i)
             length *= 0.85;
         return stem.length + m_params.pruneRatio * (length - stem.length);
+    }
+
+    /// The length at which no bend of the stem is below its floor.
+    [[nodiscard]] double aboveGround(const Stem& stem) const
+    {
+        const auto pieces = static_cast<int>(m_params.level[stem.level].curveRes);
+        const auto sinks = [&](double length) {
+            StemCourse course(m_params, m_seed, stem, length);
+            for (int i = 0; i < pieces; ++i) {
+                course.advance(length / pieces);
+                if (course.position().y < floorOf(stem))
+                    return true;
+            }
+            return false;
+        };
+        double length = stem.length;
+        for (int i = 0; i < 24 && sinks(length); ++i)
+            length *= 0.85;
+        return length;
     }
 
     const WeberPennParams& m_params;

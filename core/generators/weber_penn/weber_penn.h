@@ -14,7 +14,8 @@ namespace ramure {
 /// its own on the same level. A stem starts at a fork of the one that carries it, at the offset that the
 /// formulas say; the stems of a split share those that the whole one would carry. Beyond the paper: stems
 /// stand evenly from where the wood that carries their parent ends, bends are spread over the pieces, and the
-/// stems of a split turn at least 15 degrees away and are thinner.
+/// stems of a split turn at least 15 degrees away and are thinner. With a clearance, limbs level out above
+/// the ground, and what they carry is shortened, or where a split sends it lower, ends there.
 ///
 /// What a stem draws by chance depends on \p seed and its address alone. Errors, path = the parameter's key:
 /// Limit (more branches than maxBranches; found before memory is taken), Invalid (no branch at all),

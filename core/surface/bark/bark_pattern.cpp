@@ -46,10 +46,11 @@ float tintOf(std::uint32_t id)
 
 RAMURE_WIDE_CLONE BarkSample smoothBark(vec2 p, Seed seed)
 {
-    const float wide = fractalNoise(p, {3, 4}, 3, seed);
-    const float wrinkles = fractalNoise(warped(p, {4, 4}, {0.0f, 0.02f}, 1, seed), {3, 28}, 2, seed + 11u);
-    const float lichen = fractalNoise(p, {4, 3}, 4, seed + 21u);
-    return {0.6f + 0.22f * wide + 0.18f * wrinkles, wide, 0.75f * step(0.18f, 0.42f, lichen)};
+    // Many features a tile, none of which stands out: on a stem of many tiles one that did would show the grid.
+    const float wide = fractalNoise(p, {7, 9}, 4, seed);
+    const float wrinkles = fractalNoise(warped(p, {8, 8}, {0.0f, 0.01f}, 1, seed), {6, 56}, 2, seed + 11u);
+    const float lichen = fractalNoise(p, {13, 11}, 4, seed + 21u);
+    return {0.6f + 0.2f * wide + 0.18f * wrinkles, wide, 0.5f * step(0.1f, 0.5f, lichen)};
 }
 
 RAMURE_WIDE_CLONE BarkSample platedBark(vec2 p, Seed seed)

@@ -13,6 +13,7 @@ namespace ramure {
 namespace {
 
 constexpr double pi = std::numbers::pi;
+constexpr double goldenAngle = pi * (3.0 - 2.23606797749978969);
 constexpr glm::u8vec3 bladeShade{255, 255, 255}, stalkShade{255, 226, 158};
 /// Of petioles; and how far they reach into the bark, whose facets lie below its circle.
 constexpr double stalkRadius = 0.016, sunk = 0.03;
@@ -60,6 +61,9 @@ public:
             break;
         case LeafFamily::Tuft:
             tuft();
+            break;
+        case LeafFamily::Shoot:
+            shoot();
             break;
         }
         computeNormals(m_mesh);
@@ -229,6 +233,83 @@ private:
             blade(flat, BladeBend(m_form, flat.halfWidth, 0.25, 0.45 * gap),
                   poseTowards(base.at(0.03 * way), base.along(way), base.along({-sine, 0.2, -cosine})),
                   length - 0.03);
+        }
+    }
+
+    /// Two needles that leave the stem at one place to either side of it, with a foot in common.
+    /// \param way of the stem. \param out one needle, \param other the other, for a length of 1.
+    void needles(const glm::dvec3& foot, const glm::dvec3& way, const glm::dvec3& out,
+                 const glm::dvec3& other, double length, double half)
+    {
+        constexpr float widest = 0.25F; // of the picture: they begin where it is widest
+        const Index below = add(foot - half * way, {0.0, widest}),
+                    above = add(foot + half * way, {1.0, widest});
+        const Index right = add(foot + length * out, {0.5, 1.0}),
+                    left = add(foot + length * other, {0.5, 1.0});
+        face({below, right, above}, bladeShade);
+        face({above, left, below}, bladeShade);
+    }
+
+    struct PairPlace
+    {
+        double share; ///< along the stem, 0..1
+        double lean;  ///< how much it leans towards the stem's end, 0..1: the more, the further it stands
+    };
+    /// \param room that a pair takes, as a share of the stem.
+    [[nodiscard]] PairPlace pairPlace(int i, int count, double room) const
+    {
+        if (m_row.rosettes == 0)
+            return {(i + 0.5) / count, (i + 0.5) / count};
+        const int each = count / m_row.rosettes, rank = i % each;
+        return {(i / each + 0.4) / m_row.rosettes + room * rank, std::min(1.0 * rank, 1.5)};
+    }
+
+    /// Coarser shoots have fewer and wider needles, which cover as much.
+    void shoot()
+    {
+        // Stiffer than blades; straight where a bent stem would cost more triangles.
+        const bool straight = m_form.detail < 3;
+        const double foot = petiole(), curl = std::clamp(0.4 * m_form.curl, -0.35, 0.35);
+        LeafForm stiff = m_form;
+        stiff.curl = straight ? 0.0 : curl;
+        stiff.fold = stiff.cup = 0.0;
+        const BladeBend bend(stiff, 1.0);
+        const auto [sinks, onwards0] = maths::sincos(straight ? 0.5 * curl : 0.0);
+        const double stem = 1.0 - 0.8 * m_row.leaflet * maths::cos(0.6 * m_row.spread);
+        const double thick = 0.55 * stalkRadius;
+        const auto onStem = [&](double y) {
+            const glm::dvec3 at = bend.at({0.0, y});
+            return glm::dvec3(0.0, foot + onwards0 * at.y, at.z - sinks * at.y);
+        };
+        std::vector<glm::dvec3> axis{onStem(-sunk)};
+        const int pieces = straight ? 1 : 3;
+        for (int i = 1; i <= pieces; ++i)
+            axis.push_back(onStem(stem * i / pieces));
+        stalk(axis, thick, 0.5 * thick);
+
+        const double fullness = m_form.detail == 1 ? 0.5 : m_form.detail == 2 ? 1.0 : 1.6;
+        const int places = std::max(m_row.rosettes, 1);
+        const int pairs = places * std::max(1, static_cast<int>(0.5 * fullness * m_row.leaflets / places));
+        const double from = m_row.bareFoot * stem, room = 0.98 * stem - from;
+        const double half =
+            std::min(0.5 * m_row.leaflet * m_row.width * m_form.width / fullness, 0.45 * room / pairs);
+        for (int i = 0; i < pairs; ++i) {
+            const auto [share, lean] = pairPlace(i, pairs, 2.3 * half / room);
+            const double y = from + room * share;
+            const auto [down, onwards] = maths::sincos(straight ? 0.5 * curl : curl * y);
+            const glm::dvec3 right(1.0, 0.0, 0.0), along(0.0, onwards, -down), upper(0.0, down, onwards);
+            const auto [sine, cosine] = maths::sincos(m_row.flat ? 0.0 : i * goldenAngle);
+            const glm::dvec3 out = cosine * right + sine * upper, over = cosine * upper - sine * right;
+            const double steep = m_row.spread * (1.0 - 0.4 * lean);
+            const auto [across, ahead] = maths::sincos(steep);
+            // Every second pair of a flat shoot is raised.
+            const auto [up, level] = maths::sincos(m_row.flat ? 0.12 + 0.4 * (i % 2) : 0.0);
+            const glm::dvec3 one = across * (level * out + up * over),
+                             two = across * (up * over - level * out);
+            const double length =
+                m_row.leaflet * (1.0 - m_row.dwindle * share * share) * (1.0 - 0.09 * (i % 3));
+            needles(onStem(y) + 1.4 * thick * over, along, one + ahead * along, two + ahead * along, length,
+                    half);
         }
     }
 

@@ -43,7 +43,7 @@ constexpr std::array<LeafRow, leafShapeCount - 1> rows{{
     {.shape = S::Hawthorn, .length = 0.32, .internode = 0.15, .arrangement = Alternate, .petiole = 0.25, .width = 0.85, .base = 0.70, .tip = 0.45, .lobes = 3, .depth = 0.45, .autumn = {0xB5, 0x50, 0x2E}},
     // Fans
     {.shape = S::Ginkgo, .family = Star, .length = 0.42, .internode = 0.17, .arrangement = Spiral, .petiole = 0.70, .width = 1.00, .depth = 0.22, .spread = 1.9, .colour = {0x86, 0xA8, 0x4A}, .autumn = {0xEB, 0xC5, 0x2E}},
-    {.shape = S::FanPalm, .family = Star, .length = 2.60, .internode = 0.30, .arrangement = Spiral, .petiole = 0.90, .width = 1.00, .lobes = 17, .depth = 0.35, .spread = 4.4, .dwindle = 0.15, .evergreen = true},
+    {.shape = S::FanPalm, .family = Star, .length = 2.60, .internode = 0.30, .arrangement = Spiral, .petiole = 0.90, .width = 1.00, .lobes = 17, .depth = 0.35, .spread = 4.4, .dwindle = 0.15, .colour = {0x5C, 0x7E, 0x4A}, .evergreen = true},
     // Pinnate
     {.shape = S::Ash, .family = Pinnate, .length = 1.10, .internode = 0.42, .arrangement = Decussate, .petiole = 0.18, .width = 0.38, .base = 0.55, .tip = 0.80, .spread = 1.1, .leaflets = 4, .leaflet = 0.34, .dwindle = 0.1, .autumn = {0xD8, 0xBC, 0x3F}},
     {.shape = S::Rowan, .family = Pinnate, .length = 0.95, .internode = 0.36, .arrangement = Alternate, .petiole = 0.15, .width = 0.32, .base = 0.35, .tip = 0.60, .teeth = 0.15, .spread = 1.15, .leaflets = 6, .leaflet = 0.30, .dwindle = 0.2, .autumn = {0xC2, 0x4A, 0x25}},
@@ -54,14 +54,17 @@ constexpr std::array<LeafRow, leafShapeCount - 1> rows{{
     {.shape = S::HorseChestnut, .family = Fingers, .length = 0.95, .internode = 0.40, .arrangement = Decussate, .petiole = 0.85, .width = 0.38, .base = 0.95, .tip = 0.42, .teeth = 0.06, .spread = 3.9, .leaflets = 7, .dwindle = 0.45, .autumn = {0xB8, 0x74, 0x2E}},
     {.shape = S::Laburnum, .family = Fingers, .length = 0.40, .internode = 0.16, .arrangement = Alternate, .petiole = 0.80, .width = 0.48, .base = 0.50, .tip = 0.55, .spread = 3.0, .leaflets = 3, .dwindle = 0.05, .autumn = {0xD6, 0xBE, 0x4E}},
     // Fronds
-    {.shape = S::Fern, .family = Pinnate, .length = 1.60, .internode = 0.40, .arrangement = Spiral, .petiole = 0.20, .width = 0.26, .base = 0.25, .tip = 0.75, .teeth = 0.25, .spread = 1.25, .leaflets = 11, .leaflet = 0.32, .dwindle = 0.85, .autumn = {0xB0, 0x7A, 0x35}},
+    {.shape = S::Fern, .family = Pinnate, .length = 1.60, .internode = 0.40, .arrangement = Spiral, .petiole = 0.20, .width = 0.17, .base = 0.25, .tip = 0.75, .teeth = 0.25, .spread = 1.25, .leaflets = 19, .leaflet = 0.32, .dwindle = 0.85, .autumn = {0xB0, 0x7A, 0x35}},
     {.shape = S::Palm, .family = Pinnate, .length = 5.50, .internode = 0.60, .arrangement = Spiral, .petiole = 0.25, .width = 0.11, .base = 0.25, .tip = 0.60, .spread = 1.0, .leaflets = 16, .leaflet = 0.30, .dwindle = 0.45, .colour = {0x6A, 0x93, 0x3E}, .evergreen = true},
-    // Needles and scales
-    {.shape = S::Yew, .length = 0.20, .internode = 0.05, .arrangement = Distichous, .petiole = 0.04, .width = 0.13, .base = 0.20, .tip = 0.35, .colour = {0x3F, 0x66, 0x31}, .evergreen = true},
-    {.shape = S::Fir, .length = 0.22, .internode = 0.035, .arrangement = Spiral, .petiole = 0.03, .width = 0.10, .base = 0.12, .tip = 0.20, .colour = {0x46, 0x70, 0x45}, .evergreen = true},
-    {.shape = S::ScotsPine, .family = Tuft, .length = 0.42, .internode = 0.06, .arrangement = Spiral, .petiole = 0.05, .width = 0.05, .base = 0.12, .tip = 0.40, .spread = 0.75, .leaflets = 6, .colour = {0x5D, 0x80, 0x55}, .evergreen = true},
-    {.shape = S::WhitePine, .family = Tuft, .length = 0.60, .internode = 0.08, .arrangement = Spiral, .petiole = 0.05, .width = 0.03, .base = 0.12, .tip = 0.40, .spread = 0.55, .leaflets = 5, .colour = {0x62, 0x88, 0x60}, .evergreen = true},
-    {.shape = S::Larch, .family = Tuft, .length = 0.24, .internode = 0.10, .arrangement = Spiral, .petiole = 0.10, .width = 0.07, .base = 0.15, .tip = 0.40, .spread = 1.1, .leaflets = 16, .colour = {0x7D, 0xA2, 0x4C}, .autumn = {0xDD, 0xA5, 0x2F}},
+    // Needles, on shoots of the year, and scales
+    {.shape = S::Yew, .family = Shoot, .length = 0.20, .internode = 0.060, .arrangement = Distichous, .petiole = 0.0, .width = 0.36, .base = 0.20, .tip = 0.35, .spread = 1.15, .leaflets = 32, .leaflet = 0.11, .dwindle = 0.4, .flat = true, .colour = {0x3F, 0x66, 0x31}, .evergreen = true},
+    {.shape = S::Fir, .family = Shoot, .length = 0.22, .internode = 0.070, .arrangement = Distichous, .petiole = 0.0, .width = 0.34, .base = 0.12, .tip = 0.20, .spread = 1.2, .leaflets = 30, .leaflet = 0.13, .dwindle = 0.3, .flat = true, .colour = {0x46, 0x70, 0x45}, .evergreen = true},
+    {.shape = S::Spruce, .family = Shoot, .length = 0.22, .internode = 0.070, .arrangement = Alternate, .petiole = 0.0, .width = 0.36, .base = 0.12, .tip = 0.30, .spread = 0.95, .leaflets = 30, .leaflet = 0.12, .dwindle = 0.2, .colour = {0x41, 0x68, 0x3C}, .evergreen = true},
+    {.shape = S::BlueSpruce, .family = Shoot, .length = 0.22, .internode = 0.070, .arrangement = Alternate, .petiole = 0.0, .width = 0.30, .base = 0.12, .tip = 0.30, .spread = 1.05, .leaflets = 30, .leaflet = 0.14, .dwindle = 0.2, .colour = {0x76, 0x95, 0x93}, .evergreen = true},
+    {.shape = S::Cedar, .family = Shoot, .length = 0.22, .internode = 0.075, .arrangement = Distichous, .petiole = 0.0, .width = 0.28, .base = 0.12, .tip = 0.30, .spread = 1.2, .leaflets = 28, .leaflet = 0.13, .dwindle = 0.1, .rosettes = 7, .colour = {0x4C, 0x74, 0x58}, .evergreen = true},
+    {.shape = S::ScotsPine, .family = Shoot, .length = 0.42, .internode = 0.11, .arrangement = Spiral, .petiole = 0.0, .width = 0.18, .base = 0.12, .tip = 0.40, .spread = 0.8, .leaflets = 32, .leaflet = 0.40, .dwindle = 0.1, .bareFoot = 0.25, .colour = {0x5D, 0x80, 0x55}, .evergreen = true},
+    {.shape = S::WhitePine, .family = Shoot, .length = 0.60, .internode = 0.13, .arrangement = Spiral, .petiole = 0.0, .width = 0.11, .base = 0.12, .tip = 0.40, .spread = 0.7, .leaflets = 30, .leaflet = 0.50, .dwindle = 0.1, .bareFoot = 0.2, .colour = {0x62, 0x88, 0x60}, .evergreen = true},
+    {.shape = S::Larch, .family = Shoot, .length = 0.24, .internode = 0.10, .arrangement = Alternate, .petiole = 0.0, .width = 0.24, .base = 0.15, .tip = 0.40, .spread = 1.25, .leaflets = 28, .leaflet = 0.14, .dwindle = 0.1, .rosettes = 7, .colour = {0x7D, 0xA2, 0x4C}, .autumn = {0xDD, 0xA5, 0x2F}},
     {.shape = S::Cypress, .family = Pinnate, .length = 0.48, .internode = 0.09, .arrangement = Alternate, .petiole = 0.03, .width = 0.52, .base = 0.40, .tip = 0.60, .spread = 0.55, .leaflets = 6, .leaflet = 0.26, .dwindle = 0.5, .colour = {0x4A, 0x72, 0x3C}, .evergreen = true},
 }};
 // clang-format on

@@ -13,6 +13,7 @@ enum class LeafFamily : std::uint8_t {
     Pinnate, ///< leaflets left and right of a rachis: ash, fern, palm; bipinnate where they have deep lobes
     Fingers, ///< leaflets from one place, side by side: horse chestnut, laburnum
     Tuft,    ///< needles from one place, all around
+    Shoot,   ///< a twig of needles: what stands on a branch is a shoot of the year
 };
 
 /// Lengths in shares of the whole leaf's where nothing else is said. "Blade" is a leaflet where there are
@@ -33,11 +34,15 @@ struct LeafRow
     int lobes = 0;       ///< of a blade on each side; of a star in all
     double depth = 0.0;  ///< of the bays between lobes, 0..1
     bool pointed = true; ///< the lobes
-    /// rad: from the first lobe or finger to the last; between leaflet and rachis; of a tuft from its axis.
+    /// rad: from the first lobe or finger to the last; between leaflet and rachis; of a tuft or shoot from
+    /// its axis.
     double spread = 1.0;
-    int leaflets = 0;     ///< pairs; of fingers and tufts in all
+    int leaflets = 0;     ///< pairs; of fingers, tufts and shoots in all
     double leaflet = 0.3; ///< length of the longest
     double dwindle = 0.3; ///< by how much the last leaflets, or the outermost lobes and fingers, are shorter
+    int rosettes = 0;     ///< that the needles of a shoot stand in; 0: one by one
+    bool flat = false;    ///< the needles of a shoot part left and right
+    double bareFoot = 0.05; ///< share of a shoot before its first needle
     glm::u8vec3 colour{0x72, 0x99, 0x3C}; ///< sRGB, of the brightest leaf
     glm::u8vec3 autumn{0xD8, 0xAE, 0x32}; ///< that it turns to
     bool evergreen = false;

@@ -236,9 +236,9 @@ VeinedBlade veinedBlade(LeafShape shape)
                              0.045, static_cast<std::uint64_t>(shape));
         return out;
     }
-    const bool isNeedle = row.family == LeafFamily::Tuft || row.width < 0.15;
-    out.blade = row.family == LeafFamily::Tuft ? needleOf(row, 1.0)
-                                               : bladeOf(row, 1.0, 2 * finest - 1, row.width > 0.3);
+    const bool stands = row.family == LeafFamily::Tuft || row.family == LeafFamily::Shoot;
+    const bool isNeedle = stands || row.width < 0.15;
+    out.blade = stands ? needleOf(row, 1.0) : bladeOf(row, 1.0, 2 * finest - 1, row.width > 0.3);
     out.veins = isNeedle ? std::vector{Vein{glm::dvec2(0.0), tip, 4.0}}
                          : venation(out.blade, {tip}, 0.05 + 0.02 * (1.0 - row.width),
                                     static_cast<std::uint64_t>(shape));

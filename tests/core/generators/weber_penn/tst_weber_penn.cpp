@@ -19,7 +19,7 @@ WeberPennParams published(const char* name)
 /// Without chance, splits and pruning: what is left is what the formulas say.
 WeberPennParams plain(WeberPennParams params)
 {
-    params.scaleV = params.pruneRatio = 0.0;
+    params.scaleV = params.pruneRatio = params.clearance = 0.0;
     for (WeberPennLevel& level : params.level) {
         level.lengthV = level.splitAngleV = level.rotateV = level.segSplits = 0.0;
         level.curveV = std::min(level.curveV, 0.0);

@@ -135,8 +135,9 @@ private slots:
     void theUpperSideLooksUp()
     {
         for (const LeafShape shape : shapesOfPlants()) {
-            if (leafRow(shape).family == LeafFamily::Tuft)
-                continue;
+            const LeafRow& row = leafRow(shape);
+            if (row.family == LeafFamily::Tuft || (row.family == LeafFamily::Shoot && !row.flat))
+                continue; // all around
             LeafForm form = usual(shape, 2);
             form.petiole = 0.0;
             const TriangleMesh leaf = leafMesh(form);
