@@ -10345,11 +10345,11 @@ OpenGL&#xa0;: %4
     <message>
         <source>as it is, then a quarter or less</source>
         <comment>the tree</comment>
-        <translation>tel quel, puis un quart ou moins</translation>
+        <translation>tel quel, puis ≤ un quart</translation>
     </message>
     <message>
         <source>the tree as it is, then a quarter or less each</source>
-        <translation>l’arbre tel quel, puis chaque fois un quart ou moins</translation>
+        <translation>l’arbre tel quel, puis un quart ou moins</translation>
     </message>
     <message>
         <source>Triangles of each level, with commas between them, such as 10000, 2500: bark, leaves and fruit together, kept within 2 %. Nothing here: the first level is the tree as it is, each further one has a quarter of the one before; less, often an eighth, where its bark would keep more than half of its triangles, as in a tree full of leaves.</source>

@@ -250,16 +250,20 @@ Index branchOn(const TreeAxes& tree, Index axis, const BranchPlace& place)
 {
     const AxisPrint& before = place.way.back();
     const std::span<const Index> nodes = tree.nodesOf(axis);
-    if (changeOf(before, tree.axes[axis]) == Change::Inserted) {
-        const auto after = std::ranges::upper_bound(nodes, place.share * before.length, {},
-                                                    [&tree](Index i) { return tree.start[i]; });
-        return after == nodes.begin() ? nodes.front() : *(after - 1);
-    }
+    const double along = place.share * before.length;
+    const auto after = std::ranges::upper_bound(nodes, along, {}, [&tree](Index i) { return tree.start[i]; });
+    const Index byWay = after == nodes.begin() ? nodes.front() : *(after - 1);
+    if (changeOf(before, tree.axes[axis]) == Change::Inserted)
+        return byWay;
     const auto belowFork = [&tree](Index i) { return tree.forksBelow[i]; };
     const auto first = std::ranges::lower_bound(nodes, place.fork, {}, belowFork);
     const auto last = std::ranges::upper_bound(nodes, place.fork, {}, belowFork);
     if (first == last)
         return noIndex;
+    // The very same axis in more pieces, or fewer, was bent or cut (core/skeleton/edits/): ways hold.
+    constexpr double rounding = 1e-9;
+    if (std::abs(tree.axes[axis].length - before.length) <= rounding * before.length)
+        return byWay;
     return first[std::min<std::ptrdiff_t>(place.piece, last - first - 1)];
 }
 

@@ -41,7 +41,7 @@ static MeshItem wallAt(double z, double half, const char* material)
 void TestDefectMark::leavesAndApplesFadeWhileADefectIsShown()
 {
     RenderScene scene = test::sampleScene();
-    scene.meshes.push_back(wallAt(0.3, 0.1, "apples"));
+    scene.meshes.push_back(wallAt(0.3, 0.1, "fruit"));
     DefectMark mark;
     mark.addTo(scene); // none yet
     QVERIFY(scene.lines.empty());

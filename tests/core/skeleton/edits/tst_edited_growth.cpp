@@ -1,3 +1,4 @@
+#include "core/skeleton/edit_places.h"
 #include "tests/support/shaped_tree.h"
 
 #include <cmath>
@@ -27,6 +28,7 @@ private slots:
     void laterEditsOfWhatWasDrawn();
     void untouchedLimbsKeepTheirNames();
     void whatWasTakenAwayIsSaid();
+    void placesHoldWhereAnAxisIsSplit();
 };
 
 void TestEditedGrowth::draws()
@@ -378,6 +380,31 @@ void TestEditedGrowth::whatWasTakenAwayIsSaid()
     QCOMPARE((*tree.edits)[0].state, EditState::ByAddress);
     QCOMPARE((*tree.edits)[1].state, EditState::Idle);
     QVERIFY(*(*tree.edits)[1].why.text != '\0');
+}
+
+void TestEditedGrowth::placesHoldWhereAnAxisIsSplit()
+{
+    Shaped shaped;
+    const TreeAxes grown = axesOf(shaped.skeleton());
+    std::vector<BranchPlace> places;
+    for (Index branch = 0; branch < shaped.skeleton().size(); ++branch)
+        places.push_back(placeOf(grown, branch, 1));
+    TreeEdit edit = editOf(EditOperation::Bend, shaped.address[1]);
+    edit.to = 0.5;
+    edit.rotation = {0.0, 1.0, 0.0};
+    QVERIFY(shaped.make(edit));
+    const TreeAxes bent = axesOf(shaped.skeleton());
+    std::vector<const BranchPlace*> wanted;
+    for (const BranchPlace& place : places)
+        wanted.push_back(&place);
+    const std::vector<FoundPlace> found = findPlaces(bent, wanted);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        QVERIFY(found[i].branch != noIndex);
+        const Axis& axis = bent.axes[bent.axisOf[found[i].branch]];
+        QCOMPARE(axis.address, places[i].way.back().address);
+        const double middle = places[i].share * axis.length, start = bent.start[found[i].branch];
+        QVERIFY(start <= middle && middle <= start + shaped.skeleton().length(found[i].branch) + 1e-9);
+    }
 }
 
 QTEST_GUILESS_MAIN(TestEditedGrowth)
