@@ -46,7 +46,8 @@ float tintOf(std::uint32_t id)
 
 RAMURE_WIDE_CLONE BarkSample smoothBark(vec2 p, Seed seed)
 {
-    // Many features a tile, none of which stands out: on a stem of many tiles one that did would show the grid.
+    // Many features a tile, none of which stands out: on a stem of many tiles one that did would show the
+    // grid.
     const float wide = fractalNoise(p, {7, 9}, 4, seed);
     const float wrinkles = fractalNoise(warped(p, {8, 8}, {0.0f, 0.01f}, 1, seed), {6, 56}, 2, seed + 11u);
     const float lichen = fractalNoise(p, {13, 11}, 4, seed + 21u);

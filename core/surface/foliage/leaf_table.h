@@ -42,7 +42,7 @@ struct LeafRow
     double dwindle = 0.3; ///< by how much the last leaflets, or the outermost lobes and fingers, are shorter
     int rosettes = 0;     ///< that the needles of a shoot stand in; 0: one by one
     bool flat = false;    ///< the needles of a shoot part left and right
-    double bareFoot = 0.05; ///< share of a shoot before its first needle
+    double bareFoot = 0.05;               ///< share of a shoot before its first needle
     glm::u8vec3 colour{0x72, 0x99, 0x3C}; ///< sRGB, of the brightest leaf
     glm::u8vec3 autumn{0xD8, 0xAE, 0x32}; ///< that it turns to
     bool evergreen = false;

@@ -161,8 +161,8 @@ private slots:
                     .add((maps.normal[i].x << 16) + (maps.normal[i].y << 8) + maps.normal[i].z)
                     .add((maps.height[i] << 16) + (maps.occlusion[i] << 8) + maps.roughness[i]);
         }
-        QCOMPARE(barkVersion, 2);
-        QCOMPARE(hash.value(), std::uint64_t(0x353A56A710EA6807));
+        QCOMPARE(barkVersion, 3);
+        QCOMPARE(hash.value(), std::uint64_t(0x6D089F67D92F682B));
     }
 };
 
