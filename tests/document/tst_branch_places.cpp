@@ -11,7 +11,8 @@ using namespace ramure;
 
 namespace {
 
-const char* const axiom = "F[+F[+F][-F][^F]][-F[+F][-F][^F]]_F[+F][-F][^F]";
+const std::string twigInFront = "[+F]F[+F[+F][-F][^F]][-F[+F][-F][^F]]_F[+F][-F][^F]";
+const std::string axiom = twigInFront.substr(4);
 
 /// A tree in a document that is grown again after each edit.
 struct Fixture
@@ -73,7 +74,7 @@ void TestBranchPlaces::editsFollowTheirBranches()
     QVERIFY(f.trees.compute(f.tree));
     const double bent = f.trees.skeleton(f.tree).p1[9].z;
     QVERIFY(std::abs(bent) > 1e-3);
-    f.setAxiom(std::string("[+F]") + axiom); // a twig in front
+    f.setAxiom(twigInFront);
     QCOMPARE(f.branch(name), Index{10});
     QVERIFY(std::abs(f.trees.skeleton(f.tree).p1[10].z - bent) < 1e-9);
     QVERIFY(unplacedEdits(f.trees.document()).empty());
@@ -84,7 +85,7 @@ void TestBranchPlaces::renamedBranchesAreEditedUnderTheirNames()
     Fixture f;
     const std::uint64_t name = f.trees.skeleton(f.tree).name(9);
     QVERIFY(edit::setBranchRoll(f.trees.document(), f.tree, {name}, 0.5));
-    f.setAxiom(std::string("[+F]") + axiom);
+    f.setAxiom(twigInFront);
     const Index now = f.branch(name);
     QVERIFY(now != noIndex);
     QVERIFY(edit::setBranchRoll(f.trees.document(), f.tree, {f.trees.skeleton(f.tree).name(now)}, 0.7));
@@ -163,7 +164,7 @@ void TestBranchPlaces::selectedBranchesStaySelected()
 {
     Fixture f;
     f.trees.select(f.tree, {5, 9}, 9);
-    f.setAxiom(std::string("[+F]") + axiom);
+    f.setAxiom(twigInFront);
     QCOMPARE(f.trees.document().selection().branches, (std::vector<Index>{6, 10}));
     QCOMPARE(f.trees.document().selection().activeBranch, Index{10});
     f.setAxiom("F[+F]F");
