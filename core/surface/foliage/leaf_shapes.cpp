@@ -274,12 +274,12 @@ private:
         stiff.curl = straight ? 0.0 : curl;
         stiff.fold = stiff.cup = 0.0;
         const BladeBend bend(stiff, 1.0);
-        const auto [sinks, onwards0] = maths::sincos(straight ? 0.5 * curl : 0.0);
+        const auto atFoot = maths::sincos(straight ? 0.5 * curl : 0.0);
         const double stem = 1.0 - 0.8 * m_row.leaflet * maths::cos(0.6 * m_row.spread);
         const double thick = 0.55 * stalkRadius;
         const auto onStem = [&](double y) {
             const glm::dvec3 at = bend.at({0.0, y});
-            return glm::dvec3(0.0, foot + onwards0 * at.y, at.z - sinks * at.y);
+            return glm::dvec3(0.0, foot + atFoot.cos * at.y, at.z - atFoot.sin * at.y);
         };
         std::vector<glm::dvec3> axis{onStem(-sunk)};
         const int pieces = straight ? 1 : 3;
