@@ -7,6 +7,7 @@
 #include "tests/gl/desk.h"
 #include "tests/support/cannot_run.h"
 #include "widgets/base/branch_names.h"
+#include "widgets/base/preset_title.h"
 #include <QClipboard>
 #include <QDir>
 #include <QFile>
@@ -76,12 +77,21 @@ private:
         return window.adjusted(window.width() * 7 / 10, 60, 0, -45);
     }
 
-    /// By the menus, with the keyboard.
+    /// By the menus, with the keyboard: species come first, then the other groups, each by the alphabet.
     static bool newFromPreset(Editor& editor, const char* name)
     {
-        const auto at = std::ranges::find_if(presets(), [&](const Preset& preset) {
-            return QLatin1String(preset.name) == QLatin1String(name);
-        });
+        QStringList species, others, names;
+        const auto wanted = std::ranges::find_if(
+            presets(), [&](const Preset& preset) { return std::string_view(preset.name) == name; });
+        for (const Preset& preset : presets()) {
+            QStringList& groups = isSpecies(preset) ? species : others;
+            if (const QString group = QString::fromUtf8(preset.group); !groups.contains(group))
+                groups += group;
+            if (std::string_view(preset.group) == wanted->group)
+                names += QString::fromLatin1(preset.name);
+        }
+        names.sort();
+        const auto down = [](qsizetype rows) { return QStringList(rows, QStringLiteral("Down")); };
         const qsizetype before = editor.windowCount();
         const auto menus = [&](int count) {
             return [&, count] { return editor.windowCount() == before + count; };
@@ -89,10 +99,10 @@ private:
         if (!Editor::keysUntil({QStringLiteral("alt+f")}, menus(1)) ||
             !Editor::keysUntil({QStringLiteral("Right")}, menus(2)))
             return false;
-        QStringList down;
-        for (auto i = at - presets().begin(); i > 0; --i)
-            down += QStringLiteral("Down");
-        Editor::keys(down + QStringList{QStringLiteral("Return")});
+        Editor::keys(down((species + others).indexOf(QString::fromUtf8(wanted->group))));
+        if (!Editor::keysUntil({QStringLiteral("Right")}, menus(3)))
+            return false;
+        Editor::keys(down(names.indexOf(QLatin1String(name))) + QStringList{QStringLiteral("Return")});
         return eventually(menus(0));
     }
     static void setParam(const QString& key, const QString& text)
