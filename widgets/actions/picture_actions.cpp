@@ -10,6 +10,7 @@
 #include "widgets/view/tools/hand_settings.h"
 #include "widgets/view/viewport.h"
 #include "widgets/view/viewport_host.h"
+#include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
 #include <QOpenGLContext>

@@ -260,8 +260,8 @@ private:
     {
         if (m_row.rosettes == 0)
             return {(i + 0.5) / count, (i + 0.5) / count};
-        const int each = count / m_row.rosettes, rank = i % each;
-        return {(i / each + 0.4) / m_row.rosettes + room * rank, std::min(1.0 * rank, 1.5)};
+        const int each = count / m_row.rosettes, rosette = i / each, rank = i % each;
+        return {(rosette + 0.4) / m_row.rosettes + room * rank, std::min(1.0 * rank, 1.5)};
     }
 
     /// Coarser shoots have fewer and wider needles, which cover as much.
