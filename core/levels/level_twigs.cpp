@@ -31,12 +31,8 @@ double turnOf(const Skeleton& tree, Index i)
 {
     const Index parent = tree.parent[i];
     const glm::dvec3 before = tree.p1[parent] - tree.p0[parent], way = tree.p1[i] - tree.p0[i];
-    const auto taper = [&](Index branch) {
-        const double length = tree.length(branch);
-        return length > 0.0 ? (tree.a0[branch] - tree.a1[branch]) / length : 0.0;
-    };
     return maths::atan2(glm::length(glm::cross(before, way)), glm::dot(before, way)) +
-           bendsOfTaper * std::abs(taper(i) - taper(parent));
+           bendsOfTaper * std::abs(taperOf(tree, i) - taperOf(tree, parent));
 }
 
 /// The branches that stay, as a skeleton of their own; noIndex in \p number for the others.

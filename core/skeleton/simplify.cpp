@@ -79,13 +79,6 @@ std::vector<bool> bareBranches(const Skeleton& skeleton)
     return bare;
 }
 
-/// m per m, that it gets thinner.
-double taperOf(const Skeleton& skeleton, Index i)
-{
-    const double length = skeleton.length(i);
-    return length > 0.0 ? (skeleton.a0[i] - skeleton.a1[i]) / length : 0.0;
-}
-
 /// What goes on from the branch before it does not bend by more.
 struct MostBend
 {
@@ -141,6 +134,12 @@ void moveOrgans(const Skeleton& skeleton, SimplifiedSkeleton& result)
 }
 
 } // namespace
+
+double taperOf(const Skeleton& skeleton, Index branch)
+{
+    const double length = skeleton.length(branch);
+    return length > 0.0 ? (skeleton.a0[branch] - skeleton.a1[branch]) / length : 0.0;
+}
 
 SimplifiedSkeleton simplify(const Skeleton& skeleton, double rotationThresholdRad)
 {

@@ -17,6 +17,9 @@ struct SimplifiedSkeleton
     std::vector<std::uint64_t> matched{};
 };
 
+/// m per m, that a branch gets thinner; 0 where it has no length.
+double taperOf(const Skeleton& skeleton, Index branch);
+
 /// Removes every branch that has exactly one child which turns by less than \p rotationThresholdRad against
 /// the direction of the branch merged so far. Never merges across a fork. Level and key are those of the
 /// first.
