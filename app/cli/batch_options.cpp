@@ -1,7 +1,6 @@
 #include "app/cli/batch_options.h"
 
 #include "app/cli/level_options.h"
-#include "core/surface/bark/bark_maps.h"
 #include <QRegularExpression>
 
 namespace ramure::cli {
@@ -24,16 +23,6 @@ std::optional<std::size_t> bytesFrom(const QString& text)
                       : unit == QLatin1String("G") ? 30
                                                    : 0;
     return std::size_t(match.captured(1).toULongLong()) << shift;
-}
-
-Expected<int> mapSizeFrom(const QString& value)
-{
-    bool isNumber = false;
-    const int size = value.toInt(&isNumber);
-    if (!isNumber || (size != 0 && (size < leastBarkSize || size > mostBarkSize)))
-        return fail(ErrorCode::Invalid, "--map-size \"%1\": 0, or %2 to %3 pixels expected",
-                    {value.toStdString(), std::to_string(leastBarkSize), std::to_string(mostBarkSize)});
-    return size;
 }
 
 } // namespace
@@ -109,7 +98,7 @@ void addFileOptions(CommandLine& line)
 
 Expected<BatchPlan> planOf(const CommandLine& line, const Shard& shard)
 {
-    const auto mapSize = mapSizeFrom(line.value("map-size"));
+    const auto mapSize = mapSizeFrom(line);
     if (!mapSize)
         return fail(mapSize.error());
     const auto picture = pictureSizeFrom(line.value("size"));

@@ -17,7 +17,7 @@ namespace ramure::cli {
 
 namespace {
 
-constexpr CommandText text = {
+constexpr CommandText batchText = {
     "batch", "makes the trees of a table, with a manifest", "VARIATIONS.csv",
     "Makes a tree for each row of a table, checks its mesh, and writes files and a manifest.",
     "The first line of the table names its columns: `preset` or `input` (preset:NAME, demo:NAME, or a file "
@@ -39,7 +39,7 @@ constexpr CommandText text = {
     "leaves "
     "folders .row-NUMBER.part, which --resume clears away."};
 
-struct Request
+struct BatchRequest
 {
     BatchPlan plan;
     PoolOptions pool;
@@ -71,9 +71,9 @@ QString manifestName(const Shard& shard)
         .arg(shard.count);
 }
 
-Expected<Request> requestOf(const CommandLine& line)
+Expected<BatchRequest> batchRequestOf(const CommandLine& line)
 {
-    Request out;
+    BatchRequest out;
     const QString folder = line.value("output");
     if (folder.isEmpty())
         return fail(ErrorCode::Invalid, "missing -o FOLDER: `ramure-cli batch --help` shows what it takes");
@@ -114,7 +114,7 @@ const char* kindOf(const QJsonObject& line)
 class Batch
 {
 public:
-    Batch(const Request& request, ManifestWriter& manifest)
+    Batch(const BatchRequest& request, ManifestWriter& manifest)
         : m_request(request)
         , m_manifest(manifest)
         , m_progress(request.dialect, request.plan.rows.size())
@@ -221,7 +221,7 @@ private:
         void operator()(std::FILE* file) const { std::fclose(file); }
     };
 
-    const Request& m_request;
+    const BatchRequest& m_request;
     ManifestWriter& m_manifest;
     BatchProgress m_progress;
     std::unique_ptr<std::FILE, Closer> m_timings;
@@ -229,7 +229,7 @@ private:
     std::optional<Error> m_problem;
 };
 
-void addOptions(CommandLine& line)
+void addBatchOptions(CommandLine& line)
 {
     line.add({QStringLiteral("o"), QStringLiteral("output")},
              QStringLiteral("Writes into this folder, which is made where there is none."),
@@ -253,9 +253,9 @@ void addOptions(CommandLine& line)
                     QStringLiteral("json|openjd|text"), QStringLiteral("text"));
 }
 
-Expected<int> run(const CommandLine& line)
+Expected<int> runBatch(const CommandLine& line)
 {
-    const auto request = requestOf(line);
+    const auto request = batchRequestOf(line);
     if (!request)
         return fail(request.error());
     if (!QDir().mkpath(request->plan.folder))
@@ -275,6 +275,6 @@ Expected<int> run(const CommandLine& line)
 
 } // namespace
 
-const Command batchCommand{text, &addOptions, &run, true};
+const Command batchCommand{batchText, &addBatchOptions, &runBatch, true};
 
 } // namespace ramure::cli

@@ -15,7 +15,7 @@ namespace ramure::cli {
 
 namespace {
 
-constexpr CommandText text = {
+constexpr CommandText billboardText = {
     "billboard", "draws crossed cards or an atlas of views, for trees far away", "INPUT",
     "Draws what stands for a tree that is far away: crossed cards, or an atlas of views.",
     "Pictures are without light: the colour of the surface with how much of the pixel it covers, and its "
@@ -29,7 +29,7 @@ constexpr CommandText text = {
 constexpr int leastSize = 64, mostSize = 8192, leastView = 16; ///< pixels
 constexpr int mostDirections = 10'000;
 
-struct Request
+struct BillboardRequest
 {
     QString output;
     bool isAtlas = false;
@@ -62,7 +62,7 @@ Expected<void> checkKind(const CommandLine& line, bool isAtlas)
     return {};
 }
 
-Expected<void> takeOutput(const CommandLine& line, Request& out)
+Expected<void> takeOutput(const CommandLine& line, BillboardRequest& out)
 {
     out.output = line.value("o");
     if (out.output.isEmpty() || line.values("o").size() != 1)
@@ -79,9 +79,9 @@ Expected<void> takeOutput(const CommandLine& line, Request& out)
     return {};
 }
 
-Expected<Request> requestOf(const CommandLine& line)
+Expected<BillboardRequest> billboardRequestOf(const CommandLine& line)
 {
-    Request out;
+    BillboardRequest out;
     const QString kind = line.value("kind");
     if (kind != QLatin1String("cards") && kind != QLatin1String("atlas"))
         return fail(ErrorCode::Unknown, "--kind \"%1\": cards or atlas expected", {kind.toStdString()});
@@ -154,7 +154,7 @@ Expected<QJsonObject> compared(const DrawSurfaces& draw, const BillboardAtlas& a
 }
 
 /// \returns what --json prints.
-Expected<QJsonObject> bake(const DrawSurfaces& draw, const SceneBall& ball, const Request& request,
+Expected<QJsonObject> bake(const DrawSurfaces& draw, const SceneBall& ball, const BillboardRequest& request,
                            const Progress& progress)
 {
     const auto listed = [](const QStringList& names) {
@@ -191,7 +191,7 @@ Expected<QJsonObject> bake(const DrawSurfaces& draw, const SceneBall& ball, cons
     return said;
 }
 
-void addOptions(CommandLine& line)
+void addBillboardOptions(CommandLine& line)
 {
     line.add({QStringLiteral("o"), QStringLiteral("output")},
              QStringLiteral("Writes into this folder, which is made where there is none; cards also as one "
@@ -228,9 +228,9 @@ void addOptions(CommandLine& line)
                        "--compare found."));
 }
 
-Expected<int> run(const CommandLine& line)
+Expected<int> runBillboard(const CommandLine& line)
 {
-    const auto request = requestOf(line);
+    const auto request = billboardRequestOf(line);
     if (!request)
         return fail(request.error());
     auto input = loadInput(line.arguments().front(), line.values("set"));
@@ -264,6 +264,6 @@ Expected<int> run(const CommandLine& line)
 
 } // namespace
 
-const Command billboardCommand{text, &addOptions, &run, true};
+const Command billboardCommand{billboardText, &addBillboardOptions, &runBillboard, true};
 
 } // namespace ramure::cli

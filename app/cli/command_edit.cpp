@@ -8,7 +8,7 @@ namespace ramure::cli {
 
 namespace {
 
-constexpr CommandText text = {
+constexpr CommandText editText = {
     "edit", "shapes a tree by a script of edits", "INPUT",
     "Makes the edits of a script, one after the other, and saves the project: the same bytes as by hand.",
     "A script has one JSON object a line. Limbs are named by the 16 digits that `info --json --axes` lists; "
@@ -28,7 +28,7 @@ constexpr CommandText text = {
     "Every edit may have a \"name\" and \"enabled\". A line that cannot be carried out is an error with its "
     "number, and nothing is written."};
 
-void addOptions(CommandLine& line)
+void addEditOptions(CommandLine& line)
 {
     line.addInputOptions();
     line.add({QStringLiteral("node")},
@@ -47,9 +47,7 @@ Expected<QByteArray> readScript(const QString& path)
         path == QLatin1String("-") ? file.open(stdin, QIODevice::ReadOnly) : file.open(QIODevice::ReadOnly);
     if (isOpen)
         return file.readAll();
-    auto error = fail(ErrorCode::Io, "cannot be read: %1", {file.errorString().toStdString()});
-    error.value().file = path.toStdString();
-    return error;
+    return ioError(path, "cannot be read: %1", file.errorString());
 }
 
 Expected<NodeId> treeOf(const Scene& scene, const QString& name)
@@ -73,7 +71,7 @@ Expected<std::string> extrasOf(const QString& input)
     return loadProjectFile(input).map([](Project&& project) { return std::move(project.extras); });
 }
 
-Expected<int> run(const CommandLine& line)
+Expected<int> runEdit(const CommandLine& line)
 {
     if (!line.has("script"))
         return fail(ErrorCode::Invalid, "missing --script FILE");
@@ -110,6 +108,6 @@ Expected<int> run(const CommandLine& line)
 
 } // namespace
 
-const Command editCommand{text, &addOptions, &run};
+const Command editCommand{editText, &addEditOptions, &runEdit};
 
 } // namespace ramure::cli

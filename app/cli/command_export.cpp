@@ -24,7 +24,7 @@ namespace ramure::cli {
 
 namespace {
 
-constexpr CommandText text = {
+constexpr CommandText exportText = {
     "export", "writes mesh files", "INPUT",
     "Writes a tree or a scene as meshes, or a mesh file in another format.",
     "The ending of FILE says the format: {formats}.\n"
@@ -66,7 +66,7 @@ Expected<Value> choose(const Choice<Value> (&choices)[n], const char* option, co
 }
 
 /// What the options ask for; parts nowhere where the format decides.
-struct Request
+struct ExportRequest
 {
     QStringList files;
     std::optional<std::uint8_t> parts;
@@ -87,17 +87,6 @@ struct Request
     [[nodiscard]] bool needsCheck() const { return requireValid || !report.isEmpty(); }
 };
 
-Expected<int> mapSizeFrom(const CommandLine& line)
-{
-    bool isNumber = false;
-    const int size = line.value("map-size").toInt(&isNumber);
-    if (!isNumber || (size != 0 && (size < leastBarkSize || size > mostBarkSize)))
-        return fail(ErrorCode::Invalid, "--map-size \"%1\": 0, or %2 to %3 pixels expected",
-                    {line.value("map-size").toStdString(), std::to_string(leastBarkSize),
-                     std::to_string(mostBarkSize)});
-    return size;
-}
-
 Expected<int> jointsFrom(const CommandLine& line)
 {
     const QString given = line.value("joints");
@@ -111,7 +100,7 @@ Expected<int> jointsFrom(const CommandLine& line)
                 {given.toStdString(), std::to_string(mostJoints)});
 }
 
-Expected<void> takeNumbers(const CommandLine& line, Request& out)
+Expected<void> takeNumbers(const CommandLine& line, ExportRequest& out)
 {
     const auto mapSize = mapSizeFrom(line);
     if (!mapSize)
@@ -136,7 +125,7 @@ Expected<void> takeNumbers(const CommandLine& line, Request& out)
 }
 
 /// Of formats that cannot, there is no silent other file.
-Expected<void> takeCompression(const CommandLine& line, Request& out)
+Expected<void> takeCompression(const CommandLine& line, ExportRequest& out)
 {
     const auto wanted = compressionFrom(line);
     if (!wanted)
@@ -153,9 +142,9 @@ Expected<void> takeCompression(const CommandLine& line, Request& out)
     return {};
 }
 
-Expected<Request> requestOf(const CommandLine& line)
+Expected<ExportRequest> exportRequestOf(const CommandLine& line)
 {
-    Request out;
+    ExportRequest out;
     out.files = line.values("o");
     out.ascii = line.has("ascii");
     if (line.has("texture") && line.has("no-texture"))
@@ -208,8 +197,8 @@ Expected<Request> requestOf(const CommandLine& line)
     return out;
 }
 
-/// requestOf has checked the ending.
-const FileFormat& formatOf(const Request& request, const QString& file)
+/// exportRequestOf has checked the ending.
+const FileFormat& formatOf(const ExportRequest& request, const QString& file)
 {
     return **findFormat(systemPath(file), FormatUse::Write, request.ascii);
 }
@@ -229,8 +218,8 @@ TreeSource notingSource(TreePipeline& pipeline)
 }
 
 /// \param clip further times, for formats that hold them
-Expected<void> exportAt(const Scene& scene, const Request& request, double timeSeconds, Evaluator& evaluator,
-                        const QStringList& files, const Progress& progress,
+Expected<void> exportAt(const Scene& scene, const ExportRequest& request, double timeSeconds,
+                        Evaluator& evaluator, const QStringList& files, const Progress& progress,
                         const std::vector<double>& clip = {})
 {
     const auto count = static_cast<double>(files.size());
@@ -260,7 +249,7 @@ Expected<void> exportAt(const Scene& scene, const Request& request, double timeS
 }
 
 /// A set of files for each frame.
-Expected<void> exportMoments(const Scene& scene, const Request& request, const Moments& moments,
+Expected<void> exportMoments(const Scene& scene, const ExportRequest& request, const Moments& moments,
                              Evaluator& evaluator, const Progress& progress)
 {
     if (!moments.isSequence())
@@ -292,7 +281,7 @@ Expected<void> exportMoments(const Scene& scene, const Request& request, const M
     return {};
 }
 
-Expected<void> exportMesh(const ReadMesh& mesh, const Request& request, const Progress& progress)
+Expected<void> exportMesh(const ReadMesh& mesh, const ExportRequest& request, const Progress& progress)
 {
     if (request.needsTree)
         return fail(
@@ -325,7 +314,8 @@ Expected<void> exportMesh(const ReadMesh& mesh, const Request& request, const Pr
 }
 
 /// What was written, and what is known about the meshes.
-QByteArray reportText(const Request& request, const QString& input, const std::vector<CheckedMesh>& checked)
+QByteArray reportText(const ExportRequest& request, const QString& input,
+                      const std::vector<CheckedMesh>& checked)
 {
     QJsonArray files;
     ExportOptions options;
@@ -365,14 +355,14 @@ std::string faultOf(const CheckedMesh& checked)
     return checked.name.empty() ? fault : checked.name + ": " + fault;
 }
 
-Expected<void> writeFiles(const Input& input, const Request& request, const Moments& moments,
+Expected<void> writeFiles(const Input& input, const ExportRequest& request, const Moments& moments,
                           Evaluator& evaluator, const Progress& progress)
 {
     return input.scene() ? exportMoments(*input.scene(), request, moments, evaluator, progress)
                          : exportMesh(*input.mesh(), request, progress);
 }
 
-Expected<int> checkAndWrite(const Input& input, const QString& name, const Request& request,
+Expected<int> checkAndWrite(const Input& input, const QString& name, const ExportRequest& request,
                             const Moments& moments, TreePipeline& pipeline, const Progress& progress)
 {
     Evaluator evaluator(notingSource(pipeline), moments.timeline);
@@ -410,7 +400,7 @@ Expected<int> checkAndWrite(const Input& input, const QString& name, const Reque
     return exitGood;
 }
 
-void addOptions(CommandLine& line)
+void addExportOptions(CommandLine& line)
 {
     line.add({QStringLiteral("o"), QStringLiteral("output")},
              QStringLiteral("Writes this file; may be repeated."), QStringLiteral("FILE"));
@@ -474,9 +464,9 @@ void addOptions(CommandLine& line)
         QStringLiteral("FILE.json"));
 }
 
-Expected<int> run(const CommandLine& line)
+Expected<int> runExport(const CommandLine& line)
 {
-    const auto request = requestOf(line);
+    const auto request = exportRequestOf(line);
     if (!request)
         return fail(request.error());
     const auto print = printFrom(line);
@@ -518,6 +508,6 @@ Expected<int> run(const CommandLine& line)
 
 } // namespace
 
-const Command exportCommand{text, &addOptions, &run};
+const Command exportCommand{exportText, &addExportOptions, &runExport};
 
 } // namespace ramure::cli

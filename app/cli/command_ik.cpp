@@ -9,7 +9,7 @@ namespace ramure::cli {
 
 namespace {
 
-constexpr CommandText text = {
+constexpr CommandText ikText = {
     "ik", "turns the joints of an arm to a target", "INPUT",
     "Turns the joints of an arm until its tip is at a target.",
     "INPUT is demo:Arm or a .ramure file; of several arms --node names one. The target is in the arm's own "
@@ -124,7 +124,7 @@ Expected<int> solveInput(const CommandLine& line)
     return solver.figures().status == ArmStatus::Reached ? exitGood : exitCheckFailed;
 }
 
-void addOptions(CommandLine& line)
+void addIkOptions(CommandLine& line)
 {
     line.addInputOptions();
     line.add({QStringLiteral("target")}, QStringLiteral("Where the tip is to go."), QStringLiteral("X,Y,Z"));
@@ -138,13 +138,8 @@ void addOptions(CommandLine& line)
     line.add({QStringLiteral("json")}, QStringLiteral("Prints one JSON object."));
 }
 
-Expected<int> run(const CommandLine& line)
-{
-    return solveInput(line);
-}
-
 } // namespace
 
-const Command ikCommand{text, &addOptions, &run};
+const Command ikCommand{ikText, &addIkOptions, &solveInput};
 
 } // namespace ramure::cli

@@ -12,7 +12,7 @@ namespace ramure::cli {
 
 namespace {
 
-constexpr CommandText text = {
+constexpr CommandText importText = {
     "import", "makes a project of meshes, trees of other programs or what a script for Blender wrote",
     "INPUT", "Makes a project of mesh files, or writes a project as files for Blender.",
     "INPUT is any file {read}, or what a script for Blender wrote: NAME.obj with a line TRANSFORM, "
@@ -91,7 +91,7 @@ Expected<void> exportTo(const CommandLine& line, const Scene& scene, const QStri
     return report(line, written->notes, {{QStringLiteral("files"), files}});
 }
 
-void addOptions(CommandLine& line)
+void addImportOptions(CommandLine& line)
 {
     line.add({QStringLiteral("o"), QStringLiteral("output")},
              QStringLiteral("Writes this project, or into this folder."),
@@ -104,7 +104,7 @@ void addOptions(CommandLine& line)
     line.add({QStringLiteral("json")}, QStringLiteral("Prints one JSON object."));
 }
 
-Expected<int> run(const CommandLine& line)
+Expected<int> runImport(const CommandLine& line)
 {
     const QString input = line.arguments().front(), output = line.value("output");
     if (output.isEmpty())
@@ -132,6 +132,6 @@ Expected<int> run(const CommandLine& line)
 
 } // namespace
 
-const Command importCommand{text, &addOptions, &run};
+const Command importCommand{importText, &addImportOptions, &runImport};
 
 } // namespace ramure::cli

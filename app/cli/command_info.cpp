@@ -20,7 +20,7 @@ namespace ramure::cli {
 
 namespace {
 
-constexpr CommandText text = {
+constexpr CommandText infoText = {
     "info", "counts and measures of a tree or mesh", "INPUT",
     "Counts and measures the skeleton of a tree, before and after simplification, or a mesh file.",
     "Lengths are in metres and boxes in the tree's own space, before its placement. Of a project with "
@@ -167,14 +167,14 @@ QJsonArray jsonAxes(const Skeleton& skeleton)
     return list;
 }
 
-QString number(double value)
+QString figure(double value)
 {
     return QString::number(value, 'g', 9);
 }
 
 QString vectorText(const glm::dvec3& v)
 {
-    return QStringLiteral("%1 %2 %3").arg(number(v.x + 0.0), number(v.y + 0.0), number(v.z + 0.0));
+    return QStringLiteral("%1 %2 %3").arg(figure(v.x + 0.0), figure(v.y + 0.0), figure(v.z + 0.0));
 }
 
 QString row(const char* name, const QString& first, const QString& second = {})
@@ -193,8 +193,8 @@ QString textOf(const TreeFacts& tree)
            row("branches", QString::number(a.branches), QString::number(b.branches)) +
            row("terminals", QString::number(a.terminals), QString::number(b.terminals)) +
            row("maxChildren", QString::number(a.maxChildren), QString::number(b.maxChildren)) +
-           row("totalLength", number(a.totalLength), number(b.totalLength)) +
-           row("sumA1", number(a.sumA1), number(b.sumA1)) +
+           row("totalLength", figure(a.totalLength), figure(b.totalLength)) +
+           row("sumA1", figure(a.sumA1), figure(b.sumA1)) +
            row("min", vectorText(a.box.min), vectorText(b.box.min)) +
            row("max", vectorText(a.box.max), vectorText(b.box.max));
 }
@@ -433,7 +433,7 @@ Expected<void> showMesh(const ReadMesh& mesh, const Checked& checked, bool json)
                  row("max", vectorText(all.max)) + verdictRow(checked) + lines);
 }
 
-void addOptions(CommandLine& line)
+void addInfoOptions(CommandLine& line)
 {
     line.addInputOptions();
     line.add({QStringLiteral("json")}, QStringLiteral("Prints one JSON object."));
@@ -449,7 +449,7 @@ void addOptions(CommandLine& line)
                             "worst verdict of all."));
 }
 
-Expected<int> run(const CommandLine& line)
+Expected<int> runInfo(const CommandLine& line)
 {
     const auto input = loadInput(line.arguments().front(), line.values("set"));
     if (!input)
@@ -476,6 +476,6 @@ Expected<int> run(const CommandLine& line)
 
 } // namespace
 
-const Command infoCommand{text, &addOptions, &run};
+const Command infoCommand{infoText, &addInfoOptions, &runInfo};
 
 } // namespace ramure::cli

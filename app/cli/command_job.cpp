@@ -10,7 +10,7 @@ namespace ramure::cli {
 
 namespace {
 
-constexpr CommandText text = {
+constexpr CommandText jobText = {
     "job", "writes a batch as a job for many machines", "VARIATIONS.csv",
     "Writes what hands the rows of a table out to many machines.",
     "The table is that of `batch`, and it is read as `batch` reads it. What is written stands in the folder "
@@ -61,7 +61,7 @@ QStringList passedOn(const CommandLine& line, const PoolOptions& pool)
     return out;
 }
 
-void addOptions(CommandLine& line)
+void addJobOptions(CommandLine& line)
 {
     line.add({QStringLiteral("o"), QStringLiteral("output")},
              QStringLiteral("Folder of the trees, which is made where there is none."),
@@ -77,7 +77,7 @@ void addOptions(CommandLine& line)
     addPoolOptions(line);
 }
 
-Expected<int> run(const CommandLine& line)
+Expected<int> runJob(const CommandLine& line)
 {
     const auto kind = kindOf(line);
     if (!kind)
@@ -116,6 +116,6 @@ Expected<int> run(const CommandLine& line)
 
 } // namespace
 
-const Command jobCommand{text, &addOptions, &run};
+const Command jobCommand{jobText, &addJobOptions, &runJob};
 
 } // namespace ramure::cli

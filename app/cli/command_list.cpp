@@ -15,7 +15,7 @@ namespace ramure::cli {
 
 namespace {
 
-constexpr CommandText text = {
+constexpr CommandText listText = {
     "list", "the trees that ship with the program; every parameter", "presets|params",
     "Lists the trees that ship with the program, or every parameter of a tree.",
     "A parameter's key is its name in project files and for --set. Numbers outside its range are refused. "
@@ -250,13 +250,13 @@ QString paramsMarkdown()
     return out;
 }
 
-void addOptions(CommandLine& line)
+void addListOptions(CommandLine& line)
 {
     line.add({QStringLiteral("json")}, QStringLiteral("Prints JSON: an array with one object per entry."));
     line.add({QStringLiteral("markdown")}, QStringLiteral("Prints the handbook's page of the parameters."));
 }
 
-Expected<int> run(const CommandLine& line)
+Expected<int> runList(const CommandLine& line)
 {
     const QString what = line.arguments().front();
     const bool isPresets = what == QLatin1String("presets");
@@ -277,6 +277,6 @@ Expected<int> run(const CommandLine& line)
 
 } // namespace
 
-const Command listCommand{text, &addOptions, &run};
+const Command listCommand{listText, &addListOptions, &runList};
 
 } // namespace ramure::cli

@@ -17,14 +17,14 @@ namespace ramure::cli {
 
 namespace {
 
-constexpr CommandText text = {"render", "draws a picture", "INPUT",
-                              "Draws a picture of a tree, a scene or a mesh file.",
-                              "Without a display a virtual X server (Xvfb) is started for the time it takes. "
-                              "The camera shows all that is visible."};
+constexpr CommandText renderText = {
+    "render", "draws a picture", "INPUT", "Draws a picture of a tree, a scene or a mesh file.",
+    "Without a display a virtual X server (Xvfb) is started for the time it takes. "
+    "The camera shows all that is visible."};
 
 constexpr int skyWidth = 1024;
 
-struct Request
+struct RenderRequest
 {
     QString file;
     QSize size;
@@ -43,9 +43,9 @@ QStringList modeNames()
     return names;
 }
 
-Expected<Request> requestOf(const CommandLine& line)
+Expected<RenderRequest> renderRequestOf(const CommandLine& line)
 {
-    Request out;
+    RenderRequest out;
     out.file = line.value("o");
     if (out.file.isEmpty() || line.values("o").size() != 1)
         return fail(ErrorCode::Invalid,
@@ -105,8 +105,8 @@ struct Sight
     std::optional<NodeView> through; ///< of the camera that was asked for
 };
 
-Expected<Sight> sceneOf(const Input& input, const CommandLine& line, const Request& request, NodeId camera,
-                        Evaluator& evaluator, double timeSeconds, const Progress& progress)
+Expected<Sight> sceneOf(const Input& input, const CommandLine& line, const RenderRequest& request,
+                        NodeId camera, Evaluator& evaluator, double timeSeconds, const Progress& progress)
 {
     if (input.scene()) {
         EvaluatedScene now = evaluator.at(*input.scene(), timeSeconds);
@@ -122,8 +122,8 @@ Expected<Sight> sceneOf(const Input& input, const CommandLine& line, const Reque
     return Sight{sceneOfMesh(input.mesh()->joined()), {}};
 }
 
-Expected<void> draw(Painter& painter, const RenderScene& scene, const NodeView& view, const Request& request,
-                    const QString& file)
+Expected<void> draw(Painter& painter, const RenderScene& scene, const NodeView& view,
+                    const RenderRequest& request, const QString& file)
 {
     const auto image = painter.draw(scene, view.camera, request.size, optionsFor(request.picture, view));
     if (!image)
@@ -133,7 +133,7 @@ Expected<void> draw(Painter& painter, const RenderScene& scene, const NodeView& 
 
 /// All around one scene: the camera keeps its height and a distance from which all is seen from every side.
 Expected<void> drawTurntable(Painter& painter, const RenderScene& scene, Camera camera,
-                             const Request& request, const Progress& progress)
+                             const RenderRequest& request, const Progress& progress)
 {
     camera.frameAllAround(scene.framePoints(), double(request.size.width()) / double(request.size.height()));
     const double start = camera.yawRad;
@@ -150,7 +150,7 @@ Expected<void> drawTurntable(Painter& painter, const RenderScene& scene, Camera 
 
 /// One picture, one for each frame, or one from each side. The camera of a sequence is that of its first
 /// frame, or a node's as it moves.
-Expected<void> drawAll(const Input& input, const CommandLine& line, const Request& request,
+Expected<void> drawAll(const Input& input, const CommandLine& line, const RenderRequest& request,
                        const Moments& moments, const Progress& progress)
 {
     TreePipeline pipeline;
@@ -185,7 +185,7 @@ Expected<void> drawAll(const Input& input, const CommandLine& line, const Reques
     return {};
 }
 
-void addOptions(CommandLine& line)
+void addRenderOptions(CommandLine& line)
 {
     line.add({QStringLiteral("o"), QStringLiteral("output")}, QStringLiteral("Writes this file."),
              QStringLiteral("FILE.png"));
@@ -210,9 +210,9 @@ void addOptions(CommandLine& line)
     line.addNodeOption();
 }
 
-Expected<int> run(const CommandLine& line)
+Expected<int> runRender(const CommandLine& line)
 {
-    const auto request = requestOf(line);
+    const auto request = renderRequestOf(line);
     if (!request)
         return fail(request.error());
     const DisplayModeRow& mode = rowOf(request->mode);
@@ -239,6 +239,6 @@ Expected<int> run(const CommandLine& line)
 
 } // namespace
 
-const Command renderCommand{text, &addOptions, &run, true};
+const Command renderCommand{renderText, &addRenderOptions, &runRender, true};
 
 } // namespace ramure::cli

@@ -14,7 +14,7 @@ namespace ramure::cli {
 
 namespace {
 
-constexpr CommandText text = {
+constexpr CommandText sheetText = {
     "sheet", "makes a contact sheet of a batch", "MANIFEST.jsonl",
     "Makes one page of HTML with a picture and the figures of each row of a manifest.",
     "Rows stand out, with what is unlike them in a frame of another colour, where a figure is far from those "
@@ -25,7 +25,7 @@ constexpr CommandText text = {
 
 constexpr int usualSide = 160, leastSide = 32, mostSide = 1024;
 constexpr int pixelsATriangle = 8; ///< of a tree that is grown to be drawn
-constexpr int quality = 85;        ///< of JPEG, in percent
+constexpr int jpegQuality = 85;    ///< of JPEG, in percent
 
 /// What draws, in a process of the pool.
 class Drawer
@@ -48,7 +48,7 @@ public:
             return {};
         QBuffer bytes;
         bytes.open(QIODevice::WriteOnly);
-        image.convertToFormat(QImage::Format_RGB32).save(&bytes, "JPEG", quality);
+        image.convertToFormat(QImage::Format_RGB32).save(&bytes, "JPEG", jpegQuality);
         return bytes.data();
     }
 
@@ -130,7 +130,7 @@ Expected<int> sideFrom(const CommandLine& line)
     return side;
 }
 
-void addOptions(CommandLine& line)
+void addSheetOptions(CommandLine& line)
 {
     line.add({QStringLiteral("o"), QStringLiteral("output")}, QStringLiteral("The page."),
              QStringLiteral("FILE.html"));
@@ -142,7 +142,7 @@ void addOptions(CommandLine& line)
     addPoolOptions(line);
 }
 
-Expected<int> run(const CommandLine& line)
+Expected<int> runSheet(const CommandLine& line)
 {
     const QString manifest = line.arguments().front(), page = line.value("output");
     if (page.isEmpty())
@@ -189,6 +189,6 @@ Expected<int> run(const CommandLine& line)
 
 } // namespace
 
-const Command sheetCommand{text, &addOptions, &run, true};
+const Command sheetCommand{sheetText, &addSheetOptions, &runSheet, true};
 
 } // namespace ramure::cli

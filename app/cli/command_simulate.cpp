@@ -12,18 +12,18 @@ namespace ramure::cli {
 
 namespace {
 
-constexpr CommandText text = {"simulate", "lets a tree move", "INPUT",
-                              "Lets a tree move in the wind and says how far it went.",
-                              "Steps are of physics.stepSeconds; --set physics.mode=faithful, "
-                              "physics.windStrength=0 and so on say how.\n"
-                              "Of all steps: lengthError, the worst relative error of a branch's length; "
-                              "largestTurn, the largest angle "
-                              "between a branch and its direction at rest. After the last step: "
-                              "kineticEnergy, half the sum of mass times "
-                              "velocity squared; tip, the end of the first branch without children, in "
-                              "metres in the tree's own space.\n"
-                              "A CSV file has a row for each step, the tree at rest being step 0: "
-                              "step,time,lengthError,kineticEnergy,tipX,tipY,tipZ."};
+constexpr CommandText simulateText = {
+    "simulate", "lets a tree move", "INPUT", "Lets a tree move in the wind and says how far it went.",
+    "Steps are of physics.stepSeconds; --set physics.mode=faithful, "
+    "physics.windStrength=0 and so on say how.\n"
+    "Of all steps: lengthError, the worst relative error of a branch's length; "
+    "largestTurn, the largest angle "
+    "between a branch and its direction at rest. After the last step: "
+    "kineticEnergy, half the sum of mass times "
+    "velocity squared; tip, the end of the first branch without children, in "
+    "metres in the tree's own space.\n"
+    "A CSV file has a row for each step, the tree at rest being step 0: "
+    "step,time,lengthError,kineticEnergy,tipX,tipY,tipZ."};
 
 /// Steps between two looks at Ctrl+C.
 constexpr std::int64_t lookEvery = 16;
@@ -159,7 +159,7 @@ Expected<void> show(const Run& run, const TreeBody& body, std::int64_t steps, bo
                  row("stepTime", number(1e3 * run.stepSeconds) + QStringLiteral(" ms")));
 }
 
-void addOptions(CommandLine& line)
+void addSimulateOptions(CommandLine& line)
 {
     line.addInputOptions();
     line.add({QStringLiteral("steps")}, QStringLiteral("How many steps."), QStringLiteral("N"));
@@ -170,7 +170,7 @@ void addOptions(CommandLine& line)
     line.add({QStringLiteral("json")}, QStringLiteral("Prints one JSON object."));
 }
 
-Expected<int> run(const CommandLine& line)
+Expected<int> runSimulate(const CommandLine& line)
 {
     const auto steps = stepsOf(line);
     if (!steps)
@@ -206,6 +206,6 @@ Expected<int> run(const CommandLine& line)
 
 } // namespace
 
-const Command simulateCommand{text, &addOptions, &run};
+const Command simulateCommand{simulateText, &addSimulateOptions, &runSimulate};
 
 } // namespace ramure::cli

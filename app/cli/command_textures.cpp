@@ -13,7 +13,7 @@ namespace ramure::cli {
 
 namespace {
 
-constexpr CommandText text = {
+constexpr CommandText texturesText = {
     "textures", "writes the pictures of the bark", "INPUT",
     "Writes the pictures of the bark of every tree as PNG files.",
     "Of each bark there are five: colour (sRGB), normal (OpenGL's way: green points along the branch), "
@@ -67,7 +67,7 @@ Expected<int> sizeFrom(const CommandLine& line)
     return size;
 }
 
-void addOptions(CommandLine& line)
+void addTexturesOptions(CommandLine& line)
 {
     line.add({QStringLiteral("o"), QStringLiteral("output")},
              QStringLiteral("Writes into this folder, which is made where there is none."),
@@ -84,7 +84,7 @@ void addOptions(CommandLine& line)
              QStringLiteral("Prints one JSON object: the names of all files, and of those written now."));
 }
 
-Expected<int> run(const CommandLine& line)
+Expected<int> runTextures(const CommandLine& line)
 {
     const QString folder = line.value("output");
     if (folder.isEmpty())
@@ -143,6 +143,6 @@ Expected<int> run(const CommandLine& line)
 
 } // namespace
 
-const Command texturesCommand{text, &addOptions, &run};
+const Command texturesCommand{texturesText, &addTexturesOptions, &runTextures};
 
 } // namespace ramure::cli

@@ -8,7 +8,7 @@ namespace ramure::cli {
 
 namespace {
 
-constexpr CommandText text = {
+constexpr CommandText validateText = {
     "validate", "is the mesh closed and manifold?", "INPUT",
     "Checks whether a mesh is one closed, oriented 2-manifold. Exit code 1 where it is not.",
     "The verdict is \"clean\" (closed, and no triangle runs through another), \"crossing\" (closed, but some "
@@ -139,7 +139,7 @@ Expected<void> show(const std::vector<CheckedMesh>& all, bool crossings, bool js
                      .arg(what, textReport(sumOf(all), verdictText(verdictOn(all), crossingsOf(all)))));
 }
 
-void addOptions(CommandLine& line)
+void addValidateOptions(CommandLine& line)
 {
     line.addInputOptions();
     line.addNodeOption();
@@ -159,7 +159,7 @@ void addOptions(CommandLine& line)
                        "change the exit code."));
 }
 
-Expected<int> run(const CommandLine& line)
+Expected<int> runValidate(const CommandLine& line)
 {
     const bool crossings = line.has("self-intersections");
     const auto checked = [&]() -> Expected<std::vector<CheckedMesh>> {
@@ -193,6 +193,6 @@ Expected<int> run(const CommandLine& line)
 
 } // namespace
 
-const Command validateCommand{text, &addOptions, &run};
+const Command validateCommand{validateText, &addValidateOptions, &runValidate};
 
 } // namespace ramure::cli

@@ -1,5 +1,7 @@
 #include "app/cli/level_options.h"
 
+#include "core/surface/bark/bark_maps.h"
+
 namespace ramure::cli {
 
 void addLevelOptions(CommandLine& line, const QString& others)
@@ -55,6 +57,17 @@ Expected<LevelOptions> levelsFrom(const CommandLine& line)
     if (!fine)
         return fail(std::move(fine.error()));
     return out;
+}
+
+Expected<int> mapSizeFrom(const CommandLine& line)
+{
+    bool isNumber = false;
+    const int size = line.value("map-size").toInt(&isNumber);
+    if (!isNumber || (size != 0 && (size < leastBarkSize || size > mostBarkSize)))
+        return fail(ErrorCode::Invalid, "--map-size \"%1\": 0, or %2 to %3 pixels expected",
+                    {line.value("map-size").toStdString(), std::to_string(leastBarkSize),
+                     std::to_string(mostBarkSize)});
+    return size;
 }
 
 void addCompression(CommandLine& line)

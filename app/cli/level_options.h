@@ -1,5 +1,6 @@
 /// \file
-/// --levels, --budget, --switch, --compress and --wind, of `export` and of what starts it for many trees.
+/// --levels, --budget, --switch, --map-size, --compress and --wind, of `export` and of what starts it for
+/// many trees.
 #pragma once
 
 #include "app/cli/command_line.h"
@@ -12,6 +13,9 @@ namespace ramure::cli {
 void addLevelOptions(CommandLine& line, const QString& others);
 /// None where neither --levels nor --budget is given. Errors: Invalid.
 Expected<LevelOptions> levelsFrom(const CommandLine& line);
+
+/// --map-size. Error: Invalid.
+Expected<int> mapSizeFrom(const CommandLine& line);
 
 void addCompression(CommandLine& line);
 /// WriteOptions::compressed. Error: Invalid.

@@ -28,7 +28,7 @@ Expected<double> lengthOf(const CommandLine& line, const char* option)
     return fail(std::move(error));
 }
 
-QString number(double value, int digits = 2)
+QString decimalText(double value, int digits = 2)
 {
     return QString::number(value, 'f', digits);
 }
@@ -40,22 +40,22 @@ QString textOf(const PrintedTree& print, const PrintOptions& options)
         return QStringLiteral("%1 %2\n").arg(QLatin1String(name), -20).arg(value);
     };
     const auto place = [](const glm::dvec3& p) {
-        return QStringLiteral("(%1, %2, %3)").arg(number(1e3 * p.x), number(-1e3 * p.z), number(1e3 * p.y));
+        return QStringLiteral("(%1, %2, %3)")
+            .arg(decimalText(1e3 * p.x), decimalText(-1e3 * p.z), decimalText(1e3 * p.y));
     };
     const glm::dvec3 size = 1e3 * r.size();
-    return row("size",
-               QStringLiteral("%1 x %2 x %3 mm").arg(number(size.x), number(size.z), number(size.y))) +
-           row("scale", QStringLiteral("1 : %1").arg(number(1.0 / print.scale, 1))) +
-           row("volume", number(1e9 * r.volume) + QStringLiteral(" mm³")) +
+    return row("size", QStringLiteral("%1 x %2 x %3 mm")
+                           .arg(decimalText(size.x), decimalText(size.z), decimalText(size.y))) +
+           row("scale", QStringLiteral("1 : %1").arg(decimalText(1.0 / print.scale, 1))) +
+           row("volume", decimalText(1e9 * r.volume) + QStringLiteral(" mm³")) +
            row("thinnest", QStringLiteral("%1 mm at %2, of %3 mm asked for")
-                               .arg(number(1e3 * r.thinnest), place(r.thinnestAt),
-                                    number(1e3 * options.smallestDiameter()))) +
-           row("overhang", number(1e6 * r.overhang, 0) + QStringLiteral(" mm² steeper than 45°")) +
+                               .arg(decimalText(1e3 * r.thinnest), place(r.thinnestAt),
+                                    decimalText(1e3 * options.smallestDiameter()))) +
+           row("overhang", decimalText(1e6 * r.overhang, 0) + QStringLiteral(" mm² steeper than 45°")) +
            row("centreOfMass", place(r.centreOfMass)) +
-           row("stands",
-               !r.standsUp()
-                   ? QStringLiteral("no: the centre of mass is not over the foot")
-                   : QStringLiteral("yes, %1 mm inside of the foot's border").arg(number(1e3 * r.balance))) +
+           row("stands", !r.standsUp() ? QStringLiteral("no: the centre of mass is not over the foot")
+                                       : QStringLiteral("yes, %1 mm inside of the foot's border")
+                                             .arg(decimalText(1e3 * r.balance))) +
            row("pieces", QString::number(r.pieces)) + row("crossings", QString::number(r.crossings)) +
            row("closed", r.isClosed ? QStringLiteral("yes") : QStringLiteral("no")) +
            row("triangles", QString::number(r.triangles)) +

@@ -11,7 +11,7 @@ namespace ramure::cli {
 namespace {
 
 constexpr const char* summary = "Grows, checks, moves, exports and draws trees without a window.";
-constexpr const char* inputs = "INPUT of a command is preset:NAME, demo:NAME or a file .ramure, {read}.";
+constexpr const char* inputForms = "INPUT of a command is preset:NAME, demo:NAME or a file .ramure, {read}.";
 constexpr const char* exits =
     "Exit codes: 0 good, 1 the check failed, 2 bad usage or input; of batch also 3 some rows "
     "failed, 4 out of memory, 130 and 143 stopped.";
@@ -133,7 +133,7 @@ QString helpText()
     for (const ProgramOption& option : programOptions)
         out += QStringLiteral("  %1\n%2")
                    .arg(QLatin1String(option.name), wrapped(QLatin1String(option.description), 6));
-    return out + QStringLiteral("\n%1\n%2\n").arg(withFormats(inputs), QLatin1String(exits));
+    return out + QStringLiteral("\n%1\n%2\n").arg(withFormats(inputForms), QLatin1String(exits));
 }
 
 QString manualText()
@@ -141,7 +141,7 @@ QString manualText()
     QString out = roffHead(QStringLiteral("ramure-cli"), QLatin1String(summary)) +
                   QStringLiteral(".SH SYNOPSIS\n\\fBramure\\-cli\\fR COMMAND [ARGUMENTS] [OPTIONS]\n"
                                  ".SH DESCRIPTION\n%1\n.SH OPTIONS\n")
-                      .arg(roff(withFormats(inputs)));
+                      .arg(roff(withFormats(inputForms)));
     for (const ProgramOption& option : programOptions)
         out += roffOption(QLatin1String(option.name), QLatin1String(option.description));
     out += QStringLiteral(".SH COMMANDS\n");

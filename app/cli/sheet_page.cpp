@@ -20,7 +20,7 @@ double medianOf(std::vector<double> values)
     return *middle;
 }
 
-QString numberText(double value)
+QString figureText(double value)
 {
     return QString::number(value, 'g', std::abs(value) < 1e6 && value == std::floor(value) ? 7 : 4);
 }
@@ -152,7 +152,7 @@ QString cardOf(std::int64_t row, const QJsonObject& line, const QByteArray& pict
         const auto value = figureOf(line, figure);
         if (!value)
             continue;
-        const QString key = QLatin1String(figure.key), number = numberText(*value);
+        const QString key = QLatin1String(figure.key), number = figureText(*value);
         const bool isFar = far.contains(key);
         data += QStringLiteral(" data-%1=\"%2\"").arg(key.toLower(), QString::number(*value, 'g', 12));
         figures += QStringLiteral("<br>%1 %2%3 %4%5")

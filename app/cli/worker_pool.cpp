@@ -22,7 +22,7 @@ namespace {
 
 constexpr int memoryExit = 4; ///< of a process that ran out of memory
 
-using Work = std::function<QByteArray(std::size_t)>;
+using RowWork = std::function<QByteArray(std::size_t)>;
 
 bool writeAll(int file, const void* bytes, std::size_t size)
 {
@@ -55,7 +55,7 @@ bool readAll(int file, void* bytes, std::size_t size)
 }
 
 /// An answer is its length and its bytes.
-[[noreturn]] void serve(int orders, int answers, const PoolOptions& options, const Work& work)
+[[noreturn]] void serve(int orders, int answers, const PoolOptions& options, const RowWork& work)
 {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL); // does not outlive the parent, however that ends
     ::signal(SIGINT, SIG_IGN);          // Ctrl+C reaches all processes: the parent decides
@@ -116,7 +116,7 @@ JobEnd endOf(int status)
 class Pool
 {
 public:
-    Pool(std::size_t count, const PoolOptions& options, const Work& work,
+    Pool(std::size_t count, const PoolOptions& options, const RowWork& work,
          const std::function<void(std::size_t, JobEnd, const QByteArray&)>& done)
         : m_count(count)
         , m_options(options)
@@ -242,7 +242,7 @@ private:
 
     std::size_t m_count;
     PoolOptions m_options;
-    const Work& m_work;
+    const RowWork& m_work;
     const std::function<void(std::size_t, JobEnd, const QByteArray&)>& m_done;
     std::vector<Worker> m_workers;
     std::size_t m_next = 0, m_ended = 0;
@@ -252,7 +252,7 @@ private:
 
 } // namespace
 
-int runJobs(std::size_t count, const PoolOptions& options, const Work& work,
+int runJobs(std::size_t count, const PoolOptions& options, const RowWork& work,
             const std::function<void(std::size_t, JobEnd, const QByteArray&)>& done)
 {
     return Pool(count, options, work, done).run();

@@ -1,5 +1,6 @@
 // What an artist sets on single branches by hand.
 #include "core/document/document_command.h"
+#include "core/math/finite.h"
 #include "core/skeleton/edit_places.h"
 
 #include <algorithm>
@@ -72,7 +73,7 @@ void pushEdits(Document& document, NodeId node, std::vector<BranchEntry> entries
 Expected<void> checkBends(const std::map<std::uint64_t, glm::dvec3>& bendRad)
 {
     for (const auto& [key, bend] : bendRad)
-        if (!std::isfinite(bend.x) || !std::isfinite(bend.y) || !std::isfinite(bend.z))
+        if (!isFinite(bend))
             return fail(ErrorCode::Invalid, RAMURE_NOOP("the bend of a branch must be finite"));
     return {};
 }

@@ -7,14 +7,14 @@ namespace ramure {
 namespace {
 
 /// Of more digits nothing is known.
-double rounded(double number)
+double sixDecimals(double number)
 {
     return std::round(1e6 * number) / 1e6;
 }
 
 double millimetres(double metres)
 {
-    return rounded(1e3 * metres);
+    return sixDecimals(1e3 * metres);
 }
 
 QJsonArray place(const glm::dvec3& metres)
@@ -35,12 +35,12 @@ QJsonObject toJson(const PrintedTree& print, const PrintOptions& options)
         {QStringLiteral("smallestDiameter"), millimetres(options.smallestDiameter())},
         {QStringLiteral("scale"), print.scale},
         {QStringLiteral("size"), QJsonArray{millimetres(size.x), millimetres(size.z), millimetres(size.y)}},
-        {QStringLiteral("volume"), rounded(1e9 * report.volume)},
+        {QStringLiteral("volume"), sixDecimals(1e9 * report.volume)},
         {QStringLiteral("thinnest"), millimetres(report.thinnest)},
         {QStringLiteral("thinnestAt"), place(report.thinnestAt)},
-        {QStringLiteral("overhangArea"), rounded(1e6 * report.overhang)},
+        {QStringLiteral("overhangArea"), sixDecimals(1e6 * report.overhang)},
         {QStringLiteral("centreOfMass"), place(report.centreOfMass)},
-        {QStringLiteral("footArea"), rounded(1e6 * report.footArea)},
+        {QStringLiteral("footArea"), sixDecimals(1e6 * report.footArea)},
         {QStringLiteral("balance"),
          std::isfinite(report.balance) ? QJsonValue(millimetres(report.balance)) : QJsonValue()},
         {QStringLiteral("stands"), report.standsUp()},

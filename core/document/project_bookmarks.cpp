@@ -12,7 +12,7 @@ struct NumberField
     const char* key;
     double ViewBookmark::*field;
 };
-constexpr NumberField numbers[] = {
+constexpr NumberField viewNumbers[] = {
     {"distance", &ViewBookmark::distance},
     {"yaw", &ViewBookmark::yawRad},
     {"pitch", &ViewBookmark::pitchRad},
@@ -35,7 +35,7 @@ Expected<ViewBookmark> readBookmark(const QJsonObject& object)
             return failAt("target", ErrorCode::Invalid, RAMURE_NOOP("three numbers are expected here"));
         view.target[axis] = target[axis].toDouble();
     }
-    for (const NumberField& number : numbers) {
+    for (const NumberField& number : viewNumbers) {
         const QJsonValue value = object.value(QLatin1String(number.key));
         if (!value.isDouble())
             return failAt(number.key, ErrorCode::Invalid, RAMURE_NOOP("a number is expected here"));
@@ -58,7 +58,7 @@ QJsonObject writeBookmarks(const ViewBookmarks& bookmarks)
             continue;
         QJsonObject object{
             {QStringLiteral("target"), QJsonArray{view->target.x, view->target.y, view->target.z}}};
-        for (const NumberField& number : numbers)
+        for (const NumberField& number : viewNumbers)
             object.insert(QLatin1String(number.key), (*view).*number.field);
         if (view->orthographic)
             object.insert(QLatin1String("orthographic"), true);

@@ -155,7 +155,7 @@ static void movePictures(Scene& scene, const QString& file, bool isRead)
         }
 }
 
-static tl::unexpected<Error> ioError(const QString& path, const char* text, const QString& reason)
+tl::unexpected<Error> ioError(const QString& path, const char* text, const QString& reason)
 {
     auto error = fail(ErrorCode::Io, text, {reason.toStdString()});
     error.value().file = path.toStdString();

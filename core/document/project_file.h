@@ -55,6 +55,9 @@ struct Project
 inline constexpr int projectVersion = 3;
 inline constexpr qint64 projectSizeLimit = 256 * 1024 * 1024; ///< bytes
 
+/// Io, of the file. \param reason takes the place of %1
+tl::unexpected<Error> ioError(const QString& path, const char* text, const QString& reason = {});
+
 QByteArray writeProject(const Project& project);
 /// Errors: Syntax (not JSON: line and column), Version (newer), Limit (size), Invalid or Unknown (path =
 /// place inside, such as "nodes[2].params.sections.radialDivisions"). \p file is only for messages.

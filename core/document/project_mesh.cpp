@@ -1,10 +1,10 @@
 #include "core/document/project_mesh.h"
 
 #include "core/document/project_json.h"
+#include "core/math/finite.h"
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <cstring>
 
 namespace ramure::json {
@@ -43,8 +43,7 @@ template <class T> static Expected<std::vector<T>> fromText(QJsonObject& object,
 
 static Expected<void> checkTexture(const TriangleMesh& mesh)
 {
-    const auto isFinite = [](const glm::vec2& v) { return std::isfinite(v.x) && std::isfinite(v.y); };
-    if (!std::all_of(mesh.uv.begin(), mesh.uv.end(), isFinite))
+    if (!std::all_of(mesh.uv.begin(), mesh.uv.end(), &isFinite<2, float>))
         return failAt("uv", ErrorCode::Invalid, RAMURE_NOOP("must be finite numbers"));
     if (mesh.uvTriangles.empty()) {
         if (!mesh.uv.empty() && mesh.uv.size() != mesh.positions.size())
@@ -63,12 +62,9 @@ static Expected<void> checkTexture(const TriangleMesh& mesh)
 
 static Expected<void> checkMesh(const TriangleMesh& mesh)
 {
-    const auto isFinite = [](const glm::vec3& v) {
-        return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-    };
-    if (!std::all_of(mesh.positions.begin(), mesh.positions.end(), isFinite))
+    if (!std::all_of(mesh.positions.begin(), mesh.positions.end(), &isFinite<3, float>))
         return failAt("positions", ErrorCode::Invalid, RAMURE_NOOP("must be finite numbers"));
-    if (!std::all_of(mesh.normals.begin(), mesh.normals.end(), isFinite))
+    if (!std::all_of(mesh.normals.begin(), mesh.normals.end(), &isFinite<3, float>))
         return failAt("normals", ErrorCode::Invalid, RAMURE_NOOP("must be finite numbers"));
     if (!mesh.normals.empty() && mesh.normals.size() != mesh.positions.size())
         return failAt("normals", ErrorCode::Invalid, RAMURE_NOOP("there must be one for each position"));

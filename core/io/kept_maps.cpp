@@ -8,7 +8,7 @@
 namespace ramure {
 namespace {
 
-constexpr std::size_t mostBytes = std::size_t(64) << 20;
+constexpr std::size_t mostKeptBytes = std::size_t(64) << 20;
 
 struct Kept
 {
@@ -87,11 +87,11 @@ void keepMaps(const MapsKey& key, const std::vector<MadeMap>& maps)
     Shelf& all = shelf();
     const std::scoped_lock lock(all.mutex);
     const std::size_t bytes = bytesOf(maps);
-    if (bytes > mostBytes || place(all, key) != all.kept.end())
+    if (bytes > mostKeptBytes || place(all, key) != all.kept.end())
         return;
     all.kept.push_front({key.text(), maps});
     all.bytes += bytes;
-    while (all.bytes > mostBytes) {
+    while (all.bytes > mostKeptBytes) {
         all.bytes -= bytesOf(all.kept.back().maps);
         all.kept.pop_back();
     }

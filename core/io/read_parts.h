@@ -16,6 +16,17 @@ inline constexpr glm::u8vec3 plainColour{184, 184, 184};
 /// Elements or lines between two looks at the stop token.
 inline constexpr std::size_t chunk = std::size_t(1) << 16;
 
+inline constexpr std::string_view blanksOfLine = " \t\r";
+
+/// A line without the blanks at its ends.
+inline std::string_view trimmed(std::string_view text)
+{
+    const std::size_t first = text.find_first_not_of(blanksOfLine);
+    return first == std::string_view::npos
+               ? std::string_view()
+               : text.substr(first, text.find_last_not_of(blanksOfLine) - first + 1);
+}
+
 /// An open file that is read from its beginning to its end.
 class InputFile
 {

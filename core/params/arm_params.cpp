@@ -1,14 +1,12 @@
 #include "core/params/arm_params.h"
 
+#include "core/math/angle.h"
+
 #include <cmath>
-#include <numbers>
 #include <string>
 
 namespace ramure {
 namespace {
-
-constexpr double pi = std::numbers::pi;
-constexpr double degree = pi / 180.0;
 
 tl::unexpected<Error> wrong(const char* text, std::size_t joint, const char* member)
 {
@@ -41,8 +39,8 @@ std::vector<ArmJoint> defaultArmJoints()
     std::vector<ArmJoint> joints(3);
     for (std::size_t j = 0; j < joints.size(); ++j) {
         joints[j].length = lengths[j];
-        joints[j].phi.angleRad = phis[j] * degree;
-        joints[j].theta.angleRad = thetas[j] * degree;
+        joints[j].phi.angleRad = phis[j] * oneDegree;
+        joints[j].theta.angleRad = thetas[j] * oneDegree;
     }
     return joints;
 }

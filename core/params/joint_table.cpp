@@ -1,20 +1,19 @@
 #include "core/params/joint_table.h"
 
+#include "core/math/angle.h"
+
 #include <algorithm>
 #include <array>
 
 namespace ramure {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double degree = pi / 180.0;
-
 constexpr JointDef angleRow(const char* key, const char* label, const char* tooltip,
                             ArmAngle ArmJoint::*angle, double ArmAngle::*member)
 {
     if (member == &ArmAngle::mostSpeed)
-        return {key, label, tooltip, ParamUnit::Radian, 0.0, 1e3, 0.0, 2 * pi, degree, 1, angle, member};
-    return {key, label, tooltip, ParamUnit::Radian, -1e3, 1e3, -pi, pi, degree, 1, angle, member};
+        return {key, label, tooltip, ParamUnit::Radian, 0.0, 1e3, 0.0, 2 * pi, oneDegree, 1, angle, member};
+    return {key, label, tooltip, ParamUnit::Radian, -1e3, 1e3, -pi, pi, oneDegree, 1, angle, member};
 }
 
 constexpr std::array<JointDef, 9> rows{

@@ -12,7 +12,7 @@ struct Row
     std::array<std::int64_t, namedSeedCount> seeds;
 };
 
-constexpr std::array all{
+constexpr std::array namedSeedRows{
     Row{"AmericanElm", {19, 24, 36, 29, 3, 13}},
     Row{"BalsamFir", {19, 13, 10, 14, 6, 34}},
     Row{"Bamboo", {29, 7, 36, 24, 23, 11}},
@@ -86,8 +86,8 @@ const std::array<const char*, namedSeedCount> seedNames = {RAMURE_NOOP("typical"
 
 const std::array<std::int64_t, namedSeedCount>* namedSeeds(std::string_view preset)
 {
-    const auto found = std::ranges::find(all, preset, &Row::preset);
-    return found == all.end() ? nullptr : &found->seeds;
+    const auto found = std::ranges::find(namedSeedRows, preset, &Row::preset);
+    return found == namedSeedRows.end() ? nullptr : &found->seeds;
 }
 
 } // namespace ramure

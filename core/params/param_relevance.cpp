@@ -14,9 +14,9 @@ constexpr std::array standing{"cylinder", "sphere", "box", "cone", "plane"};
 constexpr std::array pictured{"smooth",  "plated", "furrowed",  "scaly",  "peeling", "ringed",
                               "fibrous", "mosaic", "palmScars", "thorny", "corky",   "bamboo"};
 constexpr std::array classic{"classic"};
-constexpr std::array parametric{"parametric"};
+constexpr std::array parametricOnly{"parametric"};
 constexpr std::array robust{"robust"};
-constexpr std::array grammar{"grammar"};
+constexpr std::array grammarOnly{"grammar"};
 constexpr std::array weberPenn{"weber_penn"};
 constexpr std::array colonisation{"colonisation"};
 constexpr std::array profile{"profile"};
@@ -40,9 +40,9 @@ constexpr auto realFruit = [] {
 }();
 
 constexpr std::array relevances{
-    Relevance{"grammar.constants", "grammar.dialect", parametric},
-    Relevance{"turtle.tropism", "grammar.dialect", parametric},
-    Relevance{"turtle.elasticity", "grammar.dialect", parametric},
+    Relevance{"grammar.constants", "grammar.dialect", parametricOnly},
+    Relevance{"turtle.tropism", "grammar.dialect", parametricOnly},
+    Relevance{"turtle.elasticity", "grammar.dialect", parametricOnly},
     Relevance{"variation.radius", "grammar.dialect", classic},
     Relevance{"colonisation.profile", "colonisation.envelope", profile},
     Relevance{"colonisation.crownBase", "colonisation.envelope", revolved},
@@ -81,9 +81,9 @@ constexpr std::array relevances{
     Relevance{"foliage.fruitStalk", "foliage.fruit", realFruit},
     Relevance{"ik.gain", "ik.solver", transpose},
     // All whose key begins so and that have no row above.
-    Relevance{"grammar.", "generator.kind", grammar},
-    Relevance{"turtle.", "generator.kind", grammar},
-    Relevance{"variation.", "generator.kind", grammar},
+    Relevance{"grammar.", "generator.kind", grammarOnly},
+    Relevance{"turtle.", "generator.kind", grammarOnly},
+    Relevance{"variation.", "generator.kind", grammarOnly},
     Relevance{"weberPenn.", "generator.kind", weberPenn},
     Relevance{"colonisation.", "generator.kind", colonisation},
 };

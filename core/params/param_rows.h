@@ -3,16 +3,15 @@
 /// param_table.cpp and the tables of rows that it joins.
 #pragma once
 
+#include "core/math/angle.h"
 #include "core/params/param_items.h"
 
 #include <array>
-#include <numbers>
 #include <type_traits>
 #include <utility>
 
 namespace ramure::rows {
 
-inline constexpr double pi = std::numbers::pi;
 /// Whole numbers up to here survive a round trip through a double, hence through any JSON reader.
 inline constexpr double maxSeed = 9007199254740991.0;
 

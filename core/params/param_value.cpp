@@ -1,5 +1,6 @@
 // Checking, clamping and the text form of parameter values: everything that works from a row alone.
 #include "core/base/number_text.h"
+#include "core/math/finite.h"
 #include "core/params/param_def.h"
 
 #include "core/params/arm_params.h"
@@ -272,7 +273,7 @@ Expected<void> checkParams(const NodeParams& params)
     for (const auto& [key, branch] : params.branches) {
         const glm::dvec3& bend = branch.bendRad;
         const bool rollIsFinite = std::isfinite(branch.rollRad);
-        if (rollIsFinite && std::isfinite(bend.x) && std::isfinite(bend.y) && std::isfinite(bend.z))
+        if (rollIsFinite && isFinite(bend))
             continue;
         auto error = fail(ErrorCode::Invalid, RAMURE_NOOP("must be a finite number"));
         error.value().path = "branches." + numberText(key) + (rollIsFinite ? ".bendRad" : ".rollRad");

@@ -1,5 +1,6 @@
 #include "core/params/species.h"
 
+#include "core/math/angle.h"
 #include <array>
 
 namespace ramure {
@@ -14,7 +15,7 @@ using F = FruitKind;
 /// of leaves stands here as their size and distance. Two differ: the willow has 60 twigs on a shoot, not 300,
 /// with leaves on the shoots themselves, and the oak varies by 3 m in height, not by 10.
 // clang-format off
-const std::array all{
+const std::array mixedSpecies{
     Species{"QuakingAspen", "Populus tremuloides", RAMURE_NOOP("Slender, with a light crown that never rests"), false,
         {.shape = S::TendFlame, .baseSize = 0.4, .scale = 13, .scaleV = 3, .levels = 3, .ratio = 0.015, .ratioPower = 1.2,
          .lobes = 5, .lobeDepth = 0.07, .flare = 0.6, .attractionUp = 0.5,
@@ -94,7 +95,7 @@ constexpr double usualClearance = 0.5;
 
 std::span<const Species> species()
 {
-    return all;
+    return mixedSpecies;
 }
 
 double grownBarkTile(BarkFamily family)
@@ -124,13 +125,12 @@ NodeParams speciesParams(const Species& species)
     params.weberPenn = species.growth;
     if (double& clearance = params.weberPenn.clearance; clearance == 0.0)
         clearance = usualClearance;
-    constexpr double degree = std::numbers::pi / 180.0;
     for (WeberPennLevel& level : params.weberPenn.level)
         for (double WeberPennLevel::*angle :
              {&WeberPennLevel::splitAngle, &WeberPennLevel::splitAngleV, &WeberPennLevel::curve,
               &WeberPennLevel::curveBack, &WeberPennLevel::curveV, &WeberPennLevel::downAngle,
               &WeberPennLevel::downAngleV, &WeberPennLevel::rotate, &WeberPennLevel::rotateV})
-            level.*angle *= degree;
+            level.*angle *= oneDegree;
     const SpeciesDress& dress = species.dress;
     params.leaf.shape = dress.leaf;
     params.leaf.size = dress.size;

@@ -12,7 +12,7 @@ using F = FruitKind;
 
 /// Our own numbers in the paper's style, from how such trees stand.
 // clang-format off
-const std::array all{
+const std::array broadleaved{
     Species{"SugarMaple", "Acer saccharum", RAMURE_NOOP("A dense oval crown on rising limbs"), false,
         {.shape = S::Spherical, .baseSize = 0.22, .scale = 18.8, .scaleV = 1.5, .levels = 3, .ratio = 0.0216, .ratioPower = 1.35, .flare = 0.7, .attractionUp = 0.8,
          .level = {{{.segSplits = 0.1, .splitAngle = 18, .curveRes = 8, .curveV = 25},
@@ -258,7 +258,7 @@ const std::array all{
 
 std::span<const Species> broadleavedSpecies()
 {
-    return all;
+    return broadleaved;
 }
 
 } // namespace ramure

@@ -12,7 +12,7 @@ using F = FruitKind;
 
 /// Our own numbers in the paper's style, from how such trees stand.
 // clang-format off
-const std::array all{
+const std::array conifers{
     Species{"EuropeanLarch", "Larix decidua", RAMURE_NOOP("A slender open cone that is bare in winter"), true,
         {.shape = S::Envelope, .baseSize = 0.12, .scale = 14.4, .scaleV = 1.2, .levels = 3, .ratio = 0.0183, .ratioPower = 1.4, .lobes = 0, .flare = 0.5, .attractionUp = -0.4,
          .pruneWidthPeak = 0.05, .prunePowerLow = 0.05, .prunePowerHigh = 0.8,
@@ -109,7 +109,7 @@ const std::array all{
 
 std::span<const Species> coniferSpecies()
 {
-    return all;
+    return conifers;
 }
 
 } // namespace ramure

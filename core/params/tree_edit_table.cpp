@@ -1,15 +1,14 @@
 #include "core/params/tree_edit_table.h"
 
+#include "core/math/angle.h"
 #include "core/math/stage_hash.h"
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <set>
 
 namespace ramure {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr double farAway = 1e5; ///< m
 
 constexpr EditOperationInfo operations[] = {

@@ -16,7 +16,7 @@ constexpr const char* britishTrees =
 /// Means made by us of the single trees measured in streets, parks and fields of the United States and of
 /// Britain; the first where it has a species. Scots pines are the British ones: dry summers east of the Rocky
 /// Mountains keep them lower. Apples are all that are noted as apple trees, whatever their kind.
-constexpr std::array all{
+constexpr std::array measuredTrees{
     PublishedMeasures{"Acer palmatum", {9.9, 0.52, 12.0}, 35, urbanTrees},
     PublishedMeasures{"Acer platanoides", {19.3, 0.84, 17.0}, 319, urbanTrees},
     PublishedMeasures{"Acer saccharum", {23.2, 0.84, 16.7}, 245, urbanTrees},
@@ -68,13 +68,13 @@ constexpr std::array all{
 
 std::span<const PublishedMeasures> publishedMeasures()
 {
-    return all;
+    return measuredTrees;
 }
 
 const PublishedMeasures* publishedMeasures(std::string_view latin)
 {
-    const auto found = std::ranges::find(all, latin, &PublishedMeasures::latin);
-    return found == all.end() ? nullptr : &*found;
+    const auto found = std::ranges::find(measuredTrees, latin, &PublishedMeasures::latin);
+    return found == measuredTrees.end() ? nullptr : &*found;
 }
 
 } // namespace ramure

@@ -1,16 +1,15 @@
 #include "core/scene/demo_scenes.h"
 
+#include "core/math/angle.h"
 #include "core/math/reproducible.h"
 #include "core/scene/arm_demo.h"
 
 #include <array>
 #include <glm/gtc/quaternion.hpp>
-#include <numbers>
 
 namespace ramure {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
 constexpr Ticks duration = 5 * ticksPerSecond;
 
 using TrackPtr = NodeAnimation::TrackPtr;
@@ -83,8 +82,8 @@ Scene movingCylinder()
 {
     std::vector<OrientationKey> about, roll;
     for (int i = 0; i < 4; ++i) {
-        about.push_back(linearKey(duration * i / 3, aboutY(i * 90.0 * degree)));
-        roll.push_back(linearKey(duration * i / 3, aboutZ(i * 90.0 * degree)));
+        about.push_back(linearKey(duration * i / 3, aboutY(i * 90.0 * oneDegree)));
+        roll.push_back(linearKey(duration * i / 3, aboutZ(i * 90.0 * oneDegree)));
     }
     Node node;
     node.id = 1;
@@ -111,8 +110,8 @@ struct ChildTracks
     ChildTracks()
     {
         for (std::size_t i = 0; i < orientation.size(); ++i) {
-            const glm::dquat out = aboutY((35.0 + double(i) * 90.0) * degree);
-            const glm::dquat bent = out * aboutX(45.0 * degree), straight = out * aboutX(35.0 * degree);
+            const glm::dquat out = aboutY((35.0 + double(i) * 90.0) * oneDegree);
+            const glm::dquat bent = out * aboutX(45.0 * oneDegree), straight = out * aboutX(35.0 * oneDegree);
             orientation[i] = orientations(
                 {linearKey(0, bent), linearKey(duration / 2, straight), linearKey(duration, bent)}, duration);
         }

@@ -1,5 +1,6 @@
 #include "core/scene/keyed_placement.h"
 
+#include "core/math/finite.h"
 #include "core/rig/tracks/euler.h"
 #include "core/rig/tracks/keyed_track.h"
 #include <algorithm>
@@ -111,11 +112,6 @@ Expected<void> putThree(NodeTransform& values, std::size_t first, Ticks time, co
 glm::dvec3 carried(const Moved& moved, const PlacementParams& own)
 {
     return moved.turn * (moved.scale * own.translation);
-}
-
-bool isFinite(const glm::dvec3& v)
-{
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
 } // namespace

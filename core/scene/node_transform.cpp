@@ -1,6 +1,8 @@
 #include "core/scene/node_transform.h"
 
+#include "core/math/angle.h"
 #include "core/math/drag_maths.h"
+#include "core/math/finite.h"
 #include "core/rig/tracks/euler.h"
 #include "core/rig/tracks/keyed_track.h"
 #include "core/scene/world_transforms.h"
@@ -9,13 +11,11 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/matrix.hpp>
 #include <map>
-#include <numbers>
 #include <set>
 
 namespace ramure {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr double dust = 1e-12; ///< relative: what rounding leaves of nothing
 constexpr double leastScale = 1e-4, mostScale = 1e4, mostPlace = 1e6; ///< ranges of the parameter table
 constexpr double mostAngle = 199.0 * pi;
@@ -170,11 +170,6 @@ Expected<NodeTransform> withKeys(const TransformStart& start, const Carrier& bef
         values.tracks[orientation] = std::move(*made);
     }
     return values;
-}
-
-bool isFinite(const glm::dvec3& v)
-{
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
 } // namespace

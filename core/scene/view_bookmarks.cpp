@@ -1,14 +1,13 @@
 #include "core/scene/view_bookmarks.h"
 
+#include "core/math/angle.h"
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace ramure {
 
 Expected<void> checkViewBookmark(const ViewBookmark& bookmark)
 {
-    constexpr double pi = std::numbers::pi;
     constexpr double farthest = 1e6; // m
     struct Range
     {

@@ -15,26 +15,26 @@ constexpr std::size_t findingsKept = 16; ///< of meshes gone by; the meshes them
 using MeshPointer = std::shared_ptr<const BranchMesh>;
 using FindingsPointer = std::shared_ptr<const MeshAnalysis>;
 
-/// What is known about the mesh of one tree.
-struct Entry
-{
-    std::weak_ptr<const BranchMesh> mesh;
-    Analysis::State state = Analysis::State::None;
-    FindingsPointer findings;
-    std::optional<Error> error;
-    double fraction = 0.0;
-};
-
-struct Remembered
-{
-    std::weak_ptr<const BranchMesh> mesh;
-    FindingsPointer findings;
-};
-
 } // namespace
 
 struct Analysis::Private
 {
+    /// What is known about the mesh of one tree.
+    struct Entry
+    {
+        std::weak_ptr<const BranchMesh> mesh;
+        Analysis::State state = Analysis::State::None;
+        FindingsPointer findings;
+        std::optional<Error> error;
+        double fraction = 0.0;
+    };
+
+    struct Remembered
+    {
+        std::weak_ptr<const BranchMesh> mesh;
+        FindingsPointer findings;
+    };
+
     Private(Analysis* analysis, Document* doc, Function work)
         : q(analysis)
         , document(doc)

@@ -10,12 +10,11 @@
 #include <utility>
 
 namespace ramure {
-namespace {
 
 using LevelsPointer = std::shared_ptr<const TreeLevels>;
 
 /// What levels are made of. Where the node stands is no part of it.
-struct Request
+struct LevelRequest
 {
     NodeId node = noNode;
     LevelOptions options;
@@ -24,7 +23,7 @@ struct Request
     bool moves = false; ///< the result is of other parameters: the shape has tracks
     double scale = 1.0;
 
-    [[nodiscard]] bool isLike(const Request& other) const
+    [[nodiscard]] bool isLike(const LevelRequest& other) const
     {
         NodeParams placed = other.params;
         placed.tree = params.tree;
@@ -34,6 +33,8 @@ struct Request
                result.apples == other.result.apples && moves == other.moves && placed == params;
     }
 };
+
+namespace {
 
 Box boxOf(const TreeResult& tree)
 {
@@ -47,7 +48,7 @@ Box boxOf(const TreeResult& tree)
     return box;
 }
 
-Expected<LevelsPointer> madeLevels(const Request& of, const LevelWatch::Function& make,
+Expected<LevelsPointer> madeLevels(const LevelRequest& of, const LevelWatch::Function& make,
                                    const Progress& progress)
 {
     auto out = std::make_shared<TreeLevels>();
@@ -88,7 +89,7 @@ struct LevelWatch::Private
     }
 
     [[nodiscard]] NodeId treeMeant() const;
-    [[nodiscard]] Request request() const;
+    [[nodiscard]] LevelRequest request() const;
     void look();
     void forget();
     void launch();
@@ -107,8 +108,8 @@ struct LevelWatch::Private
     State state = State::None;
     Error error;
     LevelsPointer levels;
-    std::optional<Request> looked; ///< what was asked for last
-    std::optional<Request> made;   ///< what the levels are of
+    std::optional<LevelRequest> looked; ///< what was asked for last
+    std::optional<LevelRequest> made;   ///< what the levels are of
     QTimer rest;
     Job job{nullptr, Job::Manner::Polite};
 };
@@ -231,7 +232,7 @@ NodeId LevelWatch::Private::treeMeant() const
 }
 
 /// \pre the tree's result is there
-Request LevelWatch::Private::request() const
+LevelRequest LevelWatch::Private::request() const
 {
     const Node& node = *document->scene().find(tree);
     EvaluatedScene now(document->scene());
@@ -266,7 +267,7 @@ void LevelWatch::Private::look()
         return refuse(*problem);
     if (!document->isCurrent(tree))
         return stopWith(State::Growing);
-    Request now = request();
+    LevelRequest now = request();
     if (levels && made && made->isLike(now)) {
         rest.stop();
         job.forget();

@@ -2,6 +2,7 @@
 
 #include "core/document/commands.h"
 #include "core/document/document_command.h"
+#include "core/document/project_file.h"
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -10,13 +11,6 @@
 
 namespace ramure {
 namespace {
-
-tl::unexpected<Error> ioError(const QString& path, const char* text, const QString& reason = {})
-{
-    auto error = fail(ErrorCode::Io, text, {reason.toStdString()});
-    error.value().file = path.toStdString();
-    return error;
-}
 
 Expected<QByteArray> bytesOf(const QString& path)
 {

@@ -17,6 +17,8 @@ namespace {
 /// finishes.
 constexpr std::chrono::milliseconds directGrace{100};
 
+} // namespace
+
 /// What full results of one tree took, by the first stage that had to be computed anew.
 class FullTimes
 {
@@ -52,8 +54,6 @@ private:
     std::array<double, count> m_seconds = nothing();
     Stage m_stale = Stage::Symbols;
 };
-
-} // namespace
 
 struct Recompute::Private
 {

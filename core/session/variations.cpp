@@ -17,10 +17,10 @@
 namespace ramure {
 namespace {
 
-constexpr double usualShare = 0.25; ///< of the value, to both sides
+constexpr double aroundShare = 0.25; ///< of the value, to both sides
 
 /// To five digits, so that tables can be read.
-double rounded(double value)
+double fiveDigits(double value)
 {
     constexpr int digits = 5;
     std::array<char, 32> text{};
@@ -50,7 +50,7 @@ ParamValue valueAt(const VariedParam& param, double share)
     case ParamType::Int: // each of them as often
         return std::int64_t(std::floor(std::round(low) + share * (std::round(high) - std::round(low) + 1.0)));
     default:
-        return std::clamp(rounded(low + share * (high - low)), low, high);
+        return std::clamp(fiveDigits(low + share * (high - low)), low, high);
     }
 }
 
@@ -118,14 +118,14 @@ VariedParam usualRange(const NodeParams& params, const ParamDef& def)
 {
     const double value = numberOf(def.get(params));
     const double low = std::min(def.softMin, value), high = std::max(def.softMax, value);
-    const double reach = value != 0.0 ? usualShare * std::abs(value) : usualShare * (high - low);
+    const double reach = value != 0.0 ? aroundShare * std::abs(value) : aroundShare * (high - low);
     double from = std::clamp(value - reach, low, high), to = std::clamp(value + reach, low, high);
     if (def.type == ParamType::Int) { // to its neighbours at least
         from = std::max(std::min(std::round(from), value - 1.0), low);
         to = std::min(std::max(std::round(to), value + 1.0), high);
     }
-    return {&def, def.type == ParamType::Real ? rounded(from) : from,
-            def.type == ParamType::Real ? rounded(to) : to};
+    return {&def, def.type == ParamType::Real ? fiveDigits(from) : from,
+            def.type == ParamType::Real ? fiveDigits(to) : to};
 }
 
 std::vector<Variation> spreadVariations(const std::vector<VariedParam>& params, std::int64_t firstSeed,

@@ -26,7 +26,7 @@ endif()
 
 add_library(ramure_options INTERFACE)
 target_compile_options(ramure_options INTERFACE
-    -Wall -Wextra -Wpedantic -Wconversion -Wshadow
+    -Wall -Wextra -Wpedantic -Wconversion -Wshadow=local -Wno-subobject-linkage
     # Clang warns of other things: it only judges the hashes.
     $<$<AND:$<NOT:$<BOOL:${RAMURE_SANITIZE}>>,$<CXX_COMPILER_ID:GNU>>:-Werror>
     # The same seed gives the same bytes on every run and machine: no contraction into fused operations.
@@ -55,13 +55,10 @@ elseif(RAMURE_SANITIZE)
     message(FATAL_ERROR "RAMURE_SANITIZE is address or thread, not ${RAMURE_SANITIZE}")
 endif()
 
-# Most of the time of a source with Qt goes into Qt's headers. Where nobody edits and builds again and again, such sources
-# are read sixteen at a time.
-function(ramure_read_together target)
-    if(RAMURE_SANITIZE)
-        set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 16)
-    endif()
-endfunction()
+# Most of the time of a source goes into the headers it reads: eight read them together. What two of them name alike in
+# an anonymous namespace is then an error, and often the same thing written twice.
+set(CMAKE_UNITY_BUILD ON)
+set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
 
 # Third-party headers never raise our warnings.
 function(ramure_link_system target visibility)

@@ -15,6 +15,19 @@ inline void failOnAnyWarning()
         QRegularExpression(QStringLiteral("^(?!This plugin does not support propagateSizeHints)")));
 }
 
+/// A sanitizer is ten times as slow, and looks for faults of memory, not for rare shapes.
+#ifdef RAMURE_SANITIZED
+inline constexpr bool isSanitized = true;
+#else
+inline constexpr bool isSanitized = false;
+#endif
+
+/// \p count runs, or a twentieth of them under a sanitizer.
+constexpr int runs(int count)
+{
+    return isSanitized ? (count + 19) / 20 : count;
+}
+
 /// Printable text of an Expected's error, for QVERIFY2.
 template <class T> QByteArray why(const T& expected)
 {

@@ -63,12 +63,12 @@ void ViewActions::addFraming(ActionSet* set)
 void ViewActions::addAxes(ActionSet* set)
 {
     Viewport* view = m_host->viewport();
-    struct Axis
+    struct Side
     {
         ActionSpec spec;
         AxisView view;
     };
-    const Axis axes[] = {
+    const Side axes[] = {
         {{"view.front", QT_TRANSLATE_NOOP("Actions", "&Front"), nullptr, QKeySequence(Qt::Key_1)},
          AxisView::Front},
         {{"view.back", QT_TRANSLATE_NOOP("Actions", "&Back"), nullptr, {}}, AxisView::Back},
@@ -78,7 +78,7 @@ void ViewActions::addAxes(ActionSet* set)
         {{"view.top", QT_TRANSLATE_NOOP("Actions", "&Top"), nullptr, QKeySequence(Qt::Key_7)}, AxisView::Top},
         {{"view.bottom", QT_TRANSLATE_NOOP("Actions", "B&ottom"), nullptr, {}}, AxisView::Bottom},
     };
-    for (const Axis& axis : axes) {
+    for (const Side& axis : axes) {
         QAction* action = set->add(axis.spec);
         m_axes += action;
         if (view)

@@ -1,5 +1,6 @@
 #include "widgets/base/expression.h"
 
+#include "core/math/angle.h"
 #include "core/math/reproducible.h"
 #include <QString>
 #include <algorithm>
@@ -28,16 +29,15 @@ struct UnitName
     double factor;
 };
 
-constexpr double degree = std::numbers::pi / 180.0;
 constexpr UnitName unitNames[] = {
-    {u"deg", ParamUnit::Radian, degree}, {u"°", ParamUnit::Radian, degree},
-    {u"rad", ParamUnit::Radian, 1.0},    {u"turn", ParamUnit::Radian, 2.0 * std::numbers::pi},
-    {u"km", ParamUnit::Metre, 1000.0},   {u"m", ParamUnit::Metre, 1.0},
-    {u"cm", ParamUnit::Metre, 0.01},     {u"mm", ParamUnit::Metre, 0.001},
-    {u"in", ParamUnit::Metre, 0.0254},   {u"ft", ParamUnit::Metre, 0.3048},
-    {u"s", ParamUnit::Second, 1.0},      {u"ms", ParamUnit::Second, 0.001},
-    {u"min", ParamUnit::Second, 60.0},   {u"%", ParamUnit::None, 0.01},
-    {u"kg", ParamUnit::Kilogram, 1.0},   {u"g", ParamUnit::Kilogram, 0.001},
+    {u"deg", ParamUnit::Radian, oneDegree}, {u"°", ParamUnit::Radian, oneDegree},
+    {u"rad", ParamUnit::Radian, 1.0},       {u"turn", ParamUnit::Radian, 2.0 * std::numbers::pi},
+    {u"km", ParamUnit::Metre, 1000.0},      {u"m", ParamUnit::Metre, 1.0},
+    {u"cm", ParamUnit::Metre, 0.01},        {u"mm", ParamUnit::Metre, 0.001},
+    {u"in", ParamUnit::Metre, 0.0254},      {u"ft", ParamUnit::Metre, 0.3048},
+    {u"s", ParamUnit::Second, 1.0},         {u"ms", ParamUnit::Second, 0.001},
+    {u"min", ParamUnit::Second, 60.0},      {u"%", ParamUnit::None, 0.01},
+    {u"kg", ParamUnit::Kilogram, 1.0},      {u"g", ParamUnit::Kilogram, 0.001},
 };
 
 class Parser

@@ -7,7 +7,7 @@
 namespace ramure {
 namespace {
 
-struct Words
+struct NodeWords
 {
     Q_DECLARE_TR_FUNCTIONS(NodeWords)
 };
@@ -17,7 +17,7 @@ struct Words
 QString nodeWords(const Scene& scene, const std::vector<NodeId>& nodes)
 {
     if (nodes.size() > 1)
-        return Words::tr("%n node(s)", nullptr, static_cast<int>(nodes.size()));
+        return NodeWords::tr("%n node(s)", nullptr, static_cast<int>(nodes.size()));
     const Node* node = nodes.empty() ? nullptr : scene.find(nodes.front());
     return node ? coreText(kindRow(node->kind).word) : QString();
 }

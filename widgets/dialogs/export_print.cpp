@@ -12,12 +12,12 @@
 
 namespace ramure {
 
-constexpr int restMs = 300;
+constexpr int printRestMs = 300;
 
 void ExportDialog::buildPrint()
 {
     m_printRest->setSingleShot(true);
-    m_printRest->setInterval(restMs);
+    m_printRest->setInterval(printRestMs);
     connect(m_printRest, &QTimer::timeout, this, &ExportDialog::preparePrint);
     connect(m_printing, &PrintForm::changed, this, &ExportDialog::takePrint);
     connect(m_printing, &PrintForm::prepareRequested, this, &ExportDialog::preparePrint);

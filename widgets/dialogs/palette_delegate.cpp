@@ -7,7 +7,7 @@
 namespace ramure {
 namespace {
 
-constexpr int margin = 10, spacing = 10, iconSide = 16, rowPadding = 10;
+constexpr int rowMargin = 10, spacing = 10, rowIcon = 16, rowPadding = 10;
 
 QColor dimmed(QColor colour)
 {
@@ -29,8 +29,8 @@ void PaletteDelegate::paint(QPainter* painter, const QStyleOptionViewItem& optio
     const QStyle* style = row.widget ? row.widget->style() : QApplication::style();
     style->drawPrimitive(QStyle::PE_PanelItemViewItem, &row, painter, row.widget);
     const QColor text = row.palette.color(QPalette::Text), dim = dimmed(text);
-    QRect room = row.rect.adjusted(margin, 0, -margin, 0);
-    const QRect picture(room.left(), room.center().y() - iconSide / 2, iconSide, iconSide);
+    QRect room = row.rect.adjusted(rowMargin, 0, -rowMargin, 0);
+    const QRect picture(room.left(), room.center().y() - rowIcon / 2, rowIcon, rowIcon);
     item->icon.paint(painter, picture, Qt::AlignCenter, item->enabled ? QIcon::Normal : QIcon::Disabled);
     room.setLeft(picture.right() + spacing);
     painter->save();

@@ -13,7 +13,7 @@
 namespace ramure {
 namespace {
 
-struct Words
+struct PaletteWords
 {
     Q_DECLARE_TR_FUNCTIONS(Palette)
 };
@@ -56,11 +56,11 @@ std::vector<PaletteItem> paramItems(const Document& document)
         item.kind = PaletteItem::Parameter;
         item.id = QString::fromLatin1(def.key);
         item.title = coreText(def.label);
-        item.place = inside(Words::tr("Properties"), coreText(def.group));
+        item.place = inside(PaletteWords::tr("Properties"), coreText(def.group));
         item.words = item.id + u' ' + coreText(def.tooltip);
         item.enabled = nodeWithParam(document, def) != noNode;
         if (!item.enabled)
-            item.reason = Words::tr("nothing in the scene has it");
+            item.reason = PaletteWords::tr("nothing in the scene has it");
         item.icon = icon("properties");
         items.push_back(std::move(item));
     }
@@ -77,7 +77,7 @@ std::vector<PaletteItem> pageItems()
             item.kind = PaletteItem::Page;
             item.id = isTitle ? page.id : page.id + u'#' + heading.anchor;
             item.title = heading.text;
-            item.place = inside(Words::tr("Handbook"), isTitle ? QString() : page.title());
+            item.place = inside(PaletteWords::tr("Handbook"), isTitle ? QString() : page.title());
             item.icon = icon("handbook");
             items.push_back(std::move(item));
         }

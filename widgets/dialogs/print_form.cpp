@@ -3,6 +3,7 @@
 #include "widgets/base/core_text.h"
 #include "widgets/base/icons.h"
 #include "widgets/base/number_field.h"
+#include "widgets/base/progress_steps.h"
 #include "widgets/dialogs/print_preview.h"
 #include <QCheckBox>
 #include <QComboBox>
@@ -16,9 +17,6 @@
 
 namespace ramure {
 namespace {
-
-constexpr double perMetre = 1000.0; // the fields have mm
-constexpr int progressSteps = 1000;
 
 } // namespace
 
@@ -75,10 +73,10 @@ void PrintForm::buildForm()
     for (std::size_t i = 0; i < printProcesses().size(); ++i)
         m_process->addItem(QString());
     m_leaves->addItems({QString(), QString()});
-    m_height->setRange(perMetre * PrintOptions::leastHeight, perMetre * PrintOptions::mostHeight);
-    m_height->setDefault(perMetre * usual.height);
-    m_height->setValue(perMetre * usual.height);
-    m_thinnest->setRange(perMetre * PrintOptions::leastThinnest, perMetre * PrintOptions::mostThinnest);
+    m_height->setRange(mmPerMetre * PrintOptions::leastHeight, mmPerMetre * PrintOptions::mostHeight);
+    m_height->setDefault(mmPerMetre * usual.height);
+    m_height->setValue(mmPerMetre * usual.height);
+    m_thinnest->setRange(mmPerMetre * PrintOptions::leastThinnest, mmPerMetre * PrintOptions::mostThinnest);
     m_disc->setChecked(usual.hasFootDisc);
     auto* rest = new QVBoxLayout(m_rest);
     rest->setContentsMargins(0, 0, 0, 0);
@@ -150,8 +148,8 @@ PrintOptions PrintForm::options() const
 {
     PrintOptions options;
     options.process = static_cast<PrintProcess>(m_process->currentIndex());
-    options.height = m_height->value().value_or(perMetre * options.height) / perMetre;
-    options.thinnest = m_thinnest->value().value_or(0.0) / perMetre;
+    options.height = m_height->value().value_or(mmPerMetre * options.height) / mmPerMetre;
+    options.thinnest = m_thinnest->value().value_or(0.0) / mmPerMetre;
     options.hasFootDisc = m_disc->isChecked();
     options.leaves = static_cast<PrintLeaves>(m_leaves->currentIndex());
     return options;
@@ -160,8 +158,8 @@ PrintOptions PrintForm::options() const
 void PrintForm::setOptions(const PrintOptions& options)
 {
     m_process->setCurrentIndex(static_cast<int>(options.process));
-    m_height->setValue(perMetre * options.height);
-    m_thinnest->setValue(perMetre * options.smallestDiameter());
+    m_height->setValue(mmPerMetre * options.height);
+    m_thinnest->setValue(mmPerMetre * options.smallestDiameter());
     m_disc->setChecked(options.hasFootDisc);
     m_leaves->setCurrentIndex(static_cast<int>(options.leaves));
     emit changed();
@@ -172,8 +170,8 @@ void PrintForm::takeProcess()
 {
     PrintOptions options;
     options.process = static_cast<PrintProcess>(m_process->currentIndex());
-    m_thinnest->setDefault(perMetre * options.smallestDiameter());
-    m_thinnest->setValue(perMetre * options.smallestDiameter());
+    m_thinnest->setDefault(mmPerMetre * options.smallestDiameter());
+    m_thinnest->setValue(mmPerMetre * options.smallestDiameter());
     emit changed();
 }
 

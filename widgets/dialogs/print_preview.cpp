@@ -14,11 +14,9 @@
 namespace ramure {
 namespace {
 
-constexpr double perMetre = 1000.0;
-
 QString mm(double metres, int digits = 1)
 {
-    return QLocale().toString(perMetre * metres, 'f', digits);
+    return QLocale().toString(mmPerMetre * metres, 'f', digits);
 }
 
 QPixmap swatch(const glm::u8vec3& rgb, bool isRing, qreal ratio)

@@ -16,6 +16,8 @@ namespace ramure {
 
 class PrintView;
 
+inline constexpr double mmPerMetre = 1000.0; ///< the fields have mm
+
 class PrintPreview : public QWidget
 {
     Q_OBJECT

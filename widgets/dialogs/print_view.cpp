@@ -12,10 +12,9 @@
 namespace ramure {
 namespace {
 
-constexpr double perPixel = 0.01, perKey = 0.15; ///< rad, of the mouse and of the arrow keys
-constexpr double perStep = 1.15;                 ///< of the wheel, times the distance
-constexpr int finer = 2;                         ///< pixels drawn a side for one shown, at rest
-constexpr int restMs = 150;
+constexpr double zoomStep = 1.15; ///< of the wheel, times the distance
+constexpr int finerAtRest = 2;    ///< pixels drawn a side for one shown, at rest
+constexpr int drawRestMs = 150;
 constexpr double ringPixels = 11.0;
 
 } // namespace
@@ -40,7 +39,7 @@ PrintView::PrintView(QWidget* parent)
 {
     setObjectName(QStringLiteral("printPicture"));
     m_rest.setSingleShot(true);
-    m_rest.setInterval(restMs);
+    m_rest.setInterval(drawRestMs);
     connect(&m_rest, &QTimer::timeout, this, [this] { draw(false); });
     connect(&m_flight, &CameraFlight::moved, this, [this] { draw(true); });
     PrintView::retranslate();
@@ -75,7 +74,7 @@ void PrintView::draw(bool hurried)
             options.samples = 0; // dearer than pixels where triangles are smaller than these
             return renderer.draw(kept->sceneOf(print), camera, pixels, options);
         },
-        hurried ? 1 : finer, [this, camera = camera()] { m_drawn = camera; });
+        hurried ? 1 : finerAtRest, [this, camera = camera()] { m_drawn = camera; });
 }
 
 void PrintView::showThinnest()
@@ -106,7 +105,7 @@ void PrintView::mouseMoveEvent(QMouseEvent* event)
     if (shifts)
         moved.pan({2.0 * by.x() / std::max(1, width()), -2.0 * by.y() / std::max(1, height())}, aspect());
     else
-        moved.orbit(-perPixel * by.x(), perPixel * by.y());
+        moved.orbit(-turnPerPixel * by.x(), turnPerPixel * by.y());
     setCamera(moved);
 }
 
@@ -119,7 +118,7 @@ void PrintView::wheelEvent(QWheelEvent* event)
 {
     if (m_print) {
         Camera moved = camera();
-        moved.zoom(std::pow(perStep, -event->angleDelta().y() / 120.0),
+        moved.zoom(std::pow(zoomStep, -event->angleDelta().y() / 120.0),
                    moved.pointAtTargetDepth(ndc(event->position()), aspect()));
         setCamera(moved);
     }
@@ -131,22 +130,22 @@ void PrintView::keyPressEvent(QKeyEvent* event)
     Camera moved = camera();
     switch (event->key()) {
     case Qt::Key_Left:
-        moved.orbit(-perKey, 0.0);
+        moved.orbit(-turnPerKey, 0.0);
         break;
     case Qt::Key_Right:
-        moved.orbit(perKey, 0.0);
+        moved.orbit(turnPerKey, 0.0);
         break;
     case Qt::Key_Up:
-        moved.orbit(0.0, perKey);
+        moved.orbit(0.0, turnPerKey);
         break;
     case Qt::Key_Down:
-        moved.orbit(0.0, -perKey);
+        moved.orbit(0.0, -turnPerKey);
         break;
     case Qt::Key_Plus:
-        moved.zoom(1.0 / perStep, moved.target);
+        moved.zoom(1.0 / zoomStep, moved.target);
         break;
     case Qt::Key_Minus:
-        moved.zoom(perStep, moved.target);
+        moved.zoom(zoomStep, moved.target);
         break;
     case Qt::Key_Home:
         return showWhole();

@@ -15,7 +15,7 @@ namespace ramure {
 namespace {
 
 constexpr int iconSize = 32;
-constexpr QSize listSize(560, 130);
+constexpr QSize filesSize(560, 130);
 
 } // namespace
 
@@ -71,7 +71,7 @@ void RecoveryDialog::addEntries(const QList<RecoveryEntry>& entries)
     m_list->setHeaderLabels({tr("File"), tr("Folder"), tr("Last change kept")});
     m_list->setRootIsDecorated(false);
     m_list->setUniformRowHeights(true);
-    m_list->setMinimumSize(listSize);
+    m_list->setMinimumSize(filesSize);
     m_list->setTextElideMode(Qt::ElideMiddle);
     for (const RecoveryEntry& entry : entries) {
         const QFileInfo file(entry.file);

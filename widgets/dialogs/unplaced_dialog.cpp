@@ -20,7 +20,7 @@
 namespace ramure {
 namespace {
 
-constexpr QSize listSize(560, 160);
+constexpr QSize editsSize(560, 160);
 
 QString whatText(const BranchParams& edit, AngleUnit unit)
 {
@@ -32,7 +32,7 @@ QString whatText(const BranchParams& edit, AngleUnit unit)
     return parts.join(QStringLiteral(", "));
 }
 
-QString percentText(double share)
+QString shareText(double share)
 {
     return UnplacedDialog::tr("%1 %", "a share").arg(QLocale().toString(100.0 * share, 'f', 0));
 }
@@ -46,8 +46,8 @@ QString whereText(const BranchPlace& place)
     const auto order = place.way.size() - 1;
     const QString length = facttext::length(axis.length);
     if (order == 0)
-        return UnplacedDialog::tr("Trunk of %1, %2 up").arg(length, percentText(place.share));
-    const QString start = percentText(axis.share);
+        return UnplacedDialog::tr("Trunk of %1, %2 up").arg(length, shareText(place.share));
+    const QString start = shareText(axis.share);
     if (order == 1)
         return UnplacedDialog::tr("Limb of %1 that started %2 up the trunk").arg(length, start);
     return UnplacedDialog::tr("Branch of order %1, %2 long, that started %3 along the one below")
@@ -91,7 +91,7 @@ UnplacedDialog::UnplacedDialog(Document* document, AngleUnit unit, QWidget* pare
     m_list->setRootIsDecorated(false);
     m_list->setUniformRowHeights(true);
     m_list->setSelectionMode(QAbstractItemView::ExtendedSelection);
-    m_list->setMinimumSize(listSize);
+    m_list->setMinimumSize(editsSize);
     m_list->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     m_delete = buttons->addButton(tr("&Delete"), QDialogButtonBox::ActionRole);

@@ -10,20 +10,19 @@
 namespace ramure {
 namespace {
 
-constexpr int margin = 6, textGap = 5, starSize = 20, starGap = 4;
-constexpr qreal radius = 7.0;
+constexpr int cellMargin = 6;
 
 QRect pictureIn(const QRect& cell)
 {
     const QSize size = VariationDelegate::pictureSize;
-    return {QPoint(cell.center().x() - size.width() / 2 + 1, cell.top() + margin), size};
+    return {QPoint(cell.center().x() - size.width() / 2 + 1, cell.top() + cellMargin), size};
 }
 
 void paintPicture(QPainter& painter, const QRectF& place, const QStyleOptionViewItem& option,
                   const QModelIndex& index)
 {
     QPainterPath rounded;
-    rounded.addRoundedRect(place, radius, radius);
+    rounded.addRoundedRect(place, PictureButton::cornerRadius, PictureButton::cornerRadius);
     painter.save();
     painter.setClipPath(rounded);
     const auto picture = index.data(Qt::DecorationRole).value<QPixmap>();
@@ -51,8 +50,7 @@ void paintPicture(QPainter& painter, const QRectF& place, const QStyleOptionView
 
 QRect VariationDelegate::starPlace(const QRect& cell)
 {
-    const QRect picture = pictureIn(cell);
-    return {picture.right() - starSize - starGap, picture.top() + starGap, starSize, starSize};
+    return pictureStarPlace(pictureIn(cell).topRight());
 }
 
 void VariationDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
@@ -65,7 +63,7 @@ void VariationDelegate::paint(QPainter* painter, const QStyleOptionViewItem& opt
     const bool starred = index.data(VariationsModel::StarRole).toBool();
     if (starred || option.state.testFlag(QStyle::State_MouseOver))
         paintPictureStar(*painter, starPlace(option.rect), starred);
-    const QRect below(picture.left(), picture.bottom() + textGap, picture.width(),
+    const QRect below(picture.left(), picture.bottom() + PictureButton::textGap, picture.width(),
                       option.fontMetrics.height());
     painter->setPen(option.palette.color(QPalette::Text));
     painter->drawText(below, Qt::AlignCenter, index.data().toString());
@@ -74,7 +72,8 @@ void VariationDelegate::paint(QPainter* painter, const QStyleOptionViewItem& opt
 
 QSize VariationDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const
 {
-    return pictureSize + QSize(2 * margin, 2 * margin + textGap + option.fontMetrics.height());
+    return pictureSize +
+           QSize(2 * cellMargin, 2 * cellMargin + PictureButton::textGap + option.fontMetrics.height());
 }
 
 bool VariationDelegate::editorEvent(QEvent* event, QAbstractItemModel*, const QStyleOptionViewItem& option,

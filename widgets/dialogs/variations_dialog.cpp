@@ -25,7 +25,7 @@
 namespace ramure {
 namespace {
 
-constexpr int formWidth = 260, restMs = 250;
+constexpr int formWidth = 260, soonMs = 250;
 constexpr QSize usualSize{1096, 640}, leastSize{700, 420};
 
 } // namespace
@@ -56,7 +56,7 @@ VariationsDialog::VariationsDialog(Document* document, Preferences* preferences,
     m_count->setKeyboardTracking(false);
     m_countLabel->setBuddy(m_count);
     m_soon.setSingleShot(true);
-    m_soon.setInterval(restMs);
+    m_soon.setInterval(soonMs);
     buildActions();
     buildLayout();
     connect(&m_soon, &QTimer::timeout, this, [this] { begin(m_first); });

@@ -9,14 +9,14 @@
 namespace ramure {
 namespace {
 
-struct Words
+struct PageWords
 {
     Q_DECLARE_TR_FUNCTIONS(ParamPage)
 };
 
 QString title()
 {
-    return Words::tr("Parameters");
+    return PageWords::tr("Parameters");
 }
 
 /// Symbols of the grammar stand in these texts, which Markdown would take for its own.
@@ -44,8 +44,8 @@ QString paramPage()
 {
     QString page =
         QStringLiteral("# %1\n\n%2\n")
-            .arg(title(), Words::tr("The key is the name in project files, and on the command line: "
-                                    "`--set key=value`. Numbers outside the range are refused."));
+            .arg(title(), PageWords::tr("The key is the name in project files, and on the command line: "
+                                        "`--set key=value`. Numbers outside the range are refused."));
     std::string_view group;
     for (const ParamDef& def : paramTable()) {
         if (group != def.group)

@@ -50,7 +50,7 @@ constexpr std::array steps{
              "file.export", nullptr},
 };
 
-QString words(const char* english)
+QString tourText(const char* english)
 {
     return QCoreApplication::translate("Tour", english);
 }
@@ -140,8 +140,8 @@ void Tour::showTexts()
     if (const QAction* action = shown.action ? m_actions->find(QLatin1String(shown.action)) : nullptr)
         keys = action->shortcut().isEmpty() ? plainText(action->text())
                                             : action->shortcut().toString(QKeySequence::NativeText);
-    const QString text = words(shown.text);
-    m_callout->setTexts(words(shown.title), keys.isEmpty() ? text : text.arg(keys), m_step, stepCount());
+    const QString text = tourText(shown.text);
+    m_callout->setTexts(tourText(shown.title), keys.isEmpty() ? text : text.arg(keys), m_step, stepCount());
 }
 
 /// What was asked for is noticed when it is done; it need not be.

@@ -6,7 +6,7 @@
 
 namespace ramure {
 namespace {
-constexpr int restMs = 150;
+constexpr int pickRestMs = 150;
 }
 
 BackgroundPicker::BackgroundPicker(QObject* parent)
@@ -14,7 +14,7 @@ BackgroundPicker::BackgroundPicker(QObject* parent)
     , m_latest(std::make_shared<const PickScene>())
 {
     m_rest.setSingleShot(true);
-    m_rest.setInterval(restMs);
+    m_rest.setInterval(pickRestMs);
     connect(&m_rest, &QTimer::timeout, this, &BackgroundPicker::start);
 }
 

@@ -1,17 +1,16 @@
 #include "widgets/view/defect_mark.h"
 
+#include "core/math/angle.h"
 #include "core/math/bvh.h"
 #include <QFontMetricsF>
 #include <QPainter>
 #include <QStringList>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace ramure {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr glm::u8vec4 markColour{255, 0, 170, 255};
 constexpr float fadedLeft = 0.10f;    ///< opacity of faded leaves and apples
 constexpr double branchLengths = 2.5; ///< around a defect

@@ -7,8 +7,6 @@
 
 namespace ramure {
 
-static constexpr int mostPixels = 2000; ///< a side
-
 struct DrawnPicture::Context
 {
     OffscreenRenderer renderer; ///< made on the thread of the interface
@@ -49,8 +47,9 @@ DrawnPicture::~DrawnPicture()
 
 void DrawnPicture::start(Draw draw, int finer, std::function<void()> shown)
 {
-    const QSize size =
-        (QSizeF(this->size()) * devicePixelRatioF()).toSize().boundedTo({mostPixels, mostPixels});
+    const QSize size = (QSizeF(this->size()) * devicePixelRatioF())
+                           .toSize()
+                           .boundedTo({mostPicturePixels, mostPicturePixels});
     if (size.isEmpty() || !isVisible())
         return;
     if (!m_context)

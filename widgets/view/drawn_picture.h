@@ -12,6 +12,10 @@
 
 namespace ramure {
 
+inline constexpr int mostPicturePixels = 2000; ///< a side
+/// How far a hand turns what is shown: rad, a pixel of the mouse and an arrow key.
+inline constexpr double turnPerPixel = 0.01, turnPerKey = 0.15;
+
 class DrawnPicture : public QWidget
 {
     Q_OBJECT

@@ -13,7 +13,7 @@ namespace ramure {
 
 namespace {
 
-constexpr double margin = 12.0;
+constexpr double legendMargin = 12.0;
 constexpr double padding = 10.0;
 constexpr double barWidth = 220.0;
 constexpr double barHeight = 12.0;
@@ -35,7 +35,7 @@ const std::array<Mark, 5>& scale()
 }
 
 /// A length of one tile, in the unit that reads best.
-QString lengthText(double metres)
+QString tileText(double metres)
 {
     const QLocale locale;
     if (metres < 0.01)
@@ -52,7 +52,7 @@ QStringList linesOf(DisplayMode mode, const TextureSummary& texture)
     const QLocale locale;
     if (mode == DisplayMode::Checker)
         return {QCoreApplication::translate("TextureLegend", "One square: %1, or 2, 4, 8 … times that")
-                    .arg(lengthText(texture.tileSize)),
+                    .arg(tileText(texture.tileSize)),
                 QCoreApplication::translate("TextureLegend", "Red rings: every metre along the branches")};
     const double good = 100.0 * (1.0 - double(texture.stretched) / double(texture.triangles));
     return {QCoreApplication::translate("TextureLegend", "Stretch of the texture"),
@@ -76,8 +76,8 @@ void paintTextureLegend(QPainter& painter, QSize area, DisplayMode mode, const T
         width = std::max(width, metrics.horizontalAdvance(line));
     const double lineHeight = metrics.height();
     const double height = lineHeight * double(lines.size()) + (colours ? barHeight + lineHeight + 8.0 : 0.0);
-    const QRectF box(margin, area.height() - margin - height - 2.0 * padding, width + 2.0 * padding,
-                     height + 2.0 * padding);
+    const QRectF box(legendMargin, area.height() - legendMargin - height - 2.0 * padding,
+                     width + 2.0 * padding, height + 2.0 * padding);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(Qt::NoPen);
     painter.setBrush(QColor(20, 24, 22, 190));

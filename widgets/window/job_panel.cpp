@@ -2,6 +2,7 @@
 
 #include "core/session/job.h"
 #include "widgets/base/icons.h"
+#include "widgets/base/progress_steps.h"
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -10,9 +11,6 @@
 #include <QToolButton>
 
 namespace ramure {
-
-static constexpr int patienceMs = 300;
-static constexpr int progressSteps = 1000;
 
 JobPanel::JobPanel(Job* job, const QString& name, QWidget* parent)
     : QWidget(parent)

@@ -14,32 +14,32 @@
 namespace ramure {
 namespace {
 
-struct Words
+struct Hints
 {
     Q_DECLARE_TR_FUNCTIONS(PanelHints)
 };
 
 QString rulerHint()
 {
-    return Words::tr("Drag: go to a frame · a handle: range · wheel: zoom · Shift + wheel: scroll · double "
+    return Hints::tr("Drag: go to a frame · a handle: range · wheel: zoom · Shift + wheel: scroll · double "
                      "click: whole range");
 }
 
 QString sheetHint()
 {
-    return Words::tr("Click: select · drag: move · Shift: add, between frames · Ctrl + drag: copies · Alt + "
+    return Hints::tr("Click: select · drag: move · Shift: add, between frames · Ctrl + drag: copies · Alt + "
                      "click: column · Ctrl + wheel: zoom");
 }
 
 QString curvesHint()
 {
-    return Words::tr("Click: select · drag: move · Shift: add, between frames · Ctrl + drag: value only · "
+    return Hints::tr("Click: select · drag: move · Shift: add, between frames · Ctrl + drag: value only · "
                      "Ctrl + wheel: zoom");
 }
 
 QString levelHint()
 {
-    return Words::tr("Drag: turn both · wheel: nearer or farther · arrow keys: turn · Home: from the front");
+    return Hints::tr("Drag: turn both · wheel: nearer or farther · arrow keys: turn · Home: from the front");
 }
 
 } // namespace

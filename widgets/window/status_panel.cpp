@@ -6,6 +6,7 @@
 #include "core/session/recompute.h"
 #include "widgets/base/core_text.h"
 #include "widgets/base/icons.h"
+#include "widgets/base/progress_steps.h"
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -21,8 +22,6 @@
 namespace ramure {
 namespace {
 
-constexpr int patienceMs = 300;
-constexpr int progressSteps = 1000;
 constexpr double leastMs = 0.05; ///< less is shown as no time at all: nothing was computed
 const QString separator = QStringLiteral("  ·  ");
 

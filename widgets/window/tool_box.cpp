@@ -7,7 +7,7 @@
 namespace ramure {
 namespace {
 
-constexpr int fewColumns = 2, manyColumns = 3, iconSide = 18, gap = 1, edge = 4;
+constexpr int fewColumns = 2, manyColumns = 3, buttonIcon = 18, buttonGap = 1, boxEdge = 4;
 
 int rowsOf(qsizetype tools, int columns)
 {
@@ -20,7 +20,7 @@ ToolBox::ToolBox(QWidget* parent)
     : QFrame(parent)
 {
     auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(edge, edge, edge, edge);
+    column->setContentsMargins(boxEdge, boxEdge, boxEdge, boxEdge);
     column->addStretch(1);
 }
 
@@ -38,7 +38,7 @@ void ToolBox::addGroup(const QList<QAction*>& tools)
     for (QAction* tool : tools) {
         auto* button = new QToolButton(this);
         button->setDefaultAction(tool);
-        button->setIconSize({iconSide, iconSide});
+        button->setIconSize({buttonIcon, buttonIcon});
         button->setAutoRaise(true);
         button->setFocusPolicy(Qt::NoFocus); // a click leaves the keys with the view
         m_groups.back() += button;
@@ -59,7 +59,7 @@ void ToolBox::place(int columns)
     m_columns = columns;
     delete m_grid;
     m_grid = new QGridLayout;
-    m_grid->setSpacing(gap);
+    m_grid->setSpacing(buttonGap);
     static_cast<QVBoxLayout*>(layout())->insertLayout(0, m_grid);
     int row = 0;
     for (qsizetype g = 0; g < m_groups.size(); ++g) {
@@ -73,10 +73,10 @@ void ToolBox::place(int columns)
 
 int ToolBox::heightOf(int columns) const
 {
-    int height = 2 * edge;
+    int height = 2 * boxEdge;
     for (const QList<QToolButton*>& group : m_groups)
-        height += rowsOf(group.size(), columns) * (group.front()->sizeHint().height() + gap);
-    return height + int(m_lines.size()) * (1 + gap);
+        height += rowsOf(group.size(), columns) * (group.front()->sizeHint().height() + buttonGap);
+    return height + int(m_lines.size()) * (1 + buttonGap);
 }
 
 QSize ToolBox::minimumSizeHint() const

@@ -22,9 +22,9 @@
 namespace ramure {
 namespace {
 
-constexpr int iconSide = 18, stripHeight = 36, leastTip = 120;
+constexpr int stripIcon = 18, stripHeight = 36, leastTip = 120;
 
-QString words(const char* english)
+QString optionText(const char* english)
 {
     return QCoreApplication::translate("HandOptions", english);
 }
@@ -32,7 +32,7 @@ QString words(const char* english)
 NumberFormat formatOf(const HandNumber& row)
 {
     NumberFormat format{ParamUnit::None, row.scale, QString::fromLatin1(row.suffix), row.decimals};
-    format.atZero = row.atZero ? words(row.atZero) : QString();
+    format.atZero = row.atZero ? optionText(row.atZero) : QString();
     return format;
 }
 
@@ -175,7 +175,7 @@ void ToolStrip::addMore()
     m_more = new QToolButton(this);
     m_more->setObjectName(QStringLiteral("moreOptions"));
     m_more->setIcon(icon("more"));
-    m_more->setIconSize({iconSide, iconSide});
+    m_more->setIconSize({stripIcon, stripIcon});
     m_more->setAutoRaise(true);
     m_more->setFocusPolicy(Qt::TabFocus);
     m_more->hide();
@@ -212,7 +212,7 @@ void ToolStrip::follow()
     if (chosen == m_tools.end())
         return; // on the way from one to another
     const QAction* tool = *chosen;
-    m_icon->setPixmap(tool->icon().pixmap(QSize(iconSide, iconSide), devicePixelRatioF()));
+    m_icon->setPixmap(tool->icon().pixmap(QSize(stripIcon, stripIcon), devicePixelRatioF()));
     m_name->setText(tool->text().remove(u'&'));
     m_tipText = tool->statusTip();
     m_transforms->setVisible(m_settings->tool() == HandTool::None);
@@ -295,15 +295,15 @@ void ToolStrip::retranslate()
 {
     for (const Option& option : m_options) {
         if (option.label)
-            option.label->setText(words(option.text));
+            option.label->setText(optionText(option.text));
         else
-            static_cast<QCheckBox*>(option.widget)->setText(words(option.text));
-        option.widget->setToolTip(words(option.tip));
-        option.widget->setAccessibleName(words(option.text));
+            static_cast<QCheckBox*>(option.widget)->setText(optionText(option.text));
+        option.widget->setToolTip(optionText(option.tip));
+        option.widget->setAccessibleName(optionText(option.text));
     }
     for (const HandChoice& row : handChoices())
         for (std::size_t item = 0; item < row.items.size(); ++item)
-            findChild<QComboBox*>(QLatin1String(row.id))->setItemText(int(item), words(row.items[item]));
+            findChild<QComboBox*>(QLatin1String(row.id))->setItemText(int(item), optionText(row.items[item]));
     for (std::size_t i = 0; i < handNumbers().size(); ++i)
         m_numbers[i]->setFormat(formatOf(handNumbers()[i]));
     m_more->setToolTip(tr("More options"));

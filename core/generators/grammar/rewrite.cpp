@@ -15,7 +15,7 @@ constexpr std::size_t block = 16;
 /// Far above what memory holds, low enough that counting never overflows.
 constexpr std::size_t hardLimit = std::size_t(1) << 32;
 /// Symbols between two looks at the stop token.
-constexpr std::size_t stride = std::size_t(1) << 20;
+constexpr std::size_t symbolsAtATime = std::size_t(1) << 20;
 
 using Counts = std::array<std::uint64_t, 256>;
 
@@ -213,10 +213,10 @@ template <class Expand>
 bool expandAll(std::string_view in, Buffer& out, const Progress& progress, Expand&& expandPart)
 {
     char* end = out.data.get();
-    for (std::size_t from = 0; from < in.size(); from += stride) {
+    for (std::size_t from = 0; from < in.size(); from += symbolsAtATime) {
         if (progress.cancelled())
             return false;
-        end = expandPart(in.substr(from, stride), end);
+        end = expandPart(in.substr(from, symbolsAtATime), end);
     }
     out.size = static_cast<std::size_t>(end - out.data.get());
     return true;

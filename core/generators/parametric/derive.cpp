@@ -10,7 +10,7 @@ namespace ramure {
 namespace {
 
 /// Modules between two looks at the stop token.
-constexpr std::size_t stride = std::size_t(1) << 16;
+constexpr std::size_t modulesAtATime = std::size_t(1) << 16;
 constexpr std::uint64_t keyStep = 0x9E3779B97F4A7C15ull;
 
 std::uint64_t keyBelow(std::uint64_t parent, std::size_t number)
@@ -78,7 +78,7 @@ public:
             m_contexts.emplace(in.modules);
         std::size_t looked = 0;
         for (std::size_t i = 0; i < in.modules.size();) {
-            if (i >= looked + stride) {
+            if (i >= looked + modulesAtATime) {
                 looked = i;
                 if (progress.cancelled())
                     return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
@@ -106,7 +106,7 @@ private:
     /// What stays as it is up to there, for as long as it takes between two looks.
     [[nodiscard]] std::size_t endOfRun(std::size_t from) const
     {
-        const std::size_t most = std::min(from + stride, m_in->modules.size());
+        const std::size_t most = std::min(from + modulesAtATime, m_in->modules.size());
         std::size_t i = from + 1;
         while (i < most && !special(m_in->modules[i].name))
             ++i;

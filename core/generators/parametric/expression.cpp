@@ -1,12 +1,12 @@
 #include "core/generators/parametric/expression.h"
 
+#include "core/math/angle.h"
 #include "core/math/random.h"
 #include "core/math/reproducible.h"
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <span>
 
 namespace ramure {
@@ -18,7 +18,6 @@ constexpr int deepestNesting = 100;
 /// Per level of nesting one number of each binary level waits, and one of a function.
 constexpr std::size_t stackSize = 10 * std::size_t(deepestNesting);
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double radPerDegree = std::numbers::pi / 180.0;
 
 /// Not a number where one side is none: so the end of the expression sees it.
 double compared(Op op, double a, double b)
@@ -77,9 +76,9 @@ double applied(Op op, double a)
     case Op::Sqrt:
         return std::sqrt(a);
     case Op::Sin:
-        return maths::sin(std::fmod(a, 360.0) * radPerDegree);
+        return maths::sin(std::fmod(a, 360.0) * oneDegree);
     default:
-        return maths::cos(std::fmod(a, 360.0) * radPerDegree);
+        return maths::cos(std::fmod(a, 360.0) * oneDegree);
     }
 }
 

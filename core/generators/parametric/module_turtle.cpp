@@ -1,17 +1,16 @@
 #include "core/generators/parametric/module_turtle.h"
 
 #include "core/generators/grammar/branch_keys.h"
+#include "core/math/angle.h"
 #include "core/math/reproducible.h"
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
-#include <numbers>
 
 namespace ramure {
 namespace {
 
-constexpr double radPerDegree = std::numbers::pi / 180.0;
 constexpr double farthest = 1e9; ///< m
 /// Thinner branches would have no mesh.
 constexpr double thinnest = 1e-6; ///< m
@@ -168,7 +167,7 @@ private:
     maths::SinCos by(State& state, const Module& module, double sign)
     {
         double rad = m_word.numbersOf(module) > 0
-                         ? std::fmod(m_word.numbers[module.firstNumber], 360.0) * radPerDegree
+                         ? std::fmod(m_word.numbers[module.firstNumber], 360.0) * oneDegree
                          : m_params.theta;
         if (m_chance.variation.angle != 0.0) {
             Random random(m_chance.seed, RandomStream::BranchTurn, nextKey(state) + state.turns++);

@@ -1,13 +1,12 @@
 #include "core/generators/weber_penn/stem_formulas.h"
 
+#include "core/math/angle.h"
 #include "core/math/reproducible.h"
 #include <algorithm>
 #include <cmath>
 
 namespace ramure {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 double flame(double ratio)
 {

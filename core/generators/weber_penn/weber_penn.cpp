@@ -3,6 +3,7 @@
 #include "core/generators/grammar/turtle.h"
 #include "core/generators/weber_penn/stem_course.h"
 #include "core/generators/weber_penn/stem_formulas.h"
+#include "core/math/angle.h"
 #include "core/math/random.h"
 #include "core/math/reproducible.h"
 #include <algorithm>
@@ -13,10 +14,9 @@
 namespace ramure {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr std::uint64_t step = 0x9E3779B97F4A7C15ull;
 /// What a stem draws for, beside its crookedness, which has the numbers of its segments.
-enum class Channel : std::uint64_t { Length = 1000, DownAngle, Rotate, Split };
+enum class Draw : std::uint64_t { Length = 1000, DownAngle, Rotate, Split };
 
 std::uint64_t below(std::uint64_t address, std::uint64_t number)
 {
@@ -110,7 +110,7 @@ private:
         return {};
     }
 
-    [[nodiscard]] double chance(std::uint64_t address, Channel channel, double most) const
+    [[nodiscard]] double chance(std::uint64_t address, Draw channel, double most) const
     {
         if (most == 0.0)
             return 0.0;
@@ -124,8 +124,8 @@ private:
         for (std::int64_t i = level.branches; i-- > 0;) {
             Stem trunk;
             trunk.address = trunk.own = below(0, std::uint64_t(i));
-            trunk.length = (m_params.scale + chance(1, Channel::Length, m_params.scaleV)) *
-                           (level.length + chance(trunk.address, Channel::Length, level.lengthV));
+            trunk.length = (m_params.scale + chance(1, Draw::Length, m_params.scaleV)) *
+                           (level.length + chance(trunk.address, Draw::Length, level.lengthV));
             trunk.radius = trunk.length * m_params.ratio;
             lean(trunk, Frame(), level.downAngle, slotAzimuth(0, 0.0, level, int(i), trunk.address));
             if (trunk.length > 1e-4 * m_params.scale)
@@ -137,7 +137,7 @@ private:
     void lean(Stem& stem, const Frame& before, double downAngle, double azimuth) const
     {
         downAngle +=
-            chance(stem.address, Channel::DownAngle, std::max(m_params.level[stem.level].downAngleV, 0.0));
+            chance(stem.address, Draw::DownAngle, std::max(m_params.level[stem.level].downAngleV, 0.0));
         const auto [aside, along] = maths::sincos(downAngle);
         const auto [sine, cosine] = maths::sincos(azimuth);
         stem.frame = transported(before, along * before.tangent +
@@ -150,7 +150,7 @@ private:
     [[nodiscard]] double slotAzimuth(std::size_t carrierLevel, double away, const WeberPennLevel& level,
                                      int slot, std::uint64_t address) const
     {
-        const double varied = chance(address, Channel::Rotate, level.rotateV);
+        const double varied = chance(address, Draw::Rotate, level.rotateV);
         if (level.rotate >= 0.0)
             return (slot + 1) * level.rotate + varied;
         const double side = pi + level.rotate + varied;
@@ -315,7 +315,7 @@ private:
         const WeberPennLevel& level = m_params.level[stem.level];
         stem.address = stem.own = below(carrier.address, std::uint64_t(cut.slot));
         const double base = bareBase(carrier);
-        const double share = level.length + chance(stem.address, Channel::Length, level.lengthV);
+        const double share = level.length + chance(stem.address, Draw::Length, level.lengthV);
         stem.length = stemLength(m_params, stem.level, share, carrier.length, cut.at, base);
         stem.parentLength = carrier.length;
         stem.offset = cut.at;
@@ -342,9 +342,9 @@ private:
         const int count = cut.splits + 1;
         const std::uint64_t place = below(stem.own, 5000 + std::uint64_t(cut.segment));
         const double declination = maths::acos(std::clamp(course.frame().tangent.y, -1.0, 1.0));
-        const double varied = level.splitAngle + chance(place, Channel::Split, level.splitAngleV);
+        const double varied = level.splitAngle + chance(place, Draw::Split, level.splitAngleV);
         const double angle = std::max(varied - 0.5 * declination, pi / 12.0);
-        const double around = chance(place, Channel::Rotate, pi);
+        const double around = chance(place, Draw::Rotate, pi);
         stem.thin *= maths::pow(count, -0.4);
         for (int i = 1; i < count; ++i) {
             Stem clone = stem;

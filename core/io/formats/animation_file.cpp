@@ -1,6 +1,7 @@
 #include "core/io/formats/animation_file.h"
 
 #include "core/base/number_text.h"
+#include "core/io/read_parts.h"
 
 #include <algorithm>
 #include <array>
@@ -14,13 +15,6 @@ namespace {
 
 constexpr std::size_t plainColumns = 12, shapeColumns = 16, allColumns = 56;
 constexpr std::string_view ownHeader = "# ramure-animation";
-
-std::string_view trimmed(std::string_view text)
-{
-    const std::size_t first = text.find_first_not_of(" \t\r");
-    return first == std::string_view::npos ? std::string_view()
-                                           : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
 
 /// Where a channel of Blender (loc x y z, rot x y z w, scale x y z) goes: Z up becomes Y up by p = (x, z,
 /// -y), q = (w, x, z, -y), s = (sx, sz, sy).
@@ -59,7 +53,7 @@ public:
         while (!text.empty()) {
             const std::size_t end = text.find('\n');
             ++m_line;
-            if (auto read = readLine(trimmed(text.substr(0, end))); !read)
+            if (auto read = readLine(reading::trimmed(text.substr(0, end))); !read)
                 return fail(std::move(read.error()));
             text = end == std::string_view::npos ? std::string_view() : text.substr(end + 1);
         }
@@ -92,9 +86,9 @@ private:
             return readKey(line);
         if (line.starts_with(ownHeader))
             m_out.ownScript = true;
-        const std::string_view rest = trimmed(line.substr(1));
+        const std::string_view rest = reading::trimmed(line.substr(1));
         if (rest.starts_with("parent="))
-            m_out.parent = std::string(trimmed(rest.substr(7)));
+            m_out.parent = std::string(reading::trimmed(rest.substr(7)));
         if (rest.starts_with("fps="))
             return setNumber(rest.substr(4), m_out.framesPerSecond);
         if (rest.starts_with("loop="))
@@ -114,14 +108,14 @@ private:
     }
     Expected<double> number(std::string_view text) const
     {
-        std::string_view digits = trimmed(text);
+        std::string_view digits = reading::trimmed(text);
         if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-')
             digits.remove_prefix(1);
         double value = 0.0;
         const auto [end, status] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
         if (status != std::errc() || end != digits.data() + digits.size())
             return bad(ErrorCode::Syntax, RAMURE_NOOP("\"%1\" is not a number"),
-                       {std::string(trimmed(text))});
+                       {std::string(reading::trimmed(text))});
         if (!std::isfinite(value))
             return bad(ErrorCode::Invalid, RAMURE_NOOP("must be a finite number"));
         return value;
@@ -132,7 +126,7 @@ private:
         std::vector<std::string_view> cells;
         for (std::size_t from = 0; from <= line.size();) {
             const std::size_t comma = std::min(line.find(',', from), line.size());
-            cells.push_back(trimmed(line.substr(from, comma - from)));
+            cells.push_back(reading::trimmed(line.substr(from, comma - from)));
             from = comma + 1;
         }
         const std::size_t count = cells.size();

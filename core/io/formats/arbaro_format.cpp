@@ -4,6 +4,7 @@
 
 #include "core/io/formats/file_format.h"
 #include "core/io/formats/tree_sheet.h"
+#include "core/math/angle.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +12,6 @@
 #include <expat.h>
 #include <map>
 #include <memory>
-#include <numbers>
 
 namespace ramure {
 namespace {
@@ -115,8 +115,6 @@ struct Counterpart
     double factor = 1.0;
 };
 
-constexpr double degree = std::numbers::pi / 180.0;
-
 constexpr std::array wholeTree{
     Counterpart{"Shape", "shape"},
     Counterpart{"Scale", "scale"},
@@ -139,16 +137,16 @@ constexpr std::array ofLevel{
     Counterpart{"LengthV", "lengthV"},
     Counterpart{"Taper", "taper"},
     Counterpart{"SegSplits", "segSplits"},
-    Counterpart{"SplitAngle", "splitAngle", degree},
-    Counterpart{"SplitAngleV", "splitAngleV", degree},
+    Counterpart{"SplitAngle", "splitAngle", oneDegree},
+    Counterpart{"SplitAngleV", "splitAngleV", oneDegree},
     Counterpart{"CurveRes", "curveRes"},
-    Counterpart{"Curve", "curve", degree},
-    Counterpart{"CurveBack", "curveBack", degree},
-    Counterpart{"CurveV", "curveV", degree},
-    Counterpart{"DownAngle", "downAngle", degree},
-    Counterpart{"DownAngleV", "downAngleV", degree},
-    Counterpart{"Rotate", "rotate", degree},
-    Counterpart{"RotateV", "rotateV", degree},
+    Counterpart{"Curve", "curve", oneDegree},
+    Counterpart{"CurveBack", "curveBack", oneDegree},
+    Counterpart{"CurveV", "curveV", oneDegree},
+    Counterpart{"DownAngle", "downAngle", oneDegree},
+    Counterpart{"DownAngleV", "downAngleV", oneDegree},
+    Counterpart{"Rotate", "rotate", oneDegree},
+    Counterpart{"RotateV", "rotateV", oneDegree},
     Counterpart{"Branches", "branches"},
 };
 

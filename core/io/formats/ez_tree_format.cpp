@@ -5,6 +5,7 @@
 #include "core/base/number_text.h"
 #include "core/io/formats/file_format.h"
 #include "core/io/formats/tree_sheet.h"
+#include "core/math/angle.h"
 #include "core/math/reproducible.h"
 
 #include <algorithm>
@@ -12,14 +13,12 @@
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 namespace ramure {
 namespace {
 
 using Json = nlohmann::json;
 
-constexpr double degree = std::numbers::pi / 180.0;
 constexpr std::size_t mostLevels = weberPennLevels;
 /// About what its pictures of leaves show.
 constexpr int leavesOfPicture = 12, leavesAcross = 3;
@@ -166,8 +165,7 @@ private:
         const double strength = number("branch.force.strength", 0.01),
                      up = number("branch.force.direction.y", 1);
         const double turned = strength * m_level[2].sections / radiusAt(2);
-        tree.attractionUp =
-            std::clamp((up < 0.0 ? -turned : turned) / (0.25 * std::numbers::pi), -10.0, 10.0);
+        tree.attractionUp = std::clamp((up < 0.0 ? -turned : turned) / (0.25 * pi), -10.0, 10.0);
     }
 
     /// m, of a stem that leaves the middle of the one below.
@@ -189,14 +187,14 @@ private:
         const double shortened = i < 2 ? 1.0 : 0.7;
         if (i > 0) {
             set(key + "length", "branch.length." + n, m_whole[i] / m_whole[i - 1] / shortened);
-            set(key + "downAngle", "branch.angle." + n, from.angle * degree);
+            set(key + "downAngle", "branch.angle." + n, from.angle * oneDegree);
             set(key + "branches", "branch.children." + std::to_string(i - 1), from.children);
-            level.rotate = 137.5 * degree;
-            level.rotateV = 20.0 * degree;
+            level.rotate = 137.5 * oneDegree;
+            level.rotateV = 20.0 * oneDegree;
         }
         set(key + "curveRes", "branch.sections." + n, from.sections);
         const double gnarl = std::abs(from.gnarliness) * std::max(1.0, 1.0 / std::sqrt(radiusAt(i)));
-        level.curveV = std::min(gnarl * from.sections, 2.0 * std::numbers::pi);
+        level.curveV = std::min(gnarl * from.sections, 2.0 * pi);
     }
 
     void dress()
@@ -211,7 +209,7 @@ private:
         else if (bark != "oak" && bark != "willow" && !bark.empty())
             m_sheet.note(RAMURE_NOOP("%1 has no counterpart"), {bark});
         const double count = number("leaves.count", 1);
-        set("foliage.leafAngle", "leaves.angle", number("leaves.angle", 10) * degree);
+        set("foliage.leafAngle", "leaves.angle", number("leaves.angle", 10) * oneDegree);
         set("foliage.leafVariation", "leaves.sizeVariance",
             std::clamp(number("leaves.sizeVariance", 0.7), 0.0, 0.9));
         const double size = number("leaves.size", 2.5);

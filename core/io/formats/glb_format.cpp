@@ -519,8 +519,8 @@ private:
     bool m_hasManifold = false;
 };
 
-Expected<void> write(const std::string& path, const ExportScene& scene, const WriteOptions& options,
-                     const Progress& progress)
+Expected<void> exportGlb(const std::string& path, const ExportScene& scene, const WriteOptions& options,
+                         const Progress& progress)
 {
     auto written = scene.space.isOwn()
                        ? GlbWriter(scene, options).run(path, progress)
@@ -532,7 +532,7 @@ Expected<void> write(const std::string& path, const ExportScene& scene, const Wr
 
 /// With positions, normals, colours and three indices.
 /// Places, normals, colours; with pictures there are coordinates and tangents.
-FileRates rates(bool /*texture*/, double /*digits*/)
+FileRates glbRates(bool /*texture*/, double /*digits*/)
 {
     return {31.5, 12.0};
 }
@@ -550,8 +550,8 @@ const FileFormat glbFormat = {
              holdsCompressed | holdsWind,
     .read = &readGlb,
     .import = &importGlb,
-    .write = &write,
-    .rates = &rates,
+    .write = &exportGlb,
+    .rates = &glbRates,
 };
 
 } // namespace ramure

@@ -22,7 +22,7 @@ namespace {
 using glb::FileNode;
 using glb::ReadGlbMesh;
 
-constexpr std::size_t mostTriangles = 50'000'000; ///< of all copies together
+constexpr std::size_t mostTrianglesOfCopies = 50'000'000; ///< of all copies together
 
 tl::unexpected<Error> cancelled()
 {
@@ -115,9 +115,9 @@ public:
         if (one.colours.empty()) // all of one colour
             one.colours.assign(one.triangles.size(), glb::srgb(linear[first]));
         m_triangles += copies->size() * one.triangles.size();
-        if (m_triangles > mostTriangles)
-            return glb::wrong(place, RAMURE_NOOP("more than %1 triangles"), {std::to_string(mostTriangles)},
-                              ErrorCode::Limit);
+        if (m_triangles > mostTrianglesOfCopies)
+            return glb::wrong(place, RAMURE_NOOP("more than %1 triangles"),
+                              {std::to_string(mostTrianglesOfCopies)}, ErrorCode::Limit);
         if (copies->size() == 1)
             return placed(one, copies->front(), node.name);
         ReadMesh out;

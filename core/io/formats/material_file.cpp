@@ -11,16 +11,6 @@ namespace {
 
 constexpr std::size_t mostNotes = 20;
 constexpr std::size_t largestFile = std::size_t(64) << 20;
-constexpr std::string_view blanks = " \t\r";
-
-std::string_view trimmed(std::string_view text)
-{
-    const std::size_t first = text.find_first_not_of(blanks);
-    if (first == std::string_view::npos)
-        return {};
-    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
 /// One or three numbers; one is a grey. Nothing where it is anything else.
 std::optional<glm::u8vec3> colourOf(std::string_view words)
 {
@@ -71,11 +61,11 @@ MaterialColours parseMaterials(std::string_view text, const std::string& file)
     int line = 0;
     while (!text.empty()) {
         const std::size_t end = std::min(text.find('\n'), text.size());
-        const std::string_view content = trimmed(text.substr(0, end));
+        const std::string_view content = reading::trimmed(text.substr(0, end));
         text.remove_prefix(std::min(end + 1, text.size()));
         ++line;
-        const std::size_t gap = std::min(content.find_first_of(blanks), content.size());
-        const std::string_view word = content.substr(0, gap), rest = trimmed(content.substr(gap));
+        const std::size_t gap = std::min(content.find_first_of(reading::blanksOfLine), content.size());
+        const std::string_view word = content.substr(0, gap), rest = reading::trimmed(content.substr(gap));
         if (word == "newmtl")
             name = rest;
         if (word == "map_Kd" && out.notes.size() < mostNotes)

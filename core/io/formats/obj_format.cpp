@@ -4,19 +4,19 @@
 
 namespace ramure {
 
-static Expected<ReadMesh> read(const std::string& path, const Progress& progress)
+static Expected<ReadMesh> importObj(const std::string& path, const Progress& progress)
 {
     return reading::readObjFile(path, progress, materialsBeside(path));
 }
 
-static Expected<void> write(const std::string& path, const ExportScene& scene, const WriteOptions& options,
-                            const Progress& progress)
+static Expected<void> exportObj(const std::string& path, const ExportScene& scene,
+                                const WriteOptions& options, const Progress& progress)
 {
     return scene.lines ? writeObjLines(path, *scene.lines, progress, options.comment)
                        : writeObj(path, flattened(scene).parts(), progress, options);
 }
 
-static FileRates rates(bool texture, double digits)
+static FileRates objRates(bool texture, double digits)
 {
     return {texture ? 90.0 : 62.0, 3.0 * ((texture ? 3.0 : 2.0) * digits + 3.0) + 2.0};
 }
@@ -31,10 +31,10 @@ const FileFormat objFormat = {
         "with an .mtl and the pictures of the bark beside it: objects branches, leaves, apples, with normals",
     .holds = holdsObjects | holdsTexture | holdsSpace | holdsLines,
     .beside = "mtl",
-    .read = &read,
+    .read = &importObj,
     .import = &importBlender,
-    .write = &write,
-    .rates = &rates,
+    .write = &exportObj,
+    .rates = &objRates,
 };
 
 } // namespace ramure

@@ -161,10 +161,10 @@ std::vector<glm::u8vec3> triangleColours(const ObjLists& lists, const MaterialSo
 }
 
 /// Distributes vertices and triangles over the objects.
-class Splitter
+class ObjectSplitter
 {
 public:
-    Splitter(const ObjLists& lists, const std::vector<glm::u8vec3>& colours, const Split& split)
+    ObjectSplitter(const ObjLists& lists, const std::vector<glm::u8vec3>& colours, const Split& split)
         : m_lists(lists)
         , m_colours(colours)
         , m_split(split)
@@ -313,7 +313,7 @@ Expected<ReadMesh> meshOf(Expected<ObjLists> lists, const std::string& file, con
         }
         out.objects.push_back(std::move(object));
     } else {
-        out.objects = Splitter(*lists, colours, split).run();
+        out.objects = ObjectSplitter(*lists, colours, split).run();
     }
     progress.report(1.0);
     return out;

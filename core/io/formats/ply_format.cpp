@@ -4,8 +4,8 @@
 
 namespace ramure {
 
-static Expected<void> write(const std::string& path, const ExportScene& scene, const WriteOptions& options,
-                            const Progress& progress)
+static Expected<void> exportPly(const std::string& path, const ExportScene& scene,
+                                const WriteOptions& options, const Progress& progress)
 {
     return scene.lines ? writePlyLines(path, *scene.lines, options)
                        : writePly(path, flattened(scene).parts(), options, progress);
@@ -31,7 +31,7 @@ const FileFormat plyFormat = {
     .holds = holdsTexture | holdsSpace | holdsLines,
     .read = &reading::readPlyFile,
     .import = &importBlender,
-    .write = &write,
+    .write = &exportPly,
     .rates = &binaryRates,
 };
 const FileFormat plyTextFormat = {
@@ -41,7 +41,7 @@ const FileFormat plyTextFormat = {
     .choice = RAMURE_NOOP("PLY, text"),
     .holds = holdsTexture | holdsSpace | holdsLines,
     .isText = true,
-    .write = &write,
+    .write = &exportPly,
     .rates = &textRates,
 };
 

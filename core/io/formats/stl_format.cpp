@@ -6,6 +6,7 @@
 #include "core/io/formats/file_format.h"
 #include "core/io/read_parts.h"
 #include "core/io/write_parts.h"
+#include "core/math/finite.h"
 #include "core/surface/mesh/duplicate_positions.h"
 #include <algorithm>
 #include <array>
@@ -61,8 +62,8 @@ char* appendTriangle(char* to, const TriangleMesh& mesh, const glm::uvec3& t)
     return to + triangleSize;
 }
 
-Expected<void> write(const std::string& path, const ExportScene& scene, const WriteOptions& options,
-                     const Progress& progress)
+Expected<void> exportStl(const std::string& path, const ExportScene& scene, const WriteOptions& options,
+                         const Progress& progress)
 {
     const FlatScene flat = flattened(scene);
     const std::vector<MeshPart> parts = flat.parts();
@@ -92,11 +93,6 @@ Expected<void> write(const std::string& path, const ExportScene& scene, const Wr
     return out->commit();
 }
 
-bool isFinite(const glm::vec3& p)
-{
-    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
-
 Expected<std::vector<glm::vec3>> binaryCorners(std::string_view bytes, const std::string& file,
                                                const Progress& progress)
 {
@@ -104,7 +100,7 @@ Expected<std::vector<glm::vec3>> binaryCorners(std::string_view bytes, const std
     for (std::size_t i = 0; i < corners.size(); i += 3) {
         const char* from = bytes.data() + headSize + countSize + i / 3 * triangleSize + sizeof(glm::vec3);
         std::memcpy(&corners[i], from, 3 * sizeof(glm::vec3));
-        if (!std::all_of(&corners[i], &corners[i] + 3, &isFinite))
+        if (!std::all_of(&corners[i], &corners[i] + 3, &isFinite<3, float>))
             return refuse(file, ErrorCode::Invalid, RAMURE_NOOP("triangle %1 is not of finite numbers"),
                           {std::to_string(i / 3)});
         if (i % reading::chunk == 0 && progress.cancelled())
@@ -227,7 +223,7 @@ TriangleMesh welded(std::vector<glm::vec3>&& corners)
     return mesh;
 }
 
-Expected<ReadMesh> read(const std::string& path, const Progress& progress)
+Expected<ReadMesh> importStl(const std::string& path, const Progress& progress)
 {
     auto input = reading::InputFile::open(path);
     if (!input)
@@ -249,7 +245,7 @@ Expected<ReadMesh> read(const std::string& path, const Progress& progress)
     return out;
 }
 
-FileRates rates(bool /*texture*/, double /*digits*/)
+FileRates stlRates(bool /*texture*/, double /*digits*/)
 {
     return {0.0, double(triangleSize)};
 }
@@ -264,10 +260,10 @@ const FileFormat stlFormat = {
     .choice = RAMURE_NOOP("STL, for printers"),
     .help = "binary; triangles alone, for printers: see --print",
     .holds = holdsSpace,
-    .read = &read,
+    .read = &importStl,
     .import = &importBlender,
-    .write = &write,
-    .rates = &rates,
+    .write = &exportStl,
+    .rates = &stlRates,
 };
 
 } // namespace ramure

@@ -128,8 +128,8 @@ TriangleMesh withoutFolded(const TriangleMesh& mesh)
     return out;
 }
 
-Expected<void> write(const std::string& path, const ExportScene& scene, const WriteOptions& options,
-                     const Progress& progress)
+Expected<void> exportThreeMf(const std::string& path, const ExportScene& scene, const WriteOptions& options,
+                             const Progress& progress)
 {
     const FlatScene flat = flattened(scene);
     const std::vector<MeshPart> parts = flat.parts();
@@ -171,7 +171,7 @@ Expected<void> write(const std::string& path, const ExportScene& scene, const Wr
     return writeZip(path, entries, progress.part(0.3, 1.0));
 }
 
-FileRates rates(bool /*texture*/, double digits)
+FileRates threeMfRates(bool /*texture*/, double digits)
 {
     // Packed: numbers of both kinds shrink to about a quarter of their text.
     return {12.0, 5.0 + digits};
@@ -189,8 +189,8 @@ const FileFormat threeMfFormat = {
     .holds = holdsSpace,
     .read = &readThreeMf,
     .import = &importBlender,
-    .write = &write,
-    .rates = &rates,
+    .write = &exportThreeMf,
+    .rates = &threeMfRates,
 };
 
 } // namespace ramure

@@ -17,11 +17,11 @@ namespace {
 
 constexpr std::uint64_t mostBytes = std::uint64_t(4) << 30;
 constexpr std::uint64_t mostRelations = std::uint64_t(1) << 20;
-constexpr std::size_t mostTriangles = 50'000'000; ///< of all items together
-constexpr int mostDepth = 16;                     ///< of components in components
+constexpr std::size_t mostPrintTriangles = 50'000'000; ///< of all items together
+constexpr int mostDepth = 16;                          ///< of components in components
 constexpr const char* usualModel = "3D/3dmodel.model";
 
-using Parser = std::unique_ptr<XML_ParserStruct, decltype(&XML_ParserFree)>;
+using XmlParser = std::unique_ptr<XML_ParserStruct, decltype(&XML_ParserFree)>;
 
 /// The value of an attribute, or nothing.
 const char* attribute(const char** list, std::string_view name)
@@ -204,7 +204,7 @@ private:
             return refuse(ErrorCode::Invalid, RAMURE_NOOP("there is no object %1"), {reading::excerpt(id)});
         const Resource& object = found->second;
         m_count += object.mesh.triangles.size() + 1;
-        if (depth > mostDepth || m_count > mostTriangles)
+        if (depth > mostDepth || m_count > mostPrintTriangles)
             return refuse(ErrorCode::Limit, RAMURE_NOOP("components of components without an end"));
         if (!object.mesh.empty())
             out.objects.push_back({object.name, transformed(object.mesh, place), {}});
@@ -231,7 +231,7 @@ private:
     }
 
     std::string m_file;
-    Parser m_parser{XML_ParserCreate(nullptr), &XML_ParserFree};
+    XmlParser m_parser{XML_ParserCreate(nullptr), &XML_ParserFree};
     double m_metres = 1e-3; // what a file without a unit has
     std::map<std::string, Resource, std::less<>> m_objects;
     Resource* m_object = nullptr; ///< that is being read
@@ -251,7 +251,7 @@ std::string modelName(const ZipReader& archive)
             std::string_view(type).ends_with("/3dmodel"))
             *static_cast<std::string*>(found) = target + (*target == '/' ? 1 : 0);
     };
-    const Parser parser(XML_ParserCreate(nullptr), &XML_ParserFree);
+    const XmlParser parser(XML_ParserCreate(nullptr), &XML_ParserFree);
     XML_SetUserData(parser.get(), &name);
     XML_SetElementHandler(parser.get(), begin, nullptr);
     // What is wrong with the relations shows when there is no such part.

@@ -14,7 +14,7 @@
 namespace ramure {
 namespace {
 
-constexpr std::size_t mostBytes = std::size_t(4) << 20;
+constexpr std::size_t mostBytesOfSheet = std::size_t(4) << 20;
 
 /// "ca_black_oak", "CaBlackOak": "cablackoak".
 std::string lettersOf(std::string_view name)
@@ -55,12 +55,12 @@ Expected<std::string> readSheet(const std::string& path, const ImportOptions& op
     std::ifstream file(path, std::ios::binary);
     if (!file)
         return refuse(ErrorCode::Io, RAMURE_NOOP("the file cannot be opened"));
-    std::string text(mostBytes + 1, '\0');
+    std::string text(mostBytesOfSheet + 1, '\0');
     file.read(text.data(), static_cast<std::streamsize>(text.size()));
     if (file.bad())
         return refuse(ErrorCode::Io, RAMURE_NOOP("the file cannot be read"));
     text.resize(static_cast<std::size_t>(file.gcount()));
-    if (text.size() > mostBytes)
+    if (text.size() > mostBytesOfSheet)
         return refuse(ErrorCode::Limit, RAMURE_NOOP("larger than 4 MiB: that is no file of parameters"));
     return text;
 }

@@ -1,5 +1,6 @@
 #include "core/rig/arm/arm_chain.h"
 
+#include "core/math/angle.h"
 #include "core/math/reproducible.h"
 #include <algorithm>
 #include <cmath>
@@ -7,8 +8,6 @@
 
 namespace ramure {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 } // namespace
 

@@ -1,5 +1,6 @@
 #include "core/rig/arm/arm_rods.h"
 
+#include "core/math/angle.h"
 #include "core/math/reproducible.h"
 #include "core/surface/primitives/primitive_mesh.h"
 #include <algorithm>
@@ -7,7 +8,6 @@
 namespace ramure {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr int sides = 24, rings = 12;
 constexpr double rodPart = 0.45; ///< radius of a rod, of that of a joint
 constexpr double tipPart = 0.6;  ///< the tip is a little smaller: it is no joint

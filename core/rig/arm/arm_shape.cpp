@@ -1,5 +1,6 @@
 #include "core/rig/arm/arm_shape.h"
 
+#include "core/math/finite.h"
 #include "core/rig/arm/arm_chain.h"
 #include "core/rig/arm/arm_rods.h"
 #include "core/rig/arm/arm_skin.h"
@@ -79,9 +80,7 @@ Expected<void> checkArmMesh(const TriangleMesh& mesh)
     if (std::any_of(mesh.triangles.begin(), mesh.triangles.end(),
                     [count](const glm::uvec3& t) { return t.x >= count || t.y >= count || t.z >= count; }))
         return wrongMesh(RAMURE_NOOP("a triangle of the mesh has a vertex that there is not"));
-    if (!std::all_of(mesh.positions.begin(), mesh.positions.end(), [](const glm::vec3& p) {
-            return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-        }))
+    if (!std::all_of(mesh.positions.begin(), mesh.positions.end(), &isFinite<3, float>))
         return wrongMesh(RAMURE_NOOP("the mesh has positions that are not finite"));
     return {};
 }

@@ -1,5 +1,6 @@
 #include "core/rig/arm/arm_skin.h"
 
+#include "core/math/angle.h"
 #include "core/math/reproducible.h"
 #include "core/params/param_def.h"
 #include "core/rig/arm/arm_chain.h"
@@ -8,8 +9,6 @@
 
 namespace ramure {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 /// Where segments begin along the straight arm, and where the last one ends.
 std::vector<double> heightsOf(std::span<const ArmJoint> joints)

@@ -1,5 +1,6 @@
 #include "core/rig/arm/arm_solver.h"
 
+#include "core/math/angle.h"
 #include "core/math/random.h"
 #include "core/math/reproducible.h"
 #include "core/rig/arm/damped_step.h"
@@ -9,7 +10,6 @@
 namespace ramure {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr double drawnIn = 0.999;
 constexpr double firstDamping = 0.05; ///< of the reach
 constexpr double leastDamping = 1e-7, mostDamping = 10.0;

@@ -10,10 +10,10 @@ namespace ramure {
 namespace {
 
 constexpr int mostSteps = 60;
-constexpr double drawnIn = 0.999;
+constexpr double limbDrawnIn = 0.999;
 constexpr double near = 1e-7;         ///< of the reach
-constexpr double firstDamping = 0.05; ///< of the reach
-constexpr double mostTurn = 0.5;      ///< rad a step
+constexpr double limbDamping = 0.05;  ///< of the reach
+constexpr double mostTurnAStep = 0.5; ///< rad a step
 constexpr double atStop = 1e-9;       ///< rad
 constexpr double thickest = 2.0;      ///< times the grabbed branch
 
@@ -144,7 +144,7 @@ bool Limb::turned(const Chain& from, const glm::dvec3& error, double damping, Ch
         most = std::max(most, glm::length(turn));
     if (!(most > 0.0) || !std::isfinite(most))
         return false;
-    const double scale = std::min(1.0, mostTurn / most);
+    const double scale = std::min(1.0, mostTurnAStep / most);
     to = from;
     for (std::size_t j = 0; j < from.size(); ++j) {
         const glm::dquat bend = bendRotation(glm::conjugate(m_before[j]) * (scale * turns[j])) * from[j].bend;
@@ -165,11 +165,11 @@ double Limb::pullTo(const glm::dvec3& target)
     if (m_atGrab.empty())
         return distance;
     glm::dvec3 aim = target;
-    if (distance > drawnIn * m_reach)
-        aim = m_foot + (target - m_foot) * (drawnIn * m_reach / distance);
+    if (distance > limbDrawnIn * m_reach)
+        aim = m_foot + (target - m_foot) * (limbDrawnIn * m_reach / distance);
     Chain best = m_atGrab, trial;
     place(best);
-    double residual = glm::distance(tip(), aim), damping = firstDamping * m_reach;
+    double residual = glm::distance(tip(), aim), damping = limbDamping * m_reach;
     for (int step = 0; step < mostSteps && residual > near * m_reach; ++step) {
         if (!turned(best, aim - tip(), damping, trial))
             break;

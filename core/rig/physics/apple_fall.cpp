@@ -9,7 +9,7 @@ namespace ramure {
 namespace {
 
 /// Slower than this an apple lies still, m/s.
-constexpr double stillSpeed = 0.01;
+constexpr double stillApple = 0.01;
 /// Bounces within one step; after that it stays on the ground.
 constexpr int mostBounces = 8;
 /// Rolling slows an apple by this share of what sliding would.
@@ -25,7 +25,7 @@ double timeToFall(double y, double speedUp, double gravity, double height)
     return speedUp > 0.0 ? (speedUp + root) / gravity : 2.0 * drop / std::max(root - speedUp, 1e-300);
 }
 
-void turn(LooseApple& apple, double seconds)
+void turnApple(LooseApple& apple, double seconds)
 {
     const double angle = glm::length(apple.spin) * seconds;
     if (!(angle > 0.0))
@@ -45,7 +45,7 @@ void fly(LooseApple& apple, double gravity, double seconds)
     apple.position += seconds * apple.velocity;
     apple.position.y -= 0.5 * gravity * seconds * seconds;
     apple.velocity.y -= gravity * seconds;
-    turn(apple, seconds);
+    turnApple(apple, seconds);
 }
 
 /// Slows the part of the velocity along the ground by at most \p loss, m/s.
@@ -64,8 +64,8 @@ void roll(LooseApple& apple, const PhysicsParams& params, double gravity, double
     brake(apple, rollingShare * params.appleFriction * gravity * seconds);
     apple.spin = rollingSpin(apple.velocity, radius);
     apple.position += seconds * apple.velocity;
-    turn(apple, seconds);
-    if (glm::length(apple.velocity) < stillSpeed && gravity > 0.0) {
+    turnApple(apple, seconds);
+    if (glm::length(apple.velocity) < stillApple && gravity > 0.0) {
         apple.velocity = apple.spin = glm::dvec3(0.0);
         apple.resting = true;
     }

@@ -10,9 +10,9 @@ using namespace lanes;
 
 /// Slots computed side by side; their parents' rotations are gathered first, so that the loop over them has
 /// no indirect access.
-constexpr Index block = 64;
+constexpr Index branchesAtATime = 64;
 
-struct Columns
+struct StepColumns
 {
     double *rotW, *rotX, *rotY, *rotZ, *velX, *velY, *velZ; // state
     double *turnW, *turnX, *turnY, *turnZ;                  // this step's rotations
@@ -27,7 +27,7 @@ struct Constants
 
 struct Parents
 {
-    double w[block], x[block], y[block], z[block];
+    double w[branchesAtATime], x[branchesAtATime], y[branchesAtATime], z[branchesAtATime];
 };
 
 void gatherParents(const TreeBody& body, const StepRotations& turn, Index first, Index count, Parents& out)
@@ -59,7 +59,7 @@ inline Quat between(Vec from, Vec to)
 }
 
 RAMURE_VECTOR_CLONES
-void stepBlock(const Columns& c, const Constants& k, const Parents& parents, std::size_t first,
+void stepBlock(const StepColumns& c, const Constants& k, const Parents& parents, std::size_t first,
                std::size_t count)
 {
     RAMURE_INDEPENDENT_ROUNDS
@@ -118,24 +118,24 @@ void faithfulStep(const StepInputs& in, PhysicsState& state)
     StepRotations& turn = in.rotations;
     turn.resize(body.size());
     const auto column = [&](PhysicsState::Channel channel) { return state.channel(channel).data(); };
-    const Columns columns{column(PhysicsState::RotW),
-                          column(PhysicsState::RotX),
-                          column(PhysicsState::RotY),
-                          column(PhysicsState::RotZ),
-                          column(PhysicsState::VelX),
-                          column(PhysicsState::VelY),
-                          column(PhysicsState::VelZ),
-                          turn.w.data(),
-                          turn.x.data(),
-                          turn.y.data(),
-                          turn.z.data(),
-                          body.dirX.data(),
-                          body.dirY.data(),
-                          body.dirZ.data(),
-                          body.length.data(),
-                          body.a0.data(),
-                          in.masses.mass.data(),
-                          in.masses.windage.data()};
+    const StepColumns columns{column(PhysicsState::RotW),
+                              column(PhysicsState::RotX),
+                              column(PhysicsState::RotY),
+                              column(PhysicsState::RotZ),
+                              column(PhysicsState::VelX),
+                              column(PhysicsState::VelY),
+                              column(PhysicsState::VelZ),
+                              turn.w.data(),
+                              turn.x.data(),
+                              turn.y.data(),
+                              turn.z.data(),
+                              body.dirX.data(),
+                              body.dirY.data(),
+                              body.dirZ.data(),
+                              body.length.data(),
+                              body.a0.data(),
+                              in.masses.mass.data(),
+                              in.masses.windage.data()};
     const glm::dvec3 wind = faithfulWind(in.params, state.timeSeconds);
     const double seconds = in.params.stepSeconds;
     const Constants constants{seconds,           1.0 / seconds,         wind.x,           wind.z,
@@ -144,7 +144,7 @@ void faithfulStep(const StepInputs& in, PhysicsState& state)
     Index first = 0;
     for (const Index end : body.depthEnd)
         for (; first < end;) {
-            const Index count = std::min(block, end - first);
+            const Index count = std::min(branchesAtATime, end - first);
             gatherParents(body, turn, first, count, parents);
             stepBlock(columns, constants, parents, first, count);
             first += count;

@@ -1,5 +1,6 @@
 #include "core/rig/physics/leaf_swing.h"
 
+#include "core/math/angle.h"
 #include "core/math/random.h"
 #include "core/math/reproducible.h"
 #include "core/rig/physics/lanes.h"
@@ -8,26 +9,23 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <numbers>
 
 namespace ramure {
 namespace {
 
 using namespace lanes;
 
-constexpr double turn = 2.0 * std::numbers::pi;
-
 /// Of a leaf of 9 cm, at stiffness 1; longer ones swing more slowly.
 constexpr double usualHertz = 3.5, usualLength = 0.09;
 constexpr double dampingRatio = 0.35; ///< leaves are light: the air damps them well
 /// tan(angle / 2) of a usual leaf across a wind of 4 m/s, and on a twig that lies on its side.
-constexpr double turnOfWind = 0.3, turnOfWeight = 0.2;
+constexpr double leafTurnOfWind = 0.3, leafTurnOfWeight = 0.2;
 /// The same at most, and of the flutter at its strongest.
-constexpr double mostTurn = 0.9, mostFlutter = 0.22;
+constexpr double mostLeafTurn = 0.9, mostFlutter = 0.22;
 /// Share of the drag that a leaf has edge on.
 constexpr float edgeOn = 0.35F;
 /// Twigs whip faster than this, m/s, in storms alone; faster ones fling their leaves no further.
-constexpr double fastTwig = 6.0;
+constexpr double fastTwigOfLeaves = 6.0;
 
 /// The leaves of a twig flutter at one of so many rates, each with a phase of its own: to know their sines is
 /// to know four numbers a rate.
@@ -38,9 +36,9 @@ std::array<Note, notes> notesAt(double seconds, double hertz)
 {
     std::array<Note, notes> out{};
     for (std::size_t i = 0; i < notes; ++i) {
-        const double rate = turn * hertz * (0.7 + 0.6 * double(i) / notes);
-        const auto twist = maths::sincos(std::fmod(1.37 * rate * seconds, turn));
-        const auto nod = maths::sincos(std::fmod(rate * seconds, turn));
+        const double rate = fullTurn * hertz * (0.7 + 0.6 * double(i) / notes);
+        const auto twist = maths::sincos(std::fmod(1.37 * rate * seconds, fullTurn));
+        const auto nod = maths::sincos(std::fmod(rate * seconds, fullTurn));
         out[i] = {float(twist.sin), float(twist.cos), float(nod.sin), float(nod.cos)};
     }
     return out;
@@ -56,19 +54,19 @@ struct Answer
     double rise;        ///< how much of the wind they have heard of yet, 0..1
 };
 
-constexpr std::size_t block = 64;
+constexpr std::size_t leavesAtATime = 64;
 
 /// What the twigs of a block are in: their turn since their rest, and the air that passes them, m/s.
-struct Around
+struct TwigBlock
 {
-    double w[block], x[block], y[block], z[block];
-    double airX[block], airY[block], airZ[block];
-    double velX[block], velY[block], velZ[block];
+    double w[leavesAtATime], x[leavesAtATime], y[leavesAtATime], z[leavesAtATime];
+    double airX[leavesAtATime], airY[leavesAtATime], airZ[leavesAtATime];
+    double velX[leavesAtATime], velY[leavesAtATime], velZ[leavesAtATime];
 };
 
 /// Of the branches of a block; the faithful step's speeds are others, of which leaves feel nothing.
 void gather(const TreeBody& body, const PhysicsState& state, std::span<const Index> branches,
-            const glm::dvec3& air, Around& out)
+            const glm::dvec3& air, TwigBlock& out)
 {
     const auto channel = [&](int number) { return state.channel(number).data(); };
     const double *w = channel(PhysicsState::RotW), *x = channel(PhysicsState::RotX),
@@ -86,7 +84,7 @@ void gather(const TreeBody& body, const PhysicsState& state, std::span<const Ind
 
 RAMURE_VECTOR_CLONES
 void addWave(const double* sine, const double* cosine, const glm::dvec3& s, const glm::dvec3& c,
-             std::size_t count, Around& out)
+             std::size_t count, TwigBlock& out)
 {
     RAMURE_INDEPENDENT_ROUNDS
     for (std::size_t i = 0; i < count; ++i) {
@@ -104,27 +102,28 @@ using FeltTwig = std::array<float, feltCount>;
 
 struct FeltBlock
 {
-    double of[TwistSin][block];
-    double flutter[block];
+    double of[TwistSin][leavesAtATime];
+    double flutter[leavesAtATime];
 };
 
 RAMURE_VECTOR_CLONES
-void feel(const Around& around, const Answer& answer, std::size_t count, FeltBlock& out)
+void feel(const TwigBlock& around, const Answer& answer, std::size_t count, FeltBlock& out)
 {
     RAMURE_INDEPENDENT_ROUNDS
     for (std::size_t i = 0; i < count; ++i) {
         const Quat back{around.w[i], -around.x[i], -around.y[i], -around.z[i]};
         const Vec carried{around.velX[i], around.velY[i], around.velZ[i]};
-        const double whip = 1.0 / std::sqrt(1.0 + dot(carried, carried) * (1.0 / (fastTwig * fastTwig)));
+        const double whip =
+            1.0 / std::sqrt(1.0 + dot(carried, carried) * (1.0 / (fastTwigOfLeaves * fastTwigOfLeaves)));
         const Vec air = Vec{around.airX[i], around.airY[i], around.airZ[i]} - whip * carried;
         const double speed = std::sqrt(dot(air, air)), square = speed * speed * (1.0 / 16.0);
         const Vec way = turned(back, (1.0 / (speed + 1e-30)) * air);
         const double drag = answer.drag * square;
         const Vec weight = turned(back, Vec{0.0, -answer.gravity, 0.0});
         const Vec more = answer.sag * (weight + Vec{0.0, answer.heldGravity, 0.0});
-        const Vec sag = answer.rise / (1.0 + std::sqrt(dot(more, more)) * (1.0 / mostTurn)) * more;
+        const Vec sag = answer.rise / (1.0 + std::sqrt(dot(more, more)) * (1.0 / mostLeafTurn)) * more;
         out.of[WindX][i] = way.x, out.of[WindY][i] = way.y, out.of[WindZ][i] = way.z;
-        out.of[Drag][i] = answer.rise * drag / (1.0 + drag * (1.0 / mostTurn));
+        out.of[Drag][i] = answer.rise * drag / (1.0 + drag * (1.0 / mostLeafTurn));
         out.of[SagX][i] = sag.x, out.of[SagY][i] = sag.y, out.of[SagZ][i] = sag.z;
         out.flutter[i] = answer.rise * answer.flutter * square / (1.0 + square);
     }
@@ -138,7 +137,7 @@ struct Rests
 
 using Float8 [[gnu::vector_size(32)]] = float;
 /// What the leaves of a block feel, one after the other; twigs write a little past their last leaf.
-using Spread = float[feltCount][block + 8];
+using Spread = float[feltCount][leavesAtATime + 8];
 
 RAMURE_VECTOR_CLONES
 void spread(const FeltTwig& felt, std::size_t from, std::size_t to, Spread& out)
@@ -178,8 +177,8 @@ struct Bones
 {
     struct Bone
     {
-        double w[block], x[block], y[block], z[block];
-        double atX[block], atY[block], atZ[block];
+        double w[leavesAtATime], x[leavesAtATime], y[leavesAtATime], z[leavesAtATime];
+        double atX[leavesAtATime], atY[leavesAtATime], atZ[leavesAtATime];
 
         void set(std::size_t i, const RigidTransform& to)
         {
@@ -190,10 +189,11 @@ struct Bones
         [[nodiscard]] Vec translation(std::size_t i) const { return {atX[i], atY[i], atZ[i]}; }
     };
     Bone bone, other;
-    double share[block]; ///< of the other
-    double footX[block], footY[block], footZ[block];
+    double share[leavesAtATime]; ///< of the other
+    double footX[leavesAtATime], footY[leavesAtATime], footZ[leavesAtATime];
     // Where the bark bends: its place at rest, and now. Else 0.
-    double held[block], fromX[block], fromY[block], fromZ[block], toX[block], toY[block], toZ[block];
+    double held[leavesAtATime], fromX[leavesAtATime], fromY[leavesAtATime], fromZ[leavesAtATime],
+        toX[leavesAtATime], toY[leavesAtATime], toZ[leavesAtATime];
 };
 
 /// Turns about the foot, then goes where the anchor goes: the mean screw of its bones
@@ -294,7 +294,7 @@ void LeafSwing::addLeaf(const FoliageItem& leaf, std::uint64_t branchKey)
     const glm::vec3 along(leaf.orientation * glm::dvec3(0.0, 1.0, 0.0));
     const glm::vec3 upper(leaf.orientation * glm::dvec3(0.0, 0.0, 1.0));
     Random random(branchKey, RandomStream::LeafSwing, leaf.number + 1ull);
-    const auto phase = maths::sincos(random.range(0.0, turn));
+    const auto phase = maths::sincos(random.range(0.0, fullTurn));
     m_alongX.push_back(along.x), m_alongY.push_back(along.y), m_alongZ.push_back(along.z);
     m_upperX.push_back(upper.x), m_upperY.push_back(upper.y), m_upperZ.push_back(upper.z);
     m_sin.push_back(static_cast<float>(phase.sin)), m_cos.push_back(static_cast<float>(phase.cos));
@@ -311,23 +311,23 @@ std::vector<LeafSwing::FeltTwig> LeafSwing::feltAt(const TreeBody& body, const P
     if (isRobust) {
         m_places.reach = body.reach; // waves are as long as the tree is high
         m_wind.setParams(m_places, params);
-        wind = m_wind.felt(t, turn * hertz, dampingRatio);
+        wind = m_wind.felt(t, fullTurn * hertz, dampingRatio);
     } else {
         wind.mean = faithfulWind(params, t);
     }
     // A run begins in air that no leaf has felt yet.
-    const double told = turn * hertz * t;
-    const Answer answer{turnOfWind * m_drag * m_loose / leaf.stiffness,
-                        turnOfWeight / leaf.stiffness,
+    const double told = fullTurn * hertz * t;
+    const Answer answer{leafTurnOfWind * m_drag * m_loose / leaf.stiffness,
+                        leafTurnOfWeight / leaf.stiffness,
                         mostFlutter * m_loose * leaf.flutter / std::sqrt(std::max(leaf.stiffness, 0.25)),
                         state.held.gravity,
                         params.gravity,
                         1.0 - (1.0 + told) * maths::exp(-told)};
     const std::array<Note, notes> all = notesAt(t, hertz);
     std::vector<FeltTwig> out(m_branches.size());
-    for (std::size_t first = 0; first < out.size(); first += block) {
-        const std::size_t count = std::min(block, out.size() - first);
-        Around around;
+    for (std::size_t first = 0; first < out.size(); first += leavesAtATime) {
+        const std::size_t count = std::min(leavesAtATime, out.size() - first);
+        TwigBlock around;
         gather(body, state, std::span(m_branches).subspan(first, count), wind.mean, around);
         for (std::size_t wave = 0; isRobust && wave < WindField::waves; ++wave)
             addWave(m_wind.sinOf(int(wave)) + first, m_wind.cosOf(int(wave)) + first, wind.sine[wave],
@@ -355,8 +355,8 @@ void LeafSwing::swing(const TreeBody& body, const PhysicsState& state, const Phy
                       m_upperZ.data(), m_give.data(),   m_sin.data(),    m_cos.data()};
     Spread all;
     std::size_t twig = 0;
-    for (std::size_t first = 0; first < size(); first += block) {
-        const std::size_t last = std::min(first + block, size());
+    for (std::size_t first = 0; first < size(); first += leavesAtATime) {
+        const std::size_t last = std::min(first + leavesAtATime, size());
         for (std::size_t from = first; from < last;) {
             const std::size_t to = std::min<std::size_t>(m_ends[twig], last);
             spread(felt[twig], from - first, to - first, all);
@@ -389,8 +389,8 @@ void LeafSwing::pose(std::span<const RigidTransform> branches, SkinMethod method
     Bones bones;
     std::size_t run = 0, bent = 0;
     const std::vector<SkinRun>& runs = m_anchors.leaves.runs;
-    for (std::size_t first = 0; first < size(); first += block) {
-        const std::size_t count = std::min(block, size() - first);
+    for (std::size_t first = 0; first < size(); first += leavesAtATime) {
+        const std::size_t count = std::min(leavesAtATime, size() - first);
         for (std::size_t k = 0; k < count; ++k) {
             const std::size_t i = first + k;
             if (run + 1 < runs.size() && runs[run + 1].firstVertex == i)

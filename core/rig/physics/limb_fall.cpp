@@ -22,7 +22,7 @@ constexpr double slowImpact = 0.5; ///< m/s: slower ones do not bounce
 /// Each second on the ground leaves so little of a motion, and each in the air of a turn.
 constexpr double groundLoss = 3.0, airLoss = 0.2;
 /// Slower than this, m/s at its ends, for so many seconds, and it rests.
-constexpr double stillSpeed = 0.03, stillSeconds = 0.3;
+constexpr double stillLimb = 0.03, stillSeconds = 0.3;
 /// What stands upon its foot is pushed over, rad/s, and comes off once it leans so far (of its upright
 /// height).
 constexpr double push = 0.35, tearsOff = 0.25;
@@ -326,7 +326,7 @@ void stepLimb(const LooseBody& body, const PhysicsParams& params, double seconds
     const double speed =
         (glm::distance(limb.centre, before.centre) + 2.0 * std::sqrt(glm::dot(turn, turn)) * reachOf(body)) /
         seconds;
-    const bool isCalm = speed < stillSpeed && isDown(body, limb);
+    const bool isCalm = speed < stillLimb && isDown(body, limb);
     limb.calm = isCalm ? limb.calm + 1 : 0;
     if (static_cast<double>(limb.calm) * seconds >= stillSeconds) {
         limb.phase = LimbPhase::Resting;

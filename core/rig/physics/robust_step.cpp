@@ -12,7 +12,7 @@ namespace {
 
 using namespace lanes;
 
-constexpr Index block = 64;
+constexpr Index slotsAtATime = 64;
 
 /// rate² = springiness * g / reach: a tree of 5 m sways at half a hertz, a twig of 30 cm flutters at two.
 constexpr double springiness = 5.0;
@@ -37,9 +37,10 @@ struct Columns
 /// What the slots of a block get from elsewhere.
 struct Around
 {
-    double w[block], x[block], y[block], z[block]; ///< rotation of the frame that the branch rests in
-    double velX[block], velY[block], velZ[block];  ///< of p0
-    double airX[block], airY[block], airZ[block];  ///< wind
+    double w[slotsAtATime], x[slotsAtATime], y[slotsAtATime],
+        z[slotsAtATime]; ///< rotation of the frame that the branch rests in
+    double velX[slotsAtATime], velY[slotsAtATime], velZ[slotsAtATime]; ///< of p0
+    double airX[slotsAtATime], airY[slotsAtATime], airZ[slotsAtATime]; ///< wind
 };
 
 void gatherParents(const TreeBody& body, const Columns& c, bool isParentFrame, Index first, Index count,
@@ -228,7 +229,7 @@ void robustStep(const StepInputs& in, PhysicsState& state, double timeSeconds)
     Index first = 0;
     for (const Index end : body.depthEnd)
         while (first < end) {
-            const Index count = std::min(block, end - first);
+            const Index count = std::min(slotsAtATime, end - first);
             gatherParents(body, columns, isParentFrame, first, count, around);
             blow(in.wind, moment, first, count, around);
             stepBlock(columns, 1.0 / s.seconds, around, first, count);

@@ -1,15 +1,13 @@
 #include "core/rig/physics/wind.h"
 
+#include "core/math/angle.h"
 #include "core/math/random.h"
 #include "core/math/reproducible.h"
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace ramure {
 namespace {
-
-constexpr double turn = 2.0 * std::numbers::pi;
 
 /// What a wave is before chance changes it.
 struct WaveKind
@@ -29,7 +27,7 @@ glm::dvec3 towards(double directionRad)
 
 glm::dvec3 randomDirection(Random& random)
 {
-    const double y = random.range(-1.0, 1.0), angle = random.range(0.0, turn);
+    const double y = random.range(-1.0, 1.0), angle = random.range(0.0, fullTurn);
     const double r = std::sqrt(1.0 - y * y);
     const auto [sine, cosine] = maths::sincos(angle);
     return {r * cosine, y, r * sine};
@@ -59,13 +57,13 @@ void WindField::setPhases(const TreeBody& body)
         const WaveKind& kind = kinds[w];
         Wave& wave = m_waves[std::size_t(w)];
         Random random(static_cast<std::uint64_t>(m_seed), RandomStream::Wind, std::uint64_t(w));
-        wave.pulsation = turn * kind.hertz * random.range(0.8, 1.25);
+        wave.pulsation = fullTurn * kind.hertz * random.range(0.8, 1.25);
         const glm::dvec3 way = randomDirection(random);
         wave.direction = randomDirection(random);
-        wave.phase = random.range(0.0, turn);
+        wave.phase = random.range(0.0, fullTurn);
         // Gusts walk through the tree with the wind, eddies in any direction.
         wave.waveVector = w < gustWaves ? wave.pulsation / robustWindSpeed * towards(m_directionRad)
-                                        : turn / (kind.wavelength * height) * way;
+                                        : fullTurn / (kind.wavelength * height) * way;
         for (Index slot = 0; slot < body.size(); ++slot) {
             const double at = glm::dot(wave.waveVector, 0.5 * (body.p0[slot] + body.p1[slot])) + wave.phase;
             const auto [sine, cosine] = maths::sincos(at);

@@ -1,15 +1,13 @@
 #include "core/rig/tracks/easing.h"
 
+#include "core/math/angle.h"
 #include "core/math/reproducible.h"
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 namespace ramure {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 double bounceOut(double x)
 {

@@ -1,8 +1,8 @@
 #include "core/rig/tracks/euler.h"
 
+#include "core/math/angle.h"
 #include "core/math/reproducible.h"
 #include <cmath>
-#include <numbers>
 
 namespace ramure {
 namespace {
@@ -10,7 +10,7 @@ namespace {
 /// The angle that turns alike and lies nearest to \p near.
 double turnedNear(double angle, double near)
 {
-    constexpr double whole = 2.0 * std::numbers::pi;
+    constexpr double whole = 2.0 * pi;
     return angle + whole * std::nearbyint((near - angle) / whole);
 }
 
@@ -34,7 +34,7 @@ glm::dvec3 anglesOf(const glm::dmat3& rotation, const glm::dvec3& near)
     const auto alike = [&near](double a, double b, double c) {
         return glm::dvec3(turnedNear(a, near.x), turnedNear(b, near.y), turnedNear(c, near.z));
     };
-    constexpr double pi = std::numbers::pi, upright = 1e-9;
+    constexpr double upright = 1e-9;
     if (cosY <= upright) { // X and Z turn about one axis: Z stays as it was
         const double sum = maths::atan2(-r[2][1], r[1][1]);
         return alike(y > 0.0 ? sum + near.z : sum - near.z, y, near.z);

@@ -3,7 +3,7 @@
 
 namespace ramure {
 
-static void begin(NodeParams& params)
+static void beginArm(NodeParams& params)
 {
     params.surface.color = {0.85, 0.55, 0.25};
     params.armSkin.radius = 0.3;
@@ -16,7 +16,7 @@ static void begin(NodeParams& params)
 }
 
 /// In the pose of its joints.
-static Expected<SharedMesh> solid(const NodeParams& params, const SharedMesh& own)
+static Expected<SharedMesh> armSolid(const NodeParams& params, const SharedMesh& own)
 {
     const auto shape = armSolid(params, own.get(), shownArmPart(params));
     if (!shape)
@@ -36,8 +36,8 @@ const NodeKindRow armKind = {
     .addId = "edit.addArm",
     .addText = RAMURE_NOOP("&Arm"),
     .addTip = RAMURE_NOOP("Add an articulated arm that reaches for targets"),
-    .begin = &begin,
-    .solid = &solid,
+    .begin = &beginArm,
+    .solid = &armSolid,
 };
 
 } // namespace ramure

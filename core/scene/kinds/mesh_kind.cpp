@@ -3,12 +3,12 @@
 
 namespace ramure {
 
-static Expected<SharedMesh> solid(const NodeParams& /*params*/, const SharedMesh& own)
+static Expected<SharedMesh> meshSolid(const NodeParams& /*params*/, const SharedMesh& own)
 {
     return own && !own->empty() ? own : nullptr;
 }
 
-static SharedMesh look(const NodeParams& /*params*/, const SharedMesh& own)
+static SharedMesh meshLook(const NodeParams& /*params*/, const SharedMesh& own)
 {
     if (!own || own->empty() || own->normals.size() == own->positions.size())
         return own && !own->empty() ? own : nullptr;
@@ -25,8 +25,8 @@ const NodeKindRow meshKind = {
     .word = RAMURE_NOOP("mesh"),
     .tip = RAMURE_NOOP("Imported mesh: %1"),
     .many = RAMURE_NOOP("Imported meshes"),
-    .look = &look,
-    .solid = &solid,
+    .look = &meshLook,
+    .solid = &meshSolid,
 };
 
 } // namespace ramure

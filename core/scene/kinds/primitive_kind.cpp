@@ -3,17 +3,17 @@
 
 namespace ramure {
 
-static SharedMesh look(const NodeParams& params, const SharedMesh& /*own*/)
+static SharedMesh primitiveLook(const NodeParams& params, const SharedMesh& /*own*/)
 {
     return std::make_shared<const TriangleMesh>(primitiveMesh(params.primitive));
 }
 
-static Expected<SharedMesh> solid(const NodeParams& params, const SharedMesh& /*own*/)
+static Expected<SharedMesh> primitiveSolid(const NodeParams& params, const SharedMesh& /*own*/)
 {
     return std::make_shared<const TriangleMesh>(primitiveSolid(params.primitive));
 }
 
-static bool isOpen(const NodeParams& params)
+static bool isOpenPrimitive(const NodeParams& params)
 {
     return params.primitive.shape == PrimitiveShape::Plane;
 }
@@ -26,9 +26,9 @@ const NodeKindRow primitiveKind = {
     .word = RAMURE_NOOP("primitive"),
     .tip = RAMURE_NOOP("Primitive: %1"),
     .many = RAMURE_NOOP("Primitives"),
-    .look = &look,
-    .solid = &solid,
-    .isOpen = &isOpen,
+    .look = &primitiveLook,
+    .solid = &primitiveSolid,
+    .isOpen = &isOpenPrimitive,
 };
 
 } // namespace ramure

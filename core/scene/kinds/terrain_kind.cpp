@@ -5,7 +5,7 @@
 
 namespace ramure {
 
-static void begin(NodeParams& params)
+static void beginTerrain(NodeParams& params)
 {
     params.surface.color = {0.62, 0.55, 0.43};
     // Hills behind the arm, a basin before it, lowest along the sides: seen whole, it has no ragged edge.
@@ -15,7 +15,7 @@ static void begin(NodeParams& params)
     params.terrain.roughness = 0.42;
 }
 
-static Expected<SharedMesh> solid(const NodeParams& params, const SharedMesh& /*own*/)
+static Expected<SharedMesh> terrainSolid(const NodeParams& params, const SharedMesh& /*own*/)
 {
     auto terrain = buildTerrain(params.terrain);
     if (!terrain)
@@ -23,12 +23,12 @@ static Expected<SharedMesh> solid(const NodeParams& params, const SharedMesh& /*
     return std::make_shared<const TriangleMesh>(std::move(*terrain));
 }
 
-static SharedMesh look(const NodeParams& params, const SharedMesh& own)
+static SharedMesh terrainLook(const NodeParams& params, const SharedMesh& own)
 {
-    return solid(params, own).value_or(nullptr);
+    return terrainSolid(params, own).value_or(nullptr);
 }
 
-static bool isOpen(const NodeParams& /*params*/)
+static bool isOpenTerrain(const NodeParams& /*params*/)
 {
     return true;
 }
@@ -45,10 +45,10 @@ const NodeKindRow terrainKind = {
     .addId = "edit.addTerrain",
     .addText = RAMURE_NOOP("&Terrain"),
     .addTip = RAMURE_NOOP("Add a terrain that gives an arm targets"),
-    .begin = &begin,
-    .look = &look,
-    .solid = &solid,
-    .isOpen = &isOpen,
+    .begin = &beginTerrain,
+    .look = &terrainLook,
+    .solid = &terrainSolid,
+    .isOpen = &isOpenTerrain,
 };
 
 } // namespace ramure

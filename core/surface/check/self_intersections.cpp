@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t listedPerKind = 10'000;
 /// More colliding pairs of branches than anybody reads; only a tangle has them.
 constexpr std::size_t branchPairsPerChunk = 20'000;
-constexpr std::size_t facesPerChunk = 16'384;
+constexpr std::size_t facesBoxedAtATime = 16'384;
 
 /// The up to three branches that a triangle belongs to.
 struct Owners
@@ -93,11 +93,11 @@ private:
                                                                    const Progress& progress) const
     {
         const std::size_t faces = m_mesh.triangles.size();
-        std::vector<std::vector<PrimitiveBounds>> parts((faces + facesPerChunk - 1) / facesPerChunk);
+        std::vector<std::vector<PrimitiveBounds>> parts((faces + facesBoxedAtATime - 1) / facesBoxedAtATime);
         const bool all = forChunks(parts.size(), threads, progress, [&](std::size_t chunk) {
-            const std::size_t end = std::min(faces, (chunk + 1) * facesPerChunk);
-            parts[chunk].reserve(end - chunk * facesPerChunk);
-            for (std::size_t f = chunk * facesPerChunk; f < end; ++f) {
+            const std::size_t end = std::min(faces, (chunk + 1) * facesBoxedAtATime);
+            parts[chunk].reserve(end - chunk * facesBoxedAtATime);
+            for (std::size_t f = chunk * facesBoxedAtATime; f < end; ++f) {
                 const auto [a, b, c] = corners(m_mesh.triangles[f]);
                 const glm::vec3 low = glm::min(a, glm::min(b, c)), high = glm::max(a, glm::max(b, c));
                 // Not finite where one of them is not.

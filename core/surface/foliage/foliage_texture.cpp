@@ -1,17 +1,15 @@
 #include "core/surface/foliage/foliage_texture.h"
 
+#include "core/math/angle.h"
 #include "core/math/reproducible.h"
 #include "core/surface/foliage/foliage_shapes.h"
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 namespace ramure {
 
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 bool isPole(const glm::vec3& place)
 {

@@ -9,15 +9,6 @@
 namespace ramure {
 namespace {
 
-constexpr glm::dvec3 sky(0.0, 1.0, 0.0);
-
-/// \p v without its share along the unit vector \p way; a vector across it where nothing is left.
-glm::dvec3 across(const glm::dvec3& v, const glm::dvec3& way, const glm::dvec3& otherwise)
-{
-    const glm::dvec3 left = v - glm::dot(v, way) * way;
-    return glm::length(left) > 1e-6 ? glm::normalize(left) : otherwise;
-}
-
 class FruitGrower
 {
 public:

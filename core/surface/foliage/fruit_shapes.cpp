@@ -1,5 +1,6 @@
 #include "core/surface/foliage/fruit_shapes.h"
 
+#include "core/math/angle.h"
 #include "core/math/reproducible.h"
 #include "core/surface/foliage/foliage_shapes.h"
 #include "core/surface/mesh/normals.h"
@@ -7,12 +8,10 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <numbers>
 
 namespace ramure {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr glm::u8vec3 stalkColour{0x6B, 0x58, 0x34};
 
 /// Lengths in radii of the body, but for the radius.
@@ -53,7 +52,7 @@ constexpr std::array<FruitRow, fruitKindCount - 1> fruits{{
 }};
 // clang-format on
 
-constexpr bool standInOrder()
+constexpr bool fruitsStandInOrder()
 {
     for (std::size_t i = 0; i < fruits.size(); ++i)
         if (static_cast<std::size_t>(fruits[i].kind) != i + 1)
@@ -63,7 +62,7 @@ constexpr bool standInOrder()
 
 const FruitRow& fruitRow(FruitKind kind)
 {
-    static_assert(standInOrder(), "the rows stand in the order of the kinds");
+    static_assert(fruitsStandInOrder(), "the rows stand in the order of the kinds");
     return fruits[static_cast<std::size_t>(kind) - 1];
 }
 

@@ -1,21 +1,19 @@
 #include "core/surface/foliage/leaf_placement.h"
 
 #include "core/base/parallel.h"
+#include "core/math/angle.h"
 #include "core/math/random.h"
 #include "core/math/reproducible.h"
 #include "core/surface/foliage/leaf_table.h"
 #include "core/surface/foliage/twig_line.h"
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
 namespace ramure {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr std::size_t twigsAtOnce = 64;
-constexpr glm::dvec3 sky(0.0, 1.0, 0.0);
 
 /// How leaves go around a twig.
 struct Turns

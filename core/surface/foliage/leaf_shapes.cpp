@@ -1,5 +1,6 @@
 #include "core/surface/foliage/leaf_shapes.h"
 
+#include "core/math/angle.h"
 #include "core/math/reproducible.h"
 #include "core/surface/foliage/leaf_blade.h"
 #include "core/surface/foliage/leaf_table.h"
@@ -7,12 +8,10 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <numbers>
 
 namespace ramure {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr double goldenAngle = pi * (3.0 - 2.23606797749978969);
 constexpr glm::u8vec3 bladeShade{255, 255, 255}, stalkShade{255, 226, 158};
 /// Of petioles; and how far they reach into the bark, whose facets lie below its circle.

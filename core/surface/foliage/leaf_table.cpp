@@ -69,7 +69,7 @@ constexpr std::array<LeafRow, leafShapeCount - 1> rows{{
 }};
 // clang-format on
 
-constexpr bool standInOrder()
+constexpr bool leavesStandInOrder()
 {
     for (std::size_t i = 0; i < rows.size(); ++i)
         if (static_cast<std::size_t>(rows[i].shape) != i + 1)
@@ -81,7 +81,7 @@ constexpr bool standInOrder()
 
 const LeafRow& leafRow(LeafShape shape)
 {
-    static_assert(standInOrder(), "the rows stand in the order of the shapes");
+    static_assert(leavesStandInOrder(), "the rows stand in the order of the shapes");
     return rows[static_cast<std::size_t>(shape) - 1];
 }
 

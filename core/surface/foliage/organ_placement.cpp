@@ -24,15 +24,6 @@ glm::dvec3 turned(const glm::dvec3& v, const Frame& from, const Frame& to)
            glm::dot(v, from.binormal) * to.binormal;
 }
 
-constexpr glm::dvec3 sky(0.0, 1.0, 0.0);
-
-/// The share of \p v across the unit vector \p way; \p otherwise where nothing is left.
-glm::dvec3 across(const glm::dvec3& v, const glm::dvec3& way, const glm::dvec3& otherwise)
-{
-    const glm::dvec3 left = v - glm::dot(v, way) * way;
-    return glm::length(left) > 1e-3 ? glm::normalize(left) : otherwise;
-}
-
 /// On the bark as those that grow by themselves: leaves look to the light, fruit hang, flowers look outwards.
 Stand naturalStand(const Skeleton& skeleton, const Organ& organ, bool hung)
 {

@@ -4,6 +4,12 @@
 
 namespace ramure {
 
+glm::dvec3 across(const glm::dvec3& v, const glm::dvec3& way, const glm::dvec3& otherwise)
+{
+    const glm::dvec3 left = v - glm::dot(v, way) * way;
+    return glm::length(left) > 1e-6 ? glm::normalize(left) : otherwise;
+}
+
 TwigLine::TwigLine(const Skeleton& skeleton, Index twig)
     : m_curve(branchCurve(skeleton, twig))
     , m_radius0(skeleton.a0[twig])

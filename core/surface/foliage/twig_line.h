@@ -11,6 +11,11 @@
 
 namespace ramure {
 
+inline constexpr glm::dvec3 sky(0.0, 1.0, 0.0);
+
+/// The share of \p v across the unit vector \p way, of length 1; \p otherwise where nothing is left.
+glm::dvec3 across(const glm::dvec3& v, const glm::dvec3& way, const glm::dvec3& otherwise);
+
 class TwigLine
 {
 public:

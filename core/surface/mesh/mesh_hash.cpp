@@ -10,7 +10,7 @@ namespace {
 constexpr std::uint64_t oddA = 0x9E3779B97F4A7C15ull, oddB = 0xD1B54A32D192ED03ull;
 
 /// Four lanes that do not wait for each other: the processor works on all of them at once.
-class Lanes
+class HashLanes
 {
 public:
     void add(std::uint32_t a, std::uint32_t b, std::uint32_t c)
@@ -66,7 +66,7 @@ std::string MeshHash::text() const
 
 MeshHash meshHash(const TriangleMesh& mesh)
 {
-    Lanes lanes;
+    HashLanes lanes;
     for (const glm::vec3& p : mesh.positions)
         lanes.add(bitsOf(p.x), bitsOf(p.y), bitsOf(p.z));
     lanes.close(mesh.positions.size());

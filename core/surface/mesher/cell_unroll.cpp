@@ -1,26 +1,26 @@
 #include "core/surface/mesher/cell_unroll.h"
 
+#include "core/math/angle.h"
+
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace ramure {
 
 namespace {
 
-constexpr double turn = 2.0 * std::numbers::pi;
 constexpr double leastIncrement = 0.02; ///< rad, between neighbours on a wall
 
 double shortWay(double angle)
 {
-    return angle - turn * std::round(angle / turn);
+    return angle - fullTurn * std::round(angle / fullTurn);
 }
 
 /// In (0, 2 pi].
 double onwards(double angle)
 {
-    const double part = angle - turn * std::floor(angle / turn);
-    return part > 1e-9 ? part : part + turn;
+    const double part = angle - fullTurn * std::floor(angle / fullTurn);
+    return part > 1e-9 ? part : part + fullTurn;
 }
 
 /// std::atan2(y, x) to 1e-5 rad, in a third of the time: enough to say which vertices are neighbours.
@@ -35,9 +35,9 @@ double azimuth(double x, double y)
         0.9998660 + square * (-0.3302995 + square * (0.1801410 + square * (-0.0851330 + square * 0.0208351)));
     double angle = part * even;
     if (ay > ax)
-        angle = 0.25 * turn - angle;
+        angle = 0.25 * fullTurn - angle;
     if (x < 0.0)
-        angle = 0.5 * turn - angle;
+        angle = 0.5 * fullTurn - angle;
     return y < 0.0 ? -angle : angle;
 }
 
@@ -110,7 +110,7 @@ void CellUnroller::unroll(const std::vector<CellVertex>& boundary, const ForkChi
         }
     }
     if (!boundary[0].onRing) {
-        smoothRun(boundary, 0, count, turn, out);
+        smoothRun(boundary, 0, count, fullTurn, out);
         return;
     }
     std::size_t i = 0;
@@ -137,12 +137,12 @@ double alongAt(const std::vector<UnrolledVertex>& row, double azimuth)
 {
     const std::size_t count = row.size();
     const double first = row.front().azimuth;
-    const double at = first + (azimuth - first) - turn * std::floor((azimuth - first) / turn);
+    const double at = first + (azimuth - first) - fullTurn * std::floor((azimuth - first) / fullTurn);
     std::size_t i = 0;
     while (i + 1 < count && row[i + 1].azimuth <= at)
         ++i;
     const UnrolledVertex &a = row[i], &b = row[(i + 1) % count];
-    const double span = (i + 1 < count ? b.azimuth : b.azimuth + turn) - a.azimuth;
+    const double span = (i + 1 < count ? b.azimuth : b.azimuth + fullTurn) - a.azimuth;
     const double part = span > 0.0 ? std::clamp((at - a.azimuth) / span, 0.0, 1.0) : 0.0;
     return a.along + (b.along - a.along) * part;
 }

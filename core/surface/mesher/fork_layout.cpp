@@ -1,18 +1,16 @@
 #include "core/surface/mesher/fork_layout.h"
 
+#include "core/math/angle.h"
 #include "core/math/reproducible.h"
 #include "core/math/ring.h"
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <numbers>
 
 namespace ramure {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double turn = 2.0 * std::numbers::pi;
 constexpr double farthest = 12.7; ///< a child straight back has no stereographic place
 constexpr int spreadRounds = 60;
 // A stem and the limbs that leave it.
@@ -39,7 +37,7 @@ glm::dvec2 stereographic(const Frame& frame, const glm::dvec3& direction)
 
 double wrapped(double angle)
 {
-    return angle - turn * std::floor(angle / turn);
+    return angle - fullTurn * std::floor(angle / fullTurn);
 }
 
 } // namespace
@@ -47,12 +45,12 @@ double wrapped(double angle)
 double ForkPlanner::gapAfter(std::size_t split) const
 {
     return split + 1 < m_splits.size() ? m_splits[split + 1] - m_splits[split]
-                                       : m_splits[0] + turn - m_splits[split];
+                                       : m_splits[0] + fullTurn - m_splits[split];
 }
 
 double ForkPlanner::narrowestGap() const
 {
-    double least = turn;
+    double least = fullTurn;
     for (std::size_t i = 0; i < m_splits.size(); ++i)
         least = std::min(least, gapAfter(i));
     return least;
@@ -75,10 +73,10 @@ void ForkPlanner::spread(double gap)
         return;
     double shift = 0.0;
     for (std::size_t i = 0; i < count; ++i)
-        shift += m_splits[i] - turn * static_cast<double>(i) / static_cast<double>(count);
+        shift += m_splits[i] - fullTurn * static_cast<double>(i) / static_cast<double>(count);
     shift /= static_cast<double>(count);
     for (std::size_t i = 0; i < count; ++i)
-        m_splits[i] = shift + turn * static_cast<double>(i) / static_cast<double>(count);
+        m_splits[i] = shift + fullTurn * static_cast<double>(i) / static_cast<double>(count);
 }
 
 static RingPoint ringPoint(double azimuth)
@@ -90,7 +88,7 @@ static RingPoint ringPoint(double azimuth)
 /// Adds the regular points of the ring that are not too near to a split point.
 void ForkPlanner::fillRing(std::span<const RingPoint> regular, ForkLayout& layout)
 {
-    const double pitch = turn / static_cast<double>(regular.size());
+    const double pitch = fullTurn / static_cast<double>(regular.size());
     const double keepOff = 0.42 * pitch;
     const std::size_t count = m_splits.size();
     const auto add = [&](double azimuth) { layout.ring.push_back(ringPoint(azimuth)); };
@@ -98,7 +96,7 @@ void ForkPlanner::fillRing(std::span<const RingPoint> regular, ForkLayout& layou
     layout.splitPoint.clear();
     for (std::size_t i = 0; i < count; ++i) {
         const double from = m_splits[i];
-        const double to = i + 1 < count ? m_splits[i + 1] : m_splits[0] + turn;
+        const double to = i + 1 < count ? m_splits[i + 1] : m_splits[0] + fullTurn;
         layout.splitPoint.push_back(static_cast<Index>(layout.ring.size()));
         add(from);
         const auto last = static_cast<std::int64_t>(regular.size());
@@ -115,7 +113,7 @@ void ForkPlanner::fillRing(std::span<const RingPoint> regular, ForkLayout& layou
             layout.ring[1] = ringPoint(middle);
             layout.splitPoint[1] = 2;
         } else {
-            add(0.5 * (second + first + turn));
+            add(0.5 * (second + first + fullTurn));
         }
     }
 }
@@ -169,7 +167,7 @@ Index ForkPlanner::findStem() const
     for (std::size_t i = 0; i < taken.size(); ++i) {
         const auto& [azimuth, half] = taken[i];
         const auto& [next, nextHalf] = taken[i + 1 < taken.size() ? i + 1 : 0];
-        if (const double way = next - azimuth + (i + 1 < taken.size() ? 0.0 : turn);
+        if (const double way = next - azimuth + (i + 1 < taken.size() ? 0.0 : fullTurn);
             way < roomOnRing * (half + nextHalf))
             return noIndex;
     }
@@ -202,7 +200,7 @@ void ForkPlanner::splitHull(const ForkTriangulation& triangulation)
         // The hull is nearly convex: its normals turn one way, once around, but for small steps back.
         if (!m_splits.empty()) {
             const double step = wrapped(azimuth - m_splits.back());
-            azimuth = m_splits.back() + (step > 1.3 * pi ? step - turn : step);
+            azimuth = m_splits.back() + (step > 1.3 * pi ? step - fullTurn : step);
         }
         m_splits.push_back(azimuth);
     }
@@ -219,7 +217,7 @@ void ForkPlanner::plan(std::span<const RingPoint> regular, ForkLayout& layout)
         splitHull(layout.triangulation);
     }
     const auto edges = static_cast<double>(layout.triangulation.hull().size());
-    double gap = std::min(pi / static_cast<double>(regular.size()), 0.8 * turn / edges);
+    double gap = std::min(pi / static_cast<double>(regular.size()), 0.8 * fullTurn / edges);
     if (layout.stem != noIndex) // the foot of a limb is as wide as the limb
         gap = std::clamp(narrowestGap(), leastLimbGap * gap, gap);
     spread(gap);
@@ -230,7 +228,7 @@ std::vector<RingPoint> regularRing(int count)
 {
     std::vector<RingPoint> ring;
     for (int k = 0; k < count; ++k)
-        ring.push_back({turn * k / count, ringDirection(k, count)});
+        ring.push_back({fullTurn * k / count, ringDirection(k, count)});
     return ring;
 }
 

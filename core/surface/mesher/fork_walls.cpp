@@ -1,15 +1,14 @@
 #include "core/surface/mesher/fork_walls.h"
 
+#include "core/math/angle.h"
 #include "core/math/reproducible.h"
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace ramure {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr std::size_t mostPerWall = 48; ///< vertices
 constexpr double leastAngle = 0.04;     ///< rad, between vertices added where a wall is steep
 constexpr double leastStepShare = 0.1;  ///< of the height between two neighbours: a vertex between them

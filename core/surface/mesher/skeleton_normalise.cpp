@@ -1,5 +1,6 @@
 #include "core/surface/mesher/skeleton_normalise.h"
 
+#include "core/math/finite.h"
 #include "core/surface/mesher/stem_limbs.h"
 #include <algorithm>
 #include <cmath>
@@ -18,15 +19,10 @@ constexpr double twinAngle = 1e-3;
 constexpr double largestCoordinate = 1e12;
 constexpr double smallestScene = 1e-12;
 
-bool finite(const glm::dvec3& v)
-{
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
 Expected<void> checkNumbers(const Skeleton& skeleton)
 {
     for (Index i = 0; i < skeleton.size(); ++i) {
-        if (!finite(skeleton.p0[i]) || !finite(skeleton.p1[i]) || !std::isfinite(skeleton.a0[i]) ||
+        if (!isFinite(skeleton.p0[i]) || !isFinite(skeleton.p1[i]) || !std::isfinite(skeleton.a0[i]) ||
             !std::isfinite(skeleton.a1[i]))
             return fail(ErrorCode::Invalid,
                         RAMURE_NOOP("Branch %1 has a coordinate or a radius that is not finite"),

@@ -11,9 +11,9 @@ namespace {
 constexpr double thin = 0.5;       ///< of the stem's radius: the most of a limb. Two thicker ones are a fork
 constexpr double leastSine = 0.01; ///< of the angle between the two
 // Of the stem's radius.
-constexpr double below = 0.5;       ///< its wood below the fork
-constexpr double farthest = 2.0;    ///< from the fork, along the stem: where a limb may start
-constexpr double leastBeyond = 0.2; ///< from the stem's surface to the limb's end
+constexpr double below = 0.5;         ///< its wood below the fork
+constexpr double farthestStart = 2.0; ///< from the fork, along the stem: where a limb may start
+constexpr double leastBeyond = 0.2;   ///< from the stem's surface to the limb's end
 // Shares of the stem's length.
 constexpr double nearNext = 0.5; ///< where a limb comes out, and starts at the next fork instead
 constexpr double longEnough = 1.2;
@@ -73,7 +73,8 @@ double limbStart(const StemLimb& limb, const StemLimb& stem)
     // The line from its end through the place where it comes out, on to the stem's axis.
     const double slope =
         (limb.length * cosine - height) / std::max({beyond, leastBeyond * stem.radius, 1e-12});
-    return std::clamp(height - stem.radius * slope, -farthest * stem.radius, farthest * stem.radius);
+    return std::clamp(height - stem.radius * slope, -farthestStart * stem.radius,
+                      farthestStart * stem.radius);
 }
 
 Index stemOf(std::span<const StemLimb> children)

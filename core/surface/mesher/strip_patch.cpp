@@ -1,16 +1,16 @@
 #include "core/surface/mesher/strip_patch.h"
 
+#include "core/math/angle.h"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <numbers>
 
 namespace ramure {
 
 namespace {
 
-constexpr double turn = 2.0 * std::numbers::pi;
 /// A vertex is inserted, and an edge flipped, only where all triangles keep this share of the tube's radius
 /// squared.
 constexpr double leastAreaShare = 1e-3;
@@ -48,7 +48,7 @@ void StripPatch::arrange(const std::vector<UnrolledVertex>& lower, const std::ve
     m_lowerCount = lower.size();
     m_upperCount = upper.size();
     m_radius = radius;
-    m_circumference = turn * radius;
+    m_circumference = fullTurn * radius;
     m_stretch = tube.stretch;
     m_least = leastAreaShare * radius * radius * m_stretch;
     std::size_t start = 0;
@@ -60,13 +60,13 @@ void StripPatch::arrange(const std::vector<UnrolledVertex>& lower, const std::ve
     for (std::size_t i = 0; i <= m_lowerCount; ++i) {
         const bool again = start + i >= m_lowerCount;
         const UnrolledVertex& from = lower[again ? start + i - m_lowerCount : start + i];
-        const double once = again ? turn : 0.0;
+        const double once = again ? fullTurn : 0.0;
         m_lowerRow.push_back(
             {(from.azimuth + once - zero) * radius, m_stretch * from.along, from.vertex, from.shared});
     }
     const auto offset = [&](const UnrolledVertex& v) {
         const double d = v.azimuth - zero;
-        return d - turn * std::round(d / turn);
+        return d - fullTurn * std::round(d / fullTurn);
     };
     std::size_t first = 0;
     double nearest = offset(upper[0]);
@@ -80,7 +80,7 @@ void StripPatch::arrange(const std::vector<UnrolledVertex>& lower, const std::ve
     for (std::size_t j = 0; j <= m_upperCount; ++j) {
         const bool again = first + j >= m_upperCount;
         const UnrolledVertex& from = upper[again ? first + j - m_upperCount : first + j];
-        const double once = again ? turn : 0.0;
+        const double once = again ? fullTurn : 0.0;
         m_upperRow.push_back({(from.azimuth + once + shift) * radius, m_stretch * from.along, from.vertex});
     }
 }

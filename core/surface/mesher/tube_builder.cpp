@@ -1,17 +1,16 @@
 #include "core/surface/mesher/tube_builder.h"
 
+#include "core/math/angle.h"
 #include "core/math/hermite.h"
 #include "core/math/reproducible.h"
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace ramure {
 
 namespace {
 
-constexpr double turn = 2.0 * std::numbers::pi;
 constexpr double cutRing = 0.88;   ///< radius of the ring on a cut, of the branch's
 constexpr double tipHeight = 0.35; ///< of the radius: how far a tip is rounded beyond the branch's end
 constexpr double siteShare =
@@ -117,7 +116,7 @@ void TubeBuilder::looseStrip(const TubeStart& lower, std::span<const RingPoint> 
     const double first = lower.points[0].azimuth + lower.turned;
     const auto away = [&](Index j) {
         const double d = upperPoints[j].azimuth - first;
-        return d - turn * std::round(d / turn);
+        return d - fullTurn * std::round(d / fullTurn);
     };
     Index start = 0;
     for (Index j = 1; j < m; ++j)
@@ -128,8 +127,8 @@ void TubeBuilder::looseStrip(const TubeStart& lower, std::span<const RingPoint> 
     double a = 0.0, u = away(start), shift = u - upperPoints[start].azimuth;
     while (i < n || taken < m) {
         const Index nextI = i + 1 < n ? i + 1 : 0, nextJ = j + 1 < m ? j + 1 : 0;
-        const double b = i + 1 < n ? lower.points[nextI].azimuth : turn;
-        const double v = upperPoints[nextJ].azimuth + shift + (nextJ == 0 ? turn : 0.0);
+        const double b = i + 1 < n ? lower.points[nextI].azimuth : fullTurn;
+        const double v = upperPoints[nextJ].azimuth + shift + (nextJ == 0 ? fullTurn : 0.0);
         const bool advanceLower = i < n && (taken == m || std::abs(b - u) < std::abs(v - a));
         const Index l = lower.ring + (i < n ? i : 0);
         if (advanceLower) {
@@ -140,7 +139,7 @@ void TubeBuilder::looseStrip(const TubeStart& lower, std::span<const RingPoint> 
             *out++ = {l, upper + nextJ, upper + j};
             u = v;
             if (nextJ == 0)
-                shift += turn;
+                shift += fullTurn;
             j = nextJ;
             ++taken;
         }

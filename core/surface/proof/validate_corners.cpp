@@ -6,7 +6,7 @@ namespace ramure::validation {
 namespace {
 
 /// Faces of each lane between two looks at the stop token.
-constexpr std::size_t chunk = std::size_t(1) << 12;
+constexpr std::size_t facesAtATime = std::size_t(1) << 12;
 /// Faces that follow each other share vertices: what is written for one must arrive before the next can go
 /// on. Faces from distant places, taken in turns, do not wait for each other.
 constexpr std::size_t laneCount = 4;
@@ -23,10 +23,10 @@ bool forFaces(const TriangleMesh& mesh, const Progress& progress, Accept&& accep
     };
     const glm::uvec3* const faces = mesh.triangles.data();
     const std::size_t lane = mesh.triangles.size() / laneCount;
-    for (std::size_t begin = 0; begin < lane; begin += chunk) {
+    for (std::size_t begin = 0; begin < lane; begin += facesAtATime) {
         if (progress.cancelled())
             return false;
-        const std::size_t end = std::min(lane, begin + chunk);
+        const std::size_t end = std::min(lane, begin + facesAtATime);
         for (std::size_t k = 0; k < laneCount; ++k)
             if (!accept(std::span(faces + k * lane + begin, end - begin)))
                 return false;

@@ -7,7 +7,7 @@ namespace ramure::validation {
 namespace {
 
 /// Vertices between two looks at the stop token.
-constexpr Index chunk = 1u << 16;
+constexpr Index verticesAtATime = 1u << 16;
 
 /// One of the two edges of a face at the vertex looked at.
 struct EdgeUse
@@ -211,10 +211,10 @@ Expected<FanResult> checkFans(const TriangleMesh& mesh, const Corners& corners, 
                               const Progress& progress)
 {
     FanWalk fans{mesh, corners, log};
-    for (Index from = 0; from < mesh.vertexCount(); from += chunk) {
+    for (Index from = 0; from < mesh.vertexCount(); from += verticesAtATime) {
         if (progress.cancelled())
             return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
-        walk(fans, from, from + std::min(chunk, mesh.vertexCount() - from));
+        walk(fans, from, from + std::min(verticesAtATime, mesh.vertexCount() - from));
     }
     if (!fans.isSmallestOfTwins.empty())
         logDuplicateFaces(mesh, fans.isSmallestOfTwins, log);

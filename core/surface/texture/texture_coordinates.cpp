@@ -1,6 +1,7 @@
 #include "core/surface/texture/texture_coordinates.h"
 
 #include "core/base/parallel.h"
+#include "core/math/angle.h"
 #include "core/params/param_def.h"
 #include "core/surface/texture/texture_tube.h"
 #include <algorithm>
@@ -9,14 +10,12 @@
 #include <limits>
 #include <memory>
 #include <mutex>
-#include <numbers>
 #include <numeric>
 
 namespace ramure {
 
 namespace {
 
-constexpr double turn = 2.0 * std::numbers::pi;
 constexpr double leastAround = 6.0; ///< tiles around the thinnest branch, where the size is chosen for it
 constexpr double mostAround = 1e6;  ///< more of them than floats tell apart
 constexpr std::size_t tubesInPiece = 16; ///< about half a millisecond of work
@@ -372,7 +371,7 @@ double tileFor(const BranchMesh& mesh, double wanted)
     double thinnest = std::numeric_limits<double>::infinity();
     for (const TubeAxis& axis : mesh.axes)
         thinnest = std::min(thinnest, 0.5 * (axis.a0 + axis.a1));
-    return turn * thinnest / leastAround;
+    return fullTurn * thinnest / leastAround;
 }
 
 Expected<void> check(const BranchMesh& mesh, const TextureParams& params)
@@ -388,7 +387,7 @@ Expected<void> check(const BranchMesh& mesh, const TextureParams& params)
     double thickest = 0.0;
     for (const TubeAxis& axis : mesh.axes)
         thickest = std::max({thickest, axis.a0, axis.a1});
-    if (turn * thickest <= mostAround * tileFor(mesh, params.tileSize))
+    if (fullTurn * thickest <= mostAround * tileFor(mesh, params.tileSize))
         return {};
     auto error = fail(ErrorCode::Invalid, RAMURE_NOOP("The texture tile is too small for the tree"));
     error.value().path = "texture.tileSize";

@@ -46,12 +46,6 @@ Progress stopped()
     return {stop.get_token(), {}};
 }
 
-#ifdef RAMURE_SANITIZED
-constexpr bool sanitized = true; // ten times as slow: as coarse as the coarsest
-#else
-constexpr bool sanitized = false;
-#endif
-
 } // namespace
 
 class TestPrintTree : public QObject
@@ -152,7 +146,7 @@ private slots:
         QFETCH(const bool, disc);
         PrintOptions options;
         options.process = static_cast<PrintProcess>(process);
-        options.height = sanitized ? 20.0 * options.smallestDiameter() : 0.04;
+        options.height = test::isSanitized ? 20.0 * options.smallestDiameter() : 0.04;
         options.hasFootDisc = disc;
         const auto print = printTree(crossingTree(), {}, options);
         QVERIFY2(print, test::why(print));
@@ -173,7 +167,7 @@ private slots:
         NodeParams params;
         params.mesh.targetTriangles = 6000;
         PrintOptions options;
-        options.height = sanitized ? 0.06 : options.height;
+        options.height = test::isSanitized ? 0.06 : options.height;
         const auto print = printTree(crossingTree(), params, options);
         QVERIFY2(print, test::why(print));
         QVERIFY(print->report.triangles <= 6000);

@@ -11,11 +11,7 @@ namespace {
 
 /// m below the ground that nobody sees.
 constexpr double allowed = 0.1;
-#ifdef RAMURE_SANITIZED
-constexpr int otherSeeds = 0;
-#else
-constexpr int otherSeeds = 3;
-#endif
+constexpr int otherSeeds = test::isSanitized ? 0 : 3;
 
 double lowestOf(const Skeleton& skeleton)
 {

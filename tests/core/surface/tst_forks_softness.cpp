@@ -34,11 +34,7 @@ private slots:
 
 namespace {
 
-#ifdef RAMURE_SANITIZED
-constexpr std::uint64_t slowness = 20;
-#else
-constexpr std::uint64_t slowness = 1;
-#endif
+constexpr std::uint64_t slowness = test::isSanitized ? 20 : 1;
 
 constexpr double degrees = std::numbers::pi / 180.0;
 

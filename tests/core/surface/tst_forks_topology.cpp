@@ -29,11 +29,7 @@ private slots:
 
 namespace {
 
-#ifdef RAMURE_SANITIZED
-constexpr std::uint64_t slowness = 20; // the sanitizers look for faults of memory, not for rare shapes
-#else
-constexpr std::uint64_t slowness = 1;
-#endif
+constexpr std::uint64_t slowness = test::isSanitized ? 20 : 1;
 
 /// Collects faults: all are counted, the first few are told.
 class Faults

@@ -37,11 +37,7 @@ private:
 
 namespace {
 
-#ifdef RAMURE_SANITIZED
-constexpr std::uint64_t slowness = 20;
-#else
-constexpr std::uint64_t slowness = 1;
-#endif
+constexpr std::uint64_t slowness = test::isSanitized ? 20 : 1;
 
 /// Vertices that a branch owns.
 Index verticesOf(const BranchMesh& built, Index branch)

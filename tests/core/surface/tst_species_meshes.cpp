@@ -10,11 +10,7 @@ using namespace ramure;
 
 namespace {
 
-#ifdef RAMURE_SANITIZED
-constexpr int usualSeeds = 1, everyNth = 8; // the sanitizers look for faults of memory, not for rare shapes
-#else
-constexpr int usualSeeds = 2, everyNth = 1;
-#endif
+constexpr int usualSeeds = test::runs(2), everyNth = test::isSanitized ? 8 : 1;
 /// Of a mesh's triangles, pairs that run through each other around its forks. Stalks of palms, close
 /// together, still do so; no tree of any seed may be worse than the worst is now.
 constexpr double mostCrossings = 0.03;

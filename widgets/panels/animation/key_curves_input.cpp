@@ -15,12 +15,12 @@
 
 namespace ramure {
 
-static constexpr double reach = 8.0;
+static constexpr double curveReach = 8.0;
 
 std::optional<KeyCurves::Hit> KeyCurves::hitAt(const QPointF& place) const
 {
     std::optional<Hit> best;
-    double nearest = reach;
+    double nearest = curveReach;
     const auto look = [&](const QPointF& at, const Hit& hit) {
         const double distance = std::hypot(at.x() - place.x(), at.y() - place.y());
         if (distance >= nearest)
@@ -29,8 +29,8 @@ std::optional<KeyCurves::Hit> KeyCurves::hitAt(const QPointF& place) const
         best = hit;
     };
     for (const Curve& curve : m_curves) {
-        const std::size_t end = curve.lowerBound(ticksAt(place.x() + reach) + 1);
-        for (std::size_t i = curve.lowerBound(ticksAt(place.x() - reach)); i < end; ++i)
+        const std::size_t end = curve.lowerBound(ticksAt(place.x() + curveReach) + 1);
+        for (std::size_t i = curve.lowerBound(ticksAt(place.x() - curveReach)); i < end; ++i)
             look({xOf(secondsOf(curve.timeOf(i))), yOf(curve, curve.valueOf(i))},
                  {curve.ref(), curve.timeOf(i), 0});
         if (curve.isAngle())
@@ -277,7 +277,7 @@ const KeyCurves::Curve* KeyCurves::lineAt(const QPointF& place) const
 {
     const double seconds = m_ruler->framesAt(place.x()) / m_model->timeline().framesPerSecond;
     const Curve* best = nullptr;
-    double nearest = reach;
+    double nearest = curveReach;
     for (const Curve& curve : m_curves) {
         const double distance = std::abs(yOf(curve, Curve::Reader(curve).at(seconds)) - place.y());
         if (distance >= nearest)

@@ -11,12 +11,12 @@
 
 namespace ramure {
 
-static constexpr double reach = 7.0;
+static constexpr double keyReach = 7.0;
 
 std::optional<Ticks> KeySheet::keyAt(std::size_t row, double x) const
 {
     const std::vector<Ticks>& times = m_model->rows()[row].times;
-    const Ticks from = timeAt(x - reach), to = timeAt(x + reach), mid = timeAt(x);
+    const Ticks from = timeAt(x - keyReach), to = timeAt(x + keyReach), mid = timeAt(x);
     std::optional<Ticks> best;
     for (auto at = std::lower_bound(times.begin(), times.end(), from); at != times.end() && *at <= to; ++at) {
         if (!best || std::abs(*at - mid) < std::abs(*best - mid))
@@ -32,9 +32,9 @@ KeySheet::Drag KeySheet::handleAt(const QPointF& position) const
     const auto span = keys::spanOf(m_model->selection());
     if (position.y() >= strip || !span || span->first == span->second)
         return Drag::None;
-    if (std::abs(position.x() - xOf(span->second)) <= reach)
+    if (std::abs(position.x() - xOf(span->second)) <= keyReach)
         return Drag::ScaleLast;
-    return std::abs(position.x() - xOf(span->first)) <= reach ? Drag::ScaleFirst : Drag::None;
+    return std::abs(position.x() - xOf(span->first)) <= keyReach ? Drag::ScaleFirst : Drag::None;
 }
 
 void KeySheet::mousePressEvent(QMouseEvent* event)

@@ -3,7 +3,7 @@
 #include "core/session/auto_key.h"
 #include "core/session/player.h"
 #include "widgets/base/core_text.h"
-#include "widgets/base/icons.h"
+#include "widgets/base/key_button.h"
 #include "widgets/base/number_field.h"
 #include "widgets/base/number_slider.h"
 #include <QCheckBox>
@@ -16,8 +16,6 @@
 
 namespace ramure {
 namespace {
-
-constexpr int keySide = 22, keyIcon = 16; ///< of the button for keys, as in the properties
 
 NumberFormat formatOf(const JointDef& def, const QString& suffix)
 {
@@ -71,13 +69,7 @@ void JointForm::addRow(QFormLayout* form, const JointDef& def, std::size_t numbe
     Row& made = *row;
     made.def = &def;
     made.number = number;
-    made.key = new QToolButton(this);
-    made.key->setAutoRaise(true);
-    made.key->setFixedSize(keySide, keySide);
-    made.key->setIconSize({keyIcon, keyIcon});
-    made.key->setFocusPolicy(Qt::TabFocus);
-    made.key->setObjectName(QStringLiteral("keyButton"));
-    made.key->hide();
+    made.key = newKeyButton(this);
     made.label = new QLabel(this);
     made.field = new NumberField(this);
     made.label->setBuddy(made.field);
@@ -177,9 +169,7 @@ void JointForm::showKeyState(const Row& row)
     if (!m_keys || !joints())
         return;
     const KeyState state = m_keys->state(m_arm, channelOf(row));
-    row.key->setIcon(icon(state == KeyState::Here       ? "key-here"
-                          : state == KeyState::Animated ? "key-animated"
-                                                        : "key-none"));
+    row.key->setIcon(keyIcon(state));
     const QString name = coreText(row.def->label);
     row.key->setToolTip(state == KeyState::Here       ? tr("%1: take the key at this frame away").arg(name)
                         : state == KeyState::Animated ? tr("%1 has keys: insert one at this frame").arg(name)

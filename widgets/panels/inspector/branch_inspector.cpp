@@ -23,11 +23,13 @@
 namespace ramure {
 namespace {
 
-constexpr quint32 newsThatMatter =
+constexpr quint32 branchNews =
     changeSelection | changeResults | changeReset | changeBranches | changeNodeState | changeStructure;
 
 constexpr int leastHeight = 160;
 constexpr int leastScroll = 60;
+
+} // namespace
 
 /// What a whole skeleton has to be asked once for, however many of its branches are looked at.
 struct SkeletonCache
@@ -50,8 +52,6 @@ struct SkeletonCache
         masses = branchMasses(simplified->skeleton, foliage ? *foliage : Foliage());
     }
 };
-
-} // namespace
 
 struct BranchInspector::Private
 {
@@ -96,7 +96,7 @@ BranchInspector::BranchInspector(Document* document, QWidget* parent)
     setObjectName(QStringLiteral("branchInspector"));
     d->build();
     connect(document, &Document::changed, this, [this](const Change& change) {
-        if (change.has(newsThatMatter))
+        if (change.has(branchNews))
             d->refresh();
     });
     d->retranslate();

@@ -1,5 +1,6 @@
 #include "widgets/panels/inspector/roll_editor.h"
 
+#include "core/math/angle.h"
 #include "widgets/base/core_text.h"
 #include "widgets/base/fact_text.h"
 #include "widgets/base/icons.h"
@@ -9,13 +10,11 @@
 #include <QLabel>
 #include <QToolButton>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 namespace ramure {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr double mostTyped = 1000.0 * 2.0 * pi; ///< whole turns are taken off
 
 double rollOf(const Node& node, std::uint64_t key)
@@ -94,11 +93,10 @@ void RollEditor::nextGesture()
 void RollEditor::setAngleUnit(AngleUnit unit)
 {
     const NumberFormat format = facttext::angleFormat(unit);
-    const double degree = pi / 180.0;
     m_field->setFormat(format);
     m_slider->setFactor(format.factor);
-    m_field->setStep(unit == AngleUnit::Degrees ? degree : 0.01);
-    m_slider->setSoftRange(-pi, pi, unit == AngleUnit::Degrees ? degree : 0.01, false);
+    m_field->setStep(unit == AngleUnit::Degrees ? oneDegree : 0.01);
+    m_slider->setSoftRange(-pi, pi, unit == AngleUnit::Degrees ? oneDegree : 0.01, false);
 }
 
 void RollEditor::showBranches(NodeId node, std::vector<std::uint64_t> keys)

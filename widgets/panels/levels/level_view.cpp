@@ -13,9 +13,8 @@
 namespace ramure {
 namespace {
 
-constexpr double perPixel = 0.01, perKey = 0.15; ///< rad, of the mouse and of the arrow keys
-constexpr double perStep = 1.1;                  ///< of the wheel, times the distance
-constexpr int finer = 2;                         ///< pixels drawn a side for one shown
+constexpr double wheelStep = 1.1; ///< of the wheel, times the distance
+constexpr int finer = 2;          ///< pixels drawn a side for one shown
 /// More than these, and leaves that are a few pixels are drawn with fewer, as the view does: software
 /// rasterisers take their time for each.
 constexpr std::int64_t mostExact = 150'000;
@@ -107,12 +106,12 @@ void LevelView::mouseMoveEvent(QMouseEvent* event)
 {
     const QPointF by = movedBy(*event);
     if (event->buttons() & (Qt::LeftButton | Qt::MiddleButton))
-        turnTo(m_shot.yawRad - perPixel * by.x(), m_shot.pitchRad + perPixel * by.y());
+        turnTo(m_shot.yawRad - turnPerPixel * by.x(), m_shot.pitchRad + turnPerPixel * by.y());
 }
 
 void LevelView::wheelEvent(QWheelEvent* event)
 {
-    emit moved(std::pow(perStep, -event->angleDelta().y() / 120.0));
+    emit moved(std::pow(wheelStep, -event->angleDelta().y() / 120.0));
     event->accept();
 }
 
@@ -121,17 +120,17 @@ void LevelView::keyPressEvent(QKeyEvent* event)
     const LevelShot usual;
     switch (event->key()) {
     case Qt::Key_Left:
-        return turnTo(m_shot.yawRad - perKey, m_shot.pitchRad);
+        return turnTo(m_shot.yawRad - turnPerKey, m_shot.pitchRad);
     case Qt::Key_Right:
-        return turnTo(m_shot.yawRad + perKey, m_shot.pitchRad);
+        return turnTo(m_shot.yawRad + turnPerKey, m_shot.pitchRad);
     case Qt::Key_Up:
-        return turnTo(m_shot.yawRad, m_shot.pitchRad + perKey);
+        return turnTo(m_shot.yawRad, m_shot.pitchRad + turnPerKey);
     case Qt::Key_Down:
-        return turnTo(m_shot.yawRad, m_shot.pitchRad - perKey);
+        return turnTo(m_shot.yawRad, m_shot.pitchRad - turnPerKey);
     case Qt::Key_Plus:
-        return emit moved(1.0 / perStep);
+        return emit moved(1.0 / wheelStep);
     case Qt::Key_Minus:
-        return emit moved(perStep);
+        return emit moved(wheelStep);
     case Qt::Key_Home:
         return turnTo(usual.yawRad, usual.pitchRad);
     default:

@@ -8,6 +8,7 @@
 #include "widgets/base/number_field.h"
 #include "widgets/base/number_slider.h"
 #include "widgets/base/preferences.h"
+#include "widgets/base/progress_steps.h"
 #include "widgets/panels/levels/level_model.h"
 #include "widgets/panels/levels/level_view.h"
 #include <QCheckBox>
@@ -34,7 +35,6 @@
 namespace ramure {
 namespace {
 
-constexpr int progressSteps = 1000;
 constexpr int usualLevels = 3;
 const auto storedKey = QStringLiteral("levels"), lastGameKey = QStringLiteral("last/game");
 

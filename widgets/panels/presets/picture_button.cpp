@@ -16,9 +16,7 @@ namespace {
 
 constexpr int aspectWidth = 8, aspectHeight = 5;
 constexpr int margin = 1;
-constexpr int textGap = 5, textLines = 2; // names of two words or three are common
-constexpr qreal radius = 7.0;
-constexpr int starSize = 20, starGap = 4;
+constexpr int nameLines = 2; // names of two words or three are common
 
 QPainterPath starIn(const QRectF& place)
 {
@@ -34,6 +32,12 @@ QPainterPath starIn(const QRectF& place)
 }
 
 } // namespace
+
+QRect pictureStarPlace(const QPoint& corner)
+{
+    constexpr int size = 20, gap = 4;
+    return {corner.x() - size - gap, corner.y() + gap, size, size};
+}
 
 void paintPictureStar(QPainter& painter, const QRect& place, bool starred)
 {
@@ -72,7 +76,7 @@ void PictureButton::setStar(bool on)
 
 QRect PictureButton::starPlace() const
 {
-    return {m_size.width() + margin - starSize - starGap, margin + starGap, starSize, starSize};
+    return pictureStarPlace({m_size.width() + margin, margin});
 }
 
 /// The star has a tip of its own, and its press is none of the button's.
@@ -122,7 +126,7 @@ void PictureButton::mouseMoveEvent(QMouseEvent* event)
 QSize PictureButton::sizeHint() const
 {
     return {m_size.width() + 2 * margin,
-            m_size.height() + textGap + textLines * fontMetrics().height() + 2 * margin};
+            m_size.height() + textGap + nameLines * fontMetrics().height() + 2 * margin};
 }
 
 void PictureButton::paintEvent(QPaintEvent*)
@@ -131,7 +135,7 @@ void PictureButton::paintEvent(QPaintEvent*)
     painter.setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
     const QRectF place(QPointF(margin, margin), QSizeF(m_size));
     QPainterPath rounded;
-    rounded.addRoundedRect(place, radius, radius);
+    rounded.addRoundedRect(place, cornerRadius, cornerRadius);
     painter.save();
     painter.setClipPath(rounded);
     if (m_picture.isNull())
@@ -152,7 +156,7 @@ void PictureButton::paintEvent(QPaintEvent*)
         paintPictureStar(painter, starPlace(), m_isStarred);
     painter.setPen(palette().color(QPalette::WindowText));
     const int lineHeight = fontMetrics().height();
-    const QRectF below(margin, place.bottom() + textGap, place.width(), textLines * lineHeight);
+    const QRectF below(margin, place.bottom() + textGap, place.width(), nameLines * lineHeight);
     const int wrapped = Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap;
     const bool fits =
         fontMetrics().boundingRect(below.toRect(), wrapped, text()).height() <= below.height() &&

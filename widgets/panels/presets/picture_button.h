@@ -26,6 +26,8 @@ public:
     void setStar(bool on);
     [[nodiscard]] QRect starPlace() const;
     static constexpr int usualWidth = 176, smallWidth = 108;
+    static constexpr int textGap = 5; ///< between the picture and its name
+    static constexpr qreal cornerRadius = 7.0;
 
     [[nodiscard]] QSize sizeHint() const override;
 
@@ -49,6 +51,8 @@ private:
     bool m_hasStar = false, m_isStarred = false;
 };
 
+/// \param corner of the picture, the upper right one
+QRect pictureStarPlace(const QPoint& corner);
 /// On a disc, so that it is seen before a sky as well as before leaves.
 void paintPictureStar(QPainter& painter, const QRect& place, bool starred);
 

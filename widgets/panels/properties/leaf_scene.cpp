@@ -7,10 +7,10 @@
 namespace ramure {
 namespace {
 
-constexpr double nodes = 7.0;           ///< with leaves, on the twig
-constexpr double thickness = 0.012;     ///< of the twig, of its length
-constexpr int sides = 12, pixels = 512; ///< of the twig; of the pictures of a leaf
-constexpr double gap = 0.25;            ///< between leaf and twig, of the twig's length
+constexpr double nodes = 7.0;                  ///< with leaves, on the twig
+constexpr double thickness = 0.012;            ///< of the twig, of its length
+constexpr int sides = 12, picturePixels = 512; ///< of the twig; of the pictures of a leaf
+constexpr double leafGap = 0.25;               ///< between leaf and twig, of the twig's length
 
 double twigLength(const LeafParams& leaf)
 {
@@ -46,7 +46,7 @@ FoliageItem singleLeaf(const Foliage& foliage, const TriangleMesh& leaf, double 
         return item;
     const double size = length / side;
     item.size = static_cast<float>(size);
-    item.position = {-size * box.max.x - gap * length, -size * box.min.y, 0.0};
+    item.position = {-size * box.max.x - leafGap * length, -size * box.min.y, 0.0};
     return item;
 }
 
@@ -89,7 +89,7 @@ RenderScene leafScene(const NodeParams& params)
     item.mesh = std::make_shared<const TriangleMesh>(buildLeaves(twig, foliage, 1.0, FoliageModel::Fine));
     item.copies = std::make_shared<const MeshCopies>(leafCopies(foliage, 1.0, FoliageModel::Fine));
     if (foliage.form.shape != LeafShape::Faithful)
-        if (auto maps = leafMaps(foliage.form.shape, pixels))
+        if (auto maps = leafMaps(foliage.form.shape, picturePixels))
             item.leaf = std::make_shared<const LeafMaps>(std::move(*maps));
     add(scene, std::move(item), leavesMaterial(foliage.form.shape, foliage.form.turns, params.leafPictures));
     scene.updateBoxes();

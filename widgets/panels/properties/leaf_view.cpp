@@ -2,7 +2,7 @@
 
 #include "widgets/base/core_text.h"
 #include "widgets/panels/properties/leaf_scene.h"
-#include "widgets/view/render/offscreen_renderer.h"
+#include "widgets/view/drawn_picture.h"
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
@@ -16,11 +16,8 @@
 namespace ramure {
 namespace {
 
-constexpr double frontYaw = 0.25, frontPitch = 0.15; ///< rad
-constexpr double perPixel = 0.01;                    ///< rad a pixel of the mouse
-constexpr double perKey = 0.15;                      ///< rad a key
-constexpr double nearest = 6.0, farthest = 0.4;      ///< of what fills the window
-constexpr int mostPixels = 2000;                     ///< a side
+constexpr double frontYaw = 0.25, frontPitch = 0.15;      ///< rad
+constexpr double mostNearness = 6.0, leastNearness = 0.4; ///< of what fills the window
 
 } // namespace
 
@@ -93,8 +90,9 @@ void LeafView::setParams(const NodeParams& params)
 
 void LeafView::draw()
 {
-    const QSize size =
-        (QSizeF(this->size()) * devicePixelRatioF()).toSize().boundedTo({mostPixels, mostPixels});
+    const QSize size = (QSizeF(this->size()) * devicePixelRatioF())
+                           .toSize()
+                           .boundedTo({mostPicturePixels, mostPicturePixels});
     if (size.isEmpty())
         return;
     Camera camera;
@@ -129,7 +127,7 @@ void LeafView::turn(double yawRad, double pitchRad)
 
 void LeafView::zoom(double factor)
 {
-    m_nearness = std::clamp(m_nearness * factor, farthest, nearest);
+    m_nearness = std::clamp(m_nearness * factor, leastNearness, mostNearness);
     draw();
 }
 
@@ -143,7 +141,7 @@ void LeafView::mouseMoveEvent(QMouseEvent* event)
     const QPointF moved = event->position() - m_last;
     m_last = event->position();
     if (event->buttons() != Qt::NoButton)
-        turn(-perPixel * moved.x(), perPixel * moved.y());
+        turn(-turnPerPixel * moved.x(), turnPerPixel * moved.y());
 }
 
 void LeafView::wheelEvent(QWheelEvent* event)
@@ -156,13 +154,13 @@ void LeafView::keyPressEvent(QKeyEvent* event)
 {
     switch (event->key()) {
     case Qt::Key_Left:
-        return turn(-perKey, 0.0);
+        return turn(-turnPerKey, 0.0);
     case Qt::Key_Right:
-        return turn(perKey, 0.0);
+        return turn(turnPerKey, 0.0);
     case Qt::Key_Up:
-        return turn(0.0, perKey);
+        return turn(0.0, turnPerKey);
     case Qt::Key_Down:
-        return turn(0.0, -perKey);
+        return turn(0.0, -turnPerKey);
     case Qt::Key_Plus:
         return zoom(1.2);
     case Qt::Key_Minus:

@@ -7,7 +7,7 @@
 namespace ramure {
 namespace {
 
-struct Words
+struct FactWords
 {
     Q_DECLARE_TR_FUNCTIONS(ParamFacts)
 };
@@ -16,24 +16,24 @@ QString unitText(const ParamDef& def, AngleUnit unit)
 {
     switch (def.unit) {
     case ParamUnit::Metre:
-        return Words::tr("metres; also cm, mm, km, in, ft");
+        return FactWords::tr("metres; also cm, mm, km, in, ft");
     case ParamUnit::Radian:
-        return unit == AngleUnit::Degrees ? Words::tr("degrees; also rad, turn, pi")
-                                          : Words::tr("radians; also deg, turn, pi");
+        return unit == AngleUnit::Degrees ? FactWords::tr("degrees; also rad, turn, pi")
+                                          : FactWords::tr("radians; also deg, turn, pi");
     case ParamUnit::Degree:
-        return Words::tr("degrees");
+        return FactWords::tr("degrees");
     case ParamUnit::Ratio:
-        return Words::tr("a ratio; also %");
+        return FactWords::tr("a ratio; also %");
     case ParamUnit::Share:
-        return Words::tr("per cent");
+        return FactWords::tr("per cent");
     case ParamUnit::Count:
-        return Words::tr("a count");
+        return FactWords::tr("a count");
     case ParamUnit::Second:
-        return Words::tr("seconds; also ms, min");
+        return FactWords::tr("seconds; also ms, min");
     case ParamUnit::Kilogram:
-        return Words::tr("kilograms; also g");
+        return FactWords::tr("kilograms; also g");
     case ParamUnit::Factor:
-        return Words::tr("a factor");
+        return FactWords::tr("a factor");
     case ParamUnit::None:
         break;
     }
@@ -52,7 +52,7 @@ QString valueText(const ParamDef& def, const ParamValue& value, AngleUnit unit)
 {
     const NumberFormat format = numberFormat(def, unit);
     if (const auto* flag = std::get_if<bool>(&value))
-        return *flag ? Words::tr("on") : Words::tr("off");
+        return *flag ? FactWords::tr("on") : FactWords::tr("off");
     if (const auto* whole = std::get_if<std::int64_t>(&value))
         return format.text(static_cast<double>(*whole));
     if (const auto* real = std::get_if<double>(&value))
@@ -70,11 +70,12 @@ QString valueText(const ParamDef& def, const ParamValue& value, AngleUnit unit)
 QList<std::pair<QString, QString>> paramFacts(const ParamDef& def, AngleUnit unit, const std::string& preset)
 {
     const ParamValue standard = defaultValue(def), begun = presetValue(preset, def);
-    QList<std::pair<QString, QString>> facts{{Words::tr("Unit"), unitText(def, unit)},
-                                             {Words::tr("Range"), rangeText(def, unit)},
-                                             {Words::tr("Default"), valueText(def, standard, unit)}};
+    QList<std::pair<QString, QString>> facts{{FactWords::tr("Unit"), unitText(def, unit)},
+                                             {FactWords::tr("Range"), rangeText(def, unit)},
+                                             {FactWords::tr("Default"), valueText(def, standard, unit)}};
     if (begun != standard)
-        facts.append({Words::tr("In %1").arg(QString::fromStdString(preset)), valueText(def, begun, unit)});
+        facts.append(
+            {FactWords::tr("In %1").arg(QString::fromStdString(preset)), valueText(def, begun, unit)});
     facts.removeIf([](const auto& fact) { return fact.second.isEmpty(); });
     return facts;
 }

@@ -3,6 +3,7 @@
 #include "core/params/presets.h"
 #include "widgets/base/core_text.h"
 #include "widgets/base/icons.h"
+#include "widgets/base/key_button.h"
 #include "widgets/panels/properties/param_editor_factory.h"
 #include "widgets/panels/properties/param_facts.h"
 #include <QContextMenuEvent>
@@ -12,12 +13,6 @@
 #include <QToolButton>
 
 namespace ramure {
-namespace {
-
-constexpr int keySide = 22; ///< of the button for keys: no smaller than what a hand hits at once
-constexpr int keyIcon = 16;
-
-} // namespace
 
 QString paramToolTip(const ParamDef& def, AngleUnit unit, const std::string& preset)
 {
@@ -48,13 +43,7 @@ ParamRow::ParamRow(const ParamDef& def, QWidget* parent)
     auto* name = new QHBoxLayout;
     name->setSpacing(2);
     if (isKeyable(def)) {
-        m_key = new QToolButton(this);
-        m_key->setAutoRaise(true);
-        m_key->setFixedSize(keySide, keySide);
-        m_key->setIconSize({keyIcon, keyIcon});
-        m_key->setFocusPolicy(Qt::TabFocus);
-        m_key->setObjectName(QStringLiteral("keyButton"));
-        m_key->hide();
+        m_key = newKeyButton(this);
         name->addWidget(m_key);
         connect(m_key, &QToolButton::clicked, this, &ParamRow::keyToggled);
     }
@@ -147,9 +136,7 @@ void ParamRow::showKeyState(KeyState state)
     if (!m_key)
         return;
     m_key->show();
-    m_key->setIcon(icon(state == KeyState::Here       ? "key-here"
-                        : state == KeyState::Animated ? "key-animated"
-                                                      : "key-none"));
+    m_key->setIcon(keyIcon(state));
     const QString name = coreText(def().label);
     m_key->setToolTip(state == KeyState::Here       ? tr("%1: take the key at this frame away").arg(name)
                       : state == KeyState::Animated ? tr("%1 has keys: insert one at this frame").arg(name)
@@ -170,7 +157,7 @@ int ParamRow::labelWidth() const
         return 0;
     QFont bold = m_label->font();
     bold.setBold(true); // a changed value must not move its neighbours
-    const int key = m_key && !m_key->isHidden() ? keySide + 2 : 0;
+    const int key = m_key && !m_key->isHidden() ? keyButtonSide + 2 : 0;
     return QFontMetrics(bold).horizontalAdvance(coreText(def().label)) + 2 + key;
 }
 
@@ -183,7 +170,7 @@ void ParamRow::addBelow(QWidget* widget)
 void ParamRow::setLabelWidth(int width)
 {
     if (!m_editor->isWide())
-        m_label->setFixedWidth(width - (m_key && !m_key->isHidden() ? keySide + 2 : 0));
+        m_label->setFixedWidth(width - (m_key && !m_key->isHidden() ? keyButtonSide + 2 : 0));
 }
 
 bool ParamRow::matches(const QStringList& words) const

@@ -15,7 +15,7 @@
 namespace ramure {
 namespace {
 
-constexpr int side = 40; ///< of the thumbnail, device-independent pixels
+constexpr int thumbnailSide = 40; ///< of the thumbnail, device-independent pixels
 
 QString pathOf(const ParamValue& value)
 {
@@ -48,8 +48,8 @@ PictureEditor::PictureEditor(const ParamDef& def, QWidget* parent)
     layout->addWidget(m_button);
     layout->addWidget(m_file, 1);
     m_button->setObjectName(QStringLiteral("pictureButton"));
-    m_button->setFixedSize(side + 8, side + 8);
-    m_button->setIconSize({side, side});
+    m_button->setFixedSize(thumbnailSide + 8, thumbnailSide + 8);
+    m_button->setIconSize({thumbnailSide, thumbnailSide});
     m_button->setFocusPolicy(Qt::StrongFocus);
     m_file->setMinimumWidth(20);   // cut off rather than that the panel grows
     m_file->setAcceptDrops(false); // it would take the address as a text
@@ -84,7 +84,7 @@ void PictureEditor::read()
         m_image = {};
         return showImage();
     }
-    const int pixels = static_cast<int>(side * devicePixelRatioF());
+    const int pixels = static_cast<int>(thumbnailSide * devicePixelRatioF());
     m_job.start([path = QFile::encodeName(m_path).toStdString(),
                  pixels](const Progress&) { return readPicture(path, pixels); },
                 [this](Expected<QImage>&& made) {
@@ -101,7 +101,7 @@ void PictureEditor::showImage()
         m_button->setIcon(icon(m_path.isEmpty() ? "open" : "warning"));
     else
         m_button->setIcon(QPixmap::fromImage(m_image));
-    m_button->setIconSize(m_image.isNull() ? QSize(16, 16) : QSize(side, side));
+    m_button->setIconSize(m_image.isNull() ? QSize(16, 16) : QSize(thumbnailSide, thumbnailSide));
 }
 
 void PictureEditor::choose()

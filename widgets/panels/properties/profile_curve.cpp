@@ -13,9 +13,9 @@
 namespace ramure {
 namespace {
 
-constexpr double handleRadius = 5.0, reach = 10.0;
+constexpr double handleRadius = 5.0, handleReach = 10.0;
 /// Between the heights of two pairs.
-constexpr double gap = 0.01;
+constexpr double heightGap = 0.01;
 
 struct Outline
 {
@@ -91,7 +91,7 @@ glm::dvec2 ProfileCurve::pairAt(const QPointF& at) const
 int ProfileCurve::handleUnder(const QPointF& at) const
 {
     int best = -1;
-    double nearest = reach;
+    double nearest = handleReach;
     for (std::size_t i = 0; i < m_pairs.size(); ++i) {
         const QPointF way = handleAt(m_pairs[i]) - at;
         if (const double distance = std::hypot(way.x(), way.y()); distance < nearest) {
@@ -157,16 +157,16 @@ void ProfileCurve::moveTo(const glm::dvec2& pair)
         return;
     const auto i = static_cast<std::size_t>(m_chosen);
     Pairs pairs = m_pairs;
-    const double low = i > 0 ? pairs[i - 1].x + gap : 0.0;
-    const double high = i + 1 < pairs.size() ? pairs[i + 1].x - gap : 1.0;
+    const double low = i > 0 ? pairs[i - 1].x + heightGap : 0.0;
+    const double high = i + 1 < pairs.size() ? pairs[i + 1].x - heightGap : 1.0;
     pairs[i] = {rounded(std::clamp(pair.x, std::min(low, high), high)), rounded(pair.y)};
     take(std::move(pairs));
 }
 
 void ProfileCurve::add(const glm::dvec2& pair)
 {
-    const bool isTaken =
-        std::ranges::any_of(m_pairs, [&](const glm::dvec2& own) { return std::abs(own.x - pair.x) < gap; });
+    const bool isTaken = std::ranges::any_of(
+        m_pairs, [&](const glm::dvec2& own) { return std::abs(own.x - pair.x) < heightGap; });
     if (m_pairs.empty() || isTaken || m_pairs.size() >= maxProfilePairs)
         return;
     emit gestureStarted();

@@ -17,7 +17,7 @@ namespace {
 
 const glm::vec3 toLight = glm::normalize(glm::vec3(-0.5f, 0.6f, 0.7f)); ///< x right, y up, z to the eye
 constexpr float ambient = 0.35f;
-constexpr int finer = 2; ///< drawn so many times larger, for smooth edges
+constexpr int oversampling = 2; ///< drawn so many times larger, for smooth edges
 
 /// \param light of it falls on the surface, linear; 1 shows the colour as it is.
 QRgb shaded(const glm::u8vec3& colour, float light)
@@ -31,7 +31,7 @@ QRgb shaded(const glm::u8vec3& colour, float light)
 
 QImage smooth(const QImage& large)
 {
-    return large.scaled(large.size() / finer, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    return large.scaled(large.size() / oversampling, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
 }
 
 glm::vec3 normalOf(const glm::u8vec3& stored)
@@ -208,7 +208,7 @@ QImage leafPicture(const LeafParams& leaf, bool turns, int size, const PicturePa
         if (maps)
             maps->coverage.clear(); // the mesh has the outline
     }
-    return smooth(OrganPainter(mesh, material, maps, finer * size).paint());
+    return smooth(OrganPainter(mesh, material, maps, oversampling * size).paint());
 }
 
 QImage fruitPicture(const FruitParams& fruit, int size, const PictureParams& pictures)
@@ -222,7 +222,7 @@ QImage fruitPicture(const FruitParams& fruit, int size, const PictureParams& pic
         mesh.colours.clear(); // the picture takes their place
         maps = imageMaps(material);
     }
-    return smooth(OrganPainter(mesh, material, maps, finer * size).paint());
+    return smooth(OrganPainter(mesh, material, maps, oversampling * size).paint());
 }
 
 QImage barkPicture(const Material& material, int size, const Progress& progress)
@@ -237,12 +237,12 @@ QImage barkPicture(const Material& material, int size, const Progress& progress)
         for (const glm::u8vec4& each : images.normal)
             maps->roughness.push_back(material.pictures.roughness.empty() ? 255 : each.a);
     } else if (bark.family != BarkFamily::Plain) {
-        auto made = barkMaps(bark, std::clamp(finer * size, leastBarkSize, mostBarkSize), progress);
+        auto made = barkMaps(bark, std::clamp(oversampling * size, leastBarkSize, mostBarkSize), progress);
         if (!made)
             return {};
         maps = std::move(*made);
     }
-    size *= finer;
+    size *= oversampling;
     QImage picture(2 * size, size, QImage::Format_ARGB32);
     picture.fill(Qt::transparent);
     const glm::vec3 right(1, 0, 0), up(0, 1, 0), outward(0, 0, 1);

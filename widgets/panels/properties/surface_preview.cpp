@@ -8,7 +8,7 @@
 namespace ramure {
 namespace {
 
-constexpr int side = 112; ///< of one picture, device-independent pixels
+constexpr int pictureSide = 112; ///< of one picture, device-independent pixels
 
 const char* nameOf(SurfacePreview::Surface surface)
 {
@@ -50,7 +50,7 @@ SurfacePreview::SurfacePreview(Document* document, Surface surface, QWidget* par
 QSize SurfacePreview::sizeHint() const
 {
     const bool isBall = m_surface == Surface::Bark || m_surface == Surface::Object;
-    return {isBall ? 2 * side : side, side};
+    return {isBall ? 2 * pictureSide : pictureSide, pictureSide};
 }
 
 void SurfacePreview::setNode(NodeId node)
@@ -95,7 +95,7 @@ void SurfacePreview::refresh()
     m_material = material;
     m_turns = turns;
     m_isAsked = true;
-    const int size = static_cast<int>(side * devicePixelRatioF());
+    const int size = static_cast<int>(pictureSide * devicePixelRatioF());
     m_job.start(
         [surface = m_surface, leaf = m_leaf, fruit = m_fruit, material, turns,
          size](const Progress& progress) {

@@ -17,17 +17,17 @@
 namespace ramure {
 namespace {
 
-constexpr int gap = 6;                  ///< beside the names and numbers
+constexpr int plotGap = 6;              ///< beside the names and numbers
 constexpr std::size_t shownTicks = 600; ///< of the solver that are shown: ten seconds
-constexpr double least = 1e-9;          ///< of all curves: what is below is the noise of rounding
+constexpr double leastShown = 1e-9;     ///< of all curves: what is below is the noise of rounding
 
 } // namespace
 
 QString PhysicsPlot::shortNumber(double value)
 {
     const double size = std::abs(value);
-    if (size > 0.0 && size < least)
-        return QStringLiteral("< ") + QLocale().toString(least, 'e', 0);
+    if (size > 0.0 && size < leastShown)
+        return QStringLiteral("< ") + QLocale().toString(leastShown, 'e', 0);
     const bool plain = size == 0.0 || (size >= 1e-3 && size < 1e5);
     return QLocale().toString(value, plain ? 'g' : 'e', plain ? 3 : 1);
 }
@@ -70,9 +70,10 @@ QRectF PhysicsPlot::curvesArea() const
     for (const double value : {1.888e-8, 0.00888})
         numbers = std::max(numbers, fontMetrics().horizontalAdvance(tr("%1 ms").arg(shortNumber(value))));
     if (isStacked())
-        return QRectF(rect()).adjusted(std::max(names, numbers) + 2 * gap, 0.0, 0.0, 0.0);
-    const int room = width() - numbers - leastCurve - 4 * gap;
-    return QRectF(rect()).adjusted(std::clamp(room, 0, names) + 2 * gap, 0.0, -numbers - 2 * gap, 0.0);
+        return QRectF(rect()).adjusted(std::max(names, numbers) + 2 * plotGap, 0.0, 0.0, 0.0);
+    const int room = width() - numbers - leastCurve - 4 * plotGap;
+    return QRectF(rect()).adjusted(std::clamp(room, 0, names) + 2 * plotGap, 0.0, -numbers - 2 * plotGap,
+                                   0.0);
 }
 
 QString PhysicsPlot::nameOf(Curve curve)
@@ -199,9 +200,9 @@ void PhysicsPlot::paintRow(QPainter& painter, const QRectF& row, const QString& 
     const double line = fontMetrics().height();
     const double top = row.center().y() - line; // of the two lines
     const bool stacked = isStacked() && row.height() >= 2.0 * line;
-    const QRectF text =
-        stacked ? QRectF(gap, top, whole.left() - gap, line) : row.adjusted(gap, 0.0, -gap, 0.0);
-    const double room = whole.left() - 2.0 * gap;
+    const QRectF text = stacked ? QRectF(plotGap, top, whole.left() - plotGap, line)
+                                : row.adjusted(plotGap, 0.0, -plotGap, 0.0);
+    const double room = whole.left() - 2.0 * plotGap;
     painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter,
                      fontMetrics().elidedText(name, Qt::ElideRight, int(room) + 1));
     painter.drawText(stacked ? text.translated(0.0, line) : text,
@@ -213,7 +214,7 @@ void PhysicsPlot::paintLine(QPainter& painter, const QRectF& area, const std::ve
                             double step) const
 {
     const double most = *std::max_element(values.begin(), values.end());
-    if (!(most >= least) || values.size() < 2)
+    if (!(most >= leastShown) || values.size() < 2)
         return;
     QPainterPath path;
     const double start = area.right() - step * double(values.size() - 1);

@@ -3,6 +3,7 @@
 #include "core/session/shape_checks.h"
 #include "widgets/base/core_text.h"
 #include "widgets/base/icons.h"
+#include "widgets/base/progress_steps.h"
 #include "widgets/panels/validation/histogram_view.h"
 #include "widgets/panels/validation/report_text.h"
 #include <QHBoxLayout>
@@ -17,7 +18,6 @@
 namespace ramure {
 namespace {
 
-constexpr int progressSteps = 1000;
 constexpr int sliverBins = 1; ///< under 5 degrees a triangle shades and simulates badly
 
 QLabel* textLabel(QWidget* parent)

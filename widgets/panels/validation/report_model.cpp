@@ -10,7 +10,7 @@
 namespace ramure {
 namespace {
 
-constexpr int placeDecimals = 2; ///< the viewport shows it exactly; here it only tells top from bottom
+constexpr int roughDecimals = 2; ///< the viewport shows it exactly; here it only tells top from bottom
 
 /// Where in the list those stand that are wanted.
 template <class List, class Wanted> std::vector<std::size_t> indices(const List& list, Wanted&& wanted)
@@ -367,7 +367,7 @@ QString ReportModel::itemText(const QModelIndex& index) const
         return numbers.join(QStringLiteral(", "));
     }
     const std::optional<glm::dvec3> place = placeOf(index);
-    return place ? facttext::vector(*place, placeDecimals) : QStringLiteral("—");
+    return place ? facttext::vector(*place, roughDecimals) : QStringLiteral("—");
 }
 
 QVariant ReportModel::data(const QModelIndex& index, int role) const

@@ -1,6 +1,7 @@
 #include "widgets/panels/validation/separate_dialog.h"
 
 #include "widgets/base/core_text.h"
+#include "widgets/base/progress_steps.h"
 #include <QLabel>
 #include <QLocale>
 #include <QProgressBar>
@@ -8,12 +9,6 @@
 #include <QVBoxLayout>
 
 namespace ramure {
-namespace {
-
-constexpr int progressSteps = 1000;
-
-} // namespace
-
 SeparateDialog::SeparateDialog(Document* document, NodeId tree, QWidget* parent)
     : QDialog(parent)
     , m_task(new SeparationTask(document, this))

@@ -27,7 +27,7 @@
 namespace ramure {
 namespace {
 
-constexpr quint32 newsThatMatter =
+constexpr quint32 meshNews =
     changeSelection | changeResults | changeReset | changeNodeState | changeStructure;
 
 /// The node whose mesh is looked at: that of the selected branches, the active one, or, while a group or
@@ -114,7 +114,7 @@ ValidationPanel::ValidationPanel(Document* document, Analysis* analysis, QWidget
     setObjectName(QStringLiteral("validationPanel"));
     d->build();
     connect(document, &Document::changed, this, [this](const Change& change) {
-        if (change.has(newsThatMatter))
+        if (change.has(meshNews))
             d->refresh();
     });
     if (analysis)

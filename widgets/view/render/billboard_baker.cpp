@@ -8,7 +8,7 @@ namespace ramure {
 namespace {
 
 constexpr int mostSamples = 2;          ///< of a pixel, each way
-constexpr int mostSide = 4096;          ///< of what is drawn at once, where samples are to be had for less
+constexpr int mostBakedSide = 4096;     ///< of what is drawn at once, where samples are to be had for less
 constexpr int probeSide = 512;          ///< pixels of the picture that finds out what a card shows
 constexpr int cardGap = 4, viewGap = 2; ///< pixels
 
@@ -87,7 +87,7 @@ Expected<BillboardPicture> bakeView(const DrawSurfaces& draw, const ViewFrame& f
                                     const glm::dvec3& middle, const PlaneRect& seen, QSize size, double reach,
                                     bool sparing)
 {
-    const int each = std::clamp(mostSide / std::max(size.width(), size.height()), 1, mostSamples);
+    const int each = std::clamp(mostBakedSide / std::max(size.width(), size.height()), 1, mostSamples);
     const glm::dvec2 at = seen.centre();
     const auto drawn = draw(cameraOf(frame, middle + at.x * frame.right + at.y * frame.up, seen.size().y),
                             size * each, reach, sparing);

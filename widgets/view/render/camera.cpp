@@ -1,17 +1,16 @@
 #include "widgets/view/render/camera.h"
 
+#include "core/math/angle.h"
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <limits>
-#include <numbers>
 #include <vector>
 
 namespace ramure {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr double minDistance = 1e-4;
 constexpr double maxDistance = 1e6;
 

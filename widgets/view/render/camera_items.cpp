@@ -10,9 +10,9 @@
 namespace ramure {
 namespace {
 
-constexpr double nearest = 1e-3; ///< m
+constexpr double leastFocus = 1e-3; ///< m
 constexpr double filmAspect = 16.0 / 9.0;
-constexpr glm::u8vec4 lineColour{70, 92, 118, 255}, selectedColour{255, 128, 16, 255};
+constexpr glm::u8vec4 cameraColour{70, 92, 118, 255}, selectedColour{255, 128, 16, 255};
 
 /// Along \p axis, or \p otherwise where a scale of 0 leaves no way.
 glm::dvec3 wayOf(const glm::dvec4& axis, const glm::dvec3& otherwise)
@@ -74,7 +74,7 @@ Camera cameraAt(const glm::dmat4& world, const CameraParams& params)
     const glm::dvec3 back = wayOf(world[2], {0.0, 0.0, 1.0});
     const glm::dvec3 top = wayOf(world[1], {0.0, 1.0, 0.0});
     camera.fovRad = params.angleRad;
-    camera.distance = std::max(params.focus, nearest);
+    camera.distance = std::max(params.focus, leastFocus);
     camera.pitchRad = std::asin(std::clamp(back.y, -1.0, 1.0));
     // Straight up or down, what is above in the picture says where it is turned to.
     const bool isLevel = std::hypot(back.x, back.z) > 1e-9;
@@ -99,7 +99,7 @@ Lens lensOf(const CameraParams& params)
 {
     if (params.fStop <= 0.0)
         return {};
-    return {Lens::diameterOf(params.fStop, params.angleRad), std::max(params.focus, nearest)};
+    return {Lens::diameterOf(params.fStop, params.angleRad), std::max(params.focus, leastFocus)};
 }
 
 std::optional<NodeView> viewThrough(EvaluatedScene& now, NodeId id)
@@ -119,7 +119,7 @@ void addCamera(RenderScene& scene, ScenePartCache& cache, const Node& node, cons
     MeshItem item;
     item.mesh = cache.get<TriangleMesh>(ScenePart::CameraBody, none, none, {}, [] { return body(); });
     item.box = cache.box(item.mesh);
-    const glm::u8vec4 colour = isSelected ? selectedColour : lineColour;
+    const glm::u8vec4 colour = isSelected ? selectedColour : cameraColour;
     item.material = {"camera", glm::u8vec3(colour), false, false};
     item.inNode = glm::scale(glm::dmat4(1.0), glm::dvec3(reach));
     item.world = world * item.inNode;

@@ -8,7 +8,7 @@
 namespace ramure {
 namespace {
 
-constexpr glm::u8vec4 lineColour{86, 156, 214, 150}, pointColour{255, 196, 84, 200};
+constexpr glm::u8vec4 reachColour{86, 156, 214, 150}, pointColour{255, 196, 84, 200};
 
 } // namespace
 
@@ -28,7 +28,7 @@ LineSet crownLines(const ColonisationParams& params)
     const auto add = [&set](const glm::vec3& from, const glm::vec3& to) {
         if (from == to)
             return;
-        set.segments.push_back({from, to, 1.0f, 1.0f, lineColour, noIndex});
+        set.segments.push_back({from, to, 1.0f, 1.0f, reachColour, noIndex});
         set.box.add(from);
         set.box.add(to);
     };

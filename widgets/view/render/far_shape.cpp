@@ -8,7 +8,7 @@
 namespace ramure {
 namespace {
 
-struct Extent
+struct ShapeExtent
 {
     Box box;
     glm::dvec3 facing{0.0}; ///< the sum of the faces' area vectors: zero where they close
@@ -27,9 +27,9 @@ glm::dvec3 middleOf(const TriangleMesh& shape, const glm::uvec3& face)
     return glm::dvec3(shape.positions[face[0]] + shape.positions[face[1]] + shape.positions[face[2]]) / 3.0;
 }
 
-Extent extentOf(const TriangleMesh& shape)
+ShapeExtent extentOf(const TriangleMesh& shape)
 {
-    Extent extent;
+    ShapeExtent extent;
     for (const glm::uvec3& face : shape.triangles) {
         const glm::dvec3 vector = areaVector(shape, face);
         const double area = glm::length(vector);
@@ -44,7 +44,7 @@ Extent extentOf(const TriangleMesh& shape)
 }
 
 /// Where a flat shape is longest: the larger principal axis of its area, across \p normal.
-glm::dvec3 longestAcross(const TriangleMesh& shape, const Extent& extent, const glm::dvec3& normal)
+glm::dvec3 longestAcross(const TriangleMesh& shape, const ShapeExtent& extent, const glm::dvec3& normal)
 {
     const glm::dvec3 some = std::abs(normal.x) < 0.7 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
     const glm::dvec3 u = glm::normalize(glm::cross(normal, some)), v = glm::cross(normal, u);
@@ -68,7 +68,7 @@ void add(TriangleMesh& made, const glm::dvec3& position, const glm::dvec3& norma
 }
 
 /// A rhombus of the same area, as long as the same second moment asks: a stalk hardly makes it longer.
-TriangleMesh rhombus(const TriangleMesh& shape, const Extent& extent)
+TriangleMesh rhombus(const TriangleMesh& shape, const ShapeExtent& extent)
 {
     TriangleMesh made;
     const glm::dvec3 normal = glm::normalize(extent.facing);
@@ -94,7 +94,7 @@ TriangleMesh rhombus(const TriangleMesh& shape, const Extent& extent)
 }
 
 /// An octahedron whose middle sections have the area of the ellipses in the box.
-TriangleMesh octahedron(const Extent& extent)
+TriangleMesh octahedron(const ShapeExtent& extent)
 {
     constexpr double wider = 1.2533141373155003; // sqrt(pi / 2)
     TriangleMesh made;
@@ -119,7 +119,7 @@ TriangleMesh octahedron(const Extent& extent)
 TriangleMesh farShape(const TriangleMesh& shape)
 {
     constexpr double closing = 0.05; // of the area: less is a closed surface's rest
-    const Extent extent = extentOf(shape);
+    const ShapeExtent extent = extentOf(shape);
     if (extent.area <= 0.0)
         return {};
     return glm::length(extent.facing) > closing * extent.area ? rhombus(shape, extent) : octahedron(extent);
@@ -127,7 +127,7 @@ TriangleMesh farShape(const TriangleMesh& shape)
 
 TriangleMesh widened(TriangleMesh few, const TriangleMesh& whole)
 {
-    const Extent extent = extentOf(few);
+    const ShapeExtent extent = extentOf(few);
     if (extent.area <= 0.0 || glm::length(extent.facing) <= 0.0)
         return few;
     const glm::dvec3 normal = glm::normalize(extent.facing);

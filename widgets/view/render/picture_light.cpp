@@ -1,11 +1,11 @@
 #include "widgets/view/render/picture_light.h"
 
+#include "core/math/angle.h"
 #include "widgets/view/render/shader_program.h"
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <numbers>
 
 namespace ramure {
 namespace {
@@ -35,7 +35,7 @@ glm::vec3 studioColour(Backdrop backdrop)
 /// As a photographer exposes: for what faces the light, so that a low sun does not burn out all that stands.
 void takeSky(PictureLight& out, double turbidity)
 {
-    constexpr double pi = std::numbers::pi, lowestLevel = 0.45, middle = 1.2;
+    constexpr double lowestLevel = 0.45, middle = 1.2;
     constexpr glm::vec3 up(0.0f, 1.0f, 0.0f);
     Sky sky = clearSky(out.sun, turbidity);
     const glm::dvec3 above = pi * glm::dvec3(ambientAt(ambientOf(sky, glm::dvec3(0.0)), up));

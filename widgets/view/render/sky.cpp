@@ -1,15 +1,14 @@
 #include "widgets/view/render/sky.h"
 
+#include "core/math/angle.h"
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
-#include <numbers>
 
 namespace ramure {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr double lowest = 0.01; ///< sine of the height at which the formula still holds
 
 using Basis = std::array<double, 9>;

@@ -2,10 +2,10 @@
 
 #include "core/base/file_writer.h"
 #include "core/base/number_text.h"
+#include "core/math/angle.h"
 #include "widgets/view/render/picture_light.h"
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace ramure {
 namespace {
@@ -34,7 +34,6 @@ std::string numbers(const glm::dvec3& v)
 
 Expected<void> saveSkyPicture(const SceneLight& light, int width, const std::string& path)
 {
-    constexpr double pi = std::numbers::pi;
     SceneLight clear = light;
     clear.backdrop = Backdrop::Sky;
     const PictureLight lit = lightOf(clear);

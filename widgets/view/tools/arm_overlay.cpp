@@ -12,14 +12,14 @@
 namespace ramure {
 namespace {
 
-constexpr double margin = 12.0, leastWidth = 260.0, plotHeight = 84.0;
+constexpr double overlayMargin = 12.0, leastWidth = 260.0, plotHeight = 84.0;
 
-struct Words
+struct ArmWords
 {
     Q_DECLARE_TR_FUNCTIONS(ArmOverlay)
 };
 
-constexpr double least = 1e-6; ///< m; less is drawn as this
+constexpr double leastResidual = 1e-6; ///< m; less is drawn as this
 
 /// Powers of ten that a plot shows, both ends.
 struct Decades
@@ -29,12 +29,13 @@ struct Decades
     explicit Decades(const std::vector<float>& residuals)
     {
         const auto [smallest, largest] = std::minmax_element(residuals.begin(), residuals.end());
-        high = std::ceil(std::log10(std::max(double(*largest), least)));
-        low = std::min(std::floor(std::log10(std::max(double(*smallest), least))), high - 1.0);
+        high = std::ceil(std::log10(std::max(double(*largest), leastResidual)));
+        low = std::min(std::floor(std::log10(std::max(double(*smallest), leastResidual))), high - 1.0);
     }
     [[nodiscard]] double y(double metres, const QRectF& place) const
     {
-        return place.bottom() - (std::log10(std::max(metres, least)) - low) / (high - low) * place.height();
+        return place.bottom() -
+               (std::log10(std::max(metres, leastResidual)) - low) / (high - low) * place.height();
     }
 };
 
@@ -55,14 +56,14 @@ QPolygonF curve(const std::vector<float>& residuals, const Decades& decades, con
     return points;
 }
 
-QString lengthText(double exponent)
+QString decadeText(double exponent)
 {
     const QLocale locale;
     if (exponent >= 0.0)
-        return Words::tr("%1 m").arg(locale.toString(std::pow(10.0, exponent), 'f', 0));
+        return ArmWords::tr("%1 m").arg(locale.toString(std::pow(10.0, exponent), 'f', 0));
     if (exponent >= -3.0)
-        return Words::tr("%1 mm").arg(locale.toString(std::pow(10.0, exponent + 3.0), 'f', 0));
-    return Words::tr("%1 µm").arg(locale.toString(std::pow(10.0, exponent + 6.0), 'f', 0));
+        return ArmWords::tr("%1 mm").arg(locale.toString(std::pow(10.0, exponent + 3.0), 'f', 0));
+    return ArmWords::tr("%1 µm").arg(locale.toString(std::pow(10.0, exponent + 6.0), 'f', 0));
 }
 
 /// The labels of a plot stand on its left, clear of its lines and its curve.
@@ -95,7 +96,7 @@ void paintPlot(QPainter& painter, const std::vector<float>& residuals, const QRe
     const std::vector<double> shown = exponentsShown(decades, place.height() - 2.0 * half, metrics.height());
     double gutter = 0.0;
     for (const double exponent : shown)
-        gutter = std::max(gutter, metrics.horizontalAdvance(lengthText(exponent)));
+        gutter = std::max(gutter, metrics.horizontalAdvance(decadeText(exponent)));
     const QRectF field = place.adjusted(gutter + 6.0, half, 0.0, -half);
     for (const double exponent : shown) {
         const double y = decades.y(std::pow(10.0, exponent), field);
@@ -103,7 +104,7 @@ void paintPlot(QPainter& painter, const std::vector<float>& residuals, const QRe
         painter.drawLine(QPointF(field.left(), y), QPointF(field.right(), y));
         painter.setPen(QColor(255, 255, 255, 190));
         painter.drawText(QRectF(place.left(), y - half, gutter, 2.0 * half),
-                         Qt::AlignRight | Qt::AlignVCenter, lengthText(exponent));
+                         Qt::AlignRight | Qt::AlignVCenter, decadeText(exponent));
     }
     painter.setPen(QPen(QColor(90, 220, 120), 1.6));
     painter.drawPolyline(curve(residuals, decades, field));
@@ -122,13 +123,13 @@ QString limitsText(const std::vector<ArmLimit>& limits)
         names += QStringLiteral("%1%2 %3")
                      .arg(i % 2 == 0 ? QStringLiteral("φ") : QStringLiteral("θ"))
                      .arg(i / 2 + 1)
-                     .arg(limits[i] == ArmLimit::Upper ? Words::tr("max") : Words::tr("min"));
+                     .arg(limits[i] == ArmLimit::Upper ? ArmWords::tr("max") : ArmWords::tr("min"));
     }
     if (count == 0)
         return {};
     if (count > mostNamed)
         names += QStringLiteral("…");
-    return Words::tr("%n angle(s) at a limit", nullptr, count) + QStringLiteral(": ") +
+    return ArmWords::tr("%n angle(s) at a limit", nullptr, count) + QStringLiteral(": ") +
            names.join(QStringLiteral(", "));
 }
 
@@ -139,22 +140,21 @@ QString shortLengthText(double metres)
     const QLocale locale;
     const auto digits = [&locale](double value) { return locale.toString(value, 'f', value < 10.0 ? 2 : 1); };
     if (metres >= 0.1)
-        return Words::tr("%1 m").arg(locale.toString(metres, 'f', 3));
+        return ArmWords::tr("%1 m").arg(locale.toString(metres, 'f', 3));
     if (metres >= 1e-4)
-        return Words::tr("%1 mm").arg(digits(1e3 * metres));
-    return Words::tr("%1 µm").arg(digits(1e6 * metres));
+        return ArmWords::tr("%1 mm").arg(digits(1e3 * metres));
+    return ArmWords::tr("%1 µm").arg(digits(1e6 * metres));
 }
 
 QString armStatusText(const ArmProgress& progress)
 {
-    QString text = Words::tr("residual %1 after %n step(s)", nullptr, int(progress.figures.steps))
+    QString text = ArmWords::tr("residual %1 after %n step(s)", nullptr, int(progress.figures.steps))
                        .arg(shortLengthText(progress.residual));
     if (progress.figures.status == ArmStatus::Settled)
-        text +=
-            QLatin1Char('\n') +
-            Words::tr("unreachable: %1 m short").arg(QLocale().toString(progress.figures.shortBy(), 'f', 3));
+        text += QLatin1Char('\n') + ArmWords::tr("unreachable: %1 m short")
+                                        .arg(QLocale().toString(progress.figures.shortBy(), 'f', 3));
     else if (progress.figures.status == ArmStatus::Reached && !progress.moves)
-        text += QLatin1Char('\n') + Words::tr("reached");
+        text += QLatin1Char('\n') + ArmWords::tr("reached");
     if (const QString limits = limitsText(progress.limits); !limits.isEmpty())
         text += QLatin1Char('\n') + limits;
     return text;
@@ -182,11 +182,11 @@ void paintArmStatus(QPainter& painter, QSize size, const ArmProgress& progress)
     double width = leastWidth;
     for (const QString& line : text.split(QLatin1Char('\n')))
         width = std::max(width, painter.fontMetrics().horizontalAdvance(line) + 20.0);
-    width = std::min(width, size.width() - 2.0 * margin);
+    width = std::min(width, size.width() - 2.0 * overlayMargin);
     const double textHeight = painter.fontMetrics().lineSpacing() * double(text.count(QLatin1Char('\n')) + 1);
     const bool plots = progress.residuals.size() > 1;
     const double height = textHeight + (plots ? plotHeight + 8.0 : 0.0) + 16.0;
-    const QRectF box(margin, size.height() - margin - height, width, height);
+    const QRectF box(overlayMargin, size.height() - overlayMargin - height, width, height);
     painter.setPen(Qt::NoPen);
     painter.setBrush(QColor(20, 26, 32, 170));
     painter.drawRoundedRect(box, 6.0, 6.0);

@@ -1,6 +1,7 @@
 #include "widgets/view/tools/arm_rings.h"
 
 #include "core/evaluate/evaluator.h"
+#include "core/math/angle.h"
 #include "core/rig/arm/arm_chain.h"
 #include <QPainter>
 #include <QPolygonF>
@@ -10,8 +11,7 @@
 namespace ramure {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr int corners = 72; ///< of a whole ring
+constexpr int ringCorners = 72; ///< of a whole ring
 
 double distanceTo(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& pixel)
 {
@@ -24,7 +24,7 @@ double distanceTo(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& pi
 QPolygonF arc(const PickView& view, const ArmRing& ring, double from, double to)
 {
     QPolygonF points;
-    const int count = std::max(2, int(std::ceil(corners * std::abs(to - from) / (2.0 * pi))));
+    const int count = std::max(2, int(std::ceil(ringCorners * std::abs(to - from) / (2.0 * pi))));
     for (int i = 0; i <= count; ++i)
         if (const auto at = view.pixel(ring.at(from + (to - from) * i / count)))
             points << QPointF(at->x, at->y);
@@ -93,8 +93,8 @@ std::optional<std::size_t> ringUnder(const PickView& view, const glm::dvec2& pix
     double nearest = tolerance;
     for (std::size_t r = 0; r < rings.size(); ++r) {
         std::optional<glm::dvec2> last;
-        for (int i = 0; i <= corners; ++i) {
-            const auto at = view.pixel(rings[r].at(2.0 * pi * i / corners));
+        for (int i = 0; i <= ringCorners; ++i) {
+            const auto at = view.pixel(rings[r].at(2.0 * pi * i / ringCorners));
             if (at && last && distanceTo(*last, *at, pixel) < nearest) {
                 nearest = distanceTo(*last, *at, pixel);
                 found = r;

@@ -1,5 +1,6 @@
 // A limb bows as the hand pulls it: the wood below the hand turns bit by bit, over as much of it as the reach
 // says, and what lies beyond follows.
+#include "core/math/angle.h"
 #include "core/math/frame.h"
 #include "core/math/hermite.h"
 #include "core/skeleton/sections.h"
@@ -14,15 +15,13 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace ramure {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
-constexpr double mostTurn = 170.0 * degree;
-constexpr double perNotch = 1.15; ///< of the wheel
-constexpr double shortest = 0.25; ///< of the limb's length: a bow from its foot is never shorter
+constexpr double mostTurn = 170.0 * oneDegree;
+constexpr double reachPerNotch = 1.15; ///< of the wheel
+constexpr double shortest = 0.25;      ///< of the limb's length: a bow from its foot is never shorter
 
 /// A part of an axis that bows.
 struct BowPart
@@ -223,7 +222,7 @@ bool BendTool::wheel(const ToolPoint&, double turn)
     if (!m_edit || turn == 0.0)
         return false;
     HandOptions options = m_context.hand.options();
-    options.bendReach = m_reach * (turn > 0.0 ? perNotch : 1.0 / perNotch);
+    options.bendReach = m_reach * (turn > 0.0 ? reachPerNotch : 1.0 / reachPerNotch);
     m_context.hand.setOptions(options);
     m_whole = false;
     m_parts = partsOf(m_limb, false);
@@ -344,9 +343,10 @@ void BendTool::paint(QPainter& painter, const PickView& view)
     const QString reach = tr("influence %1 m").arg(QLocale().toString(m_reach, 'f', 2));
     if (m_edit)
         paintReadout(painter, m_at, sizeOf(view),
-                     m_moves ? tr("Bend %1°").arg(QLocale().toString(glm::length(m_turn) / degree, 'f', 0)) +
-                                   QStringLiteral(" · ") + reach
-                             : reach);
+                     m_moves
+                         ? tr("Bend %1°").arg(QLocale().toString(glm::length(m_turn) / oneDegree, 'f', 0)) +
+                               QStringLiteral(" · ") + reach
+                         : reach);
 }
 
 } // namespace

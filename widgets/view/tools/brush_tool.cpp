@@ -14,9 +14,9 @@
 namespace ramure {
 namespace {
 
-constexpr double usualRadius = 0.12; ///< of the tree's height or width
-constexpr double perNotch = 1.1;     ///< of the wheel
-constexpr double spacing = 0.4;      ///< radii from one touch to the next
+constexpr double usualRadius = 0.12;   ///< of the tree's height or width
+constexpr double radiusPerNotch = 1.1; ///< of the wheel
+constexpr double spacing = 0.4;        ///< radii from one touch to the next
 constexpr std::size_t mostTouches = 300;
 
 class BrushTool : public NumberTool
@@ -208,7 +208,7 @@ bool BrushTool::wheel(const ToolPoint& point, double turn)
 void BrushTool::turnWheel(double notches)
 {
     HandOptions options = m_context.hand.options();
-    options.brushRadius = radius(m_tree) * std::pow(perNotch, notches);
+    options.brushRadius = radius(m_tree) * std::pow(radiusPerNotch, notches);
     m_context.hand.setOptions(options);
 }
 

@@ -15,7 +15,7 @@
 namespace ramure {
 namespace {
 
-struct Words
+struct EditWords
 {
     Q_DECLARE_TR_FUNCTIONS(ramure::EditTool)
 };
@@ -69,7 +69,7 @@ void EditTool::setAim(const std::optional<LimbHit>& aim)
 
 QString EditTool::lossWords(const HandLoss& loss)
 {
-    return Words::tr("%n branch(es), %1 m", nullptr, static_cast<int>(loss.branches.size()))
+    return EditWords::tr("%n branch(es), %1 m", nullptr, static_cast<int>(loss.branches.size()))
         .arg(QLocale().toString(loss.metres, 'f', 1));
 }
 
@@ -135,9 +135,10 @@ std::vector<LimbHit> EditTool::withTwins(const std::vector<LimbHit>& limbs, Symm
 void EditTool::reportMissing(const Symmetry& symmetry)
 {
     if (symmetry.missing() > 0)
-        m_context.host.raiseMessage(Words::tr("At %n place(s) around the trunk no limb is like it: nothing "
-                                              "happens there.",
-                                              nullptr, symmetry.missing()));
+        m_context.host.raiseMessage(
+            EditWords::tr("At %n place(s) around the trunk no limb is like it: nothing "
+                          "happens there.",
+                          nullptr, symmetry.missing()));
 }
 
 std::optional<double> EditTool::fallsAfter() const
@@ -149,7 +150,7 @@ std::optional<double> EditTool::fallsAfter() const
 void EditTool::reportFall()
 {
     if (fallsAfter())
-        m_context.host.raiseMessage(Words::tr("Cut: what hangs there falls when the timeline plays."));
+        m_context.host.raiseMessage(EditWords::tr("Cut: what hangs there falls when the timeline plays."));
 }
 
 bool EditTool::refuse(const Error& why)

@@ -1,4 +1,5 @@
 // Longer and shorter, thicker and thinner, curled and twisted: by a drag on a branch, the wheel, or a number.
+#include "core/math/angle.h"
 #include "core/math/frame.h"
 #include "widgets/view/tools/limb_handles.h"
 #include "widgets/view/tools/number_tool.h"
@@ -10,18 +11,14 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace ramure {
 namespace {
 
 constexpr double leastFactor = 0.05, mostFactor = 20.0;
-constexpr double pixelsPerDouble = 140.0;
-constexpr double perNotch = 1.05; ///< of the wheel
-constexpr double coarse = 0.1;    ///< steps with Ctrl
-constexpr double degree = std::numbers::pi / 180.0;
-constexpr double mostAngle = 720.0 * degree, anglePerPixel = 0.5 * degree;
-constexpr double angleStep = 5.0 * degree; ///< of the wheel, and with Ctrl
+constexpr double coarse = 0.1; ///< steps with Ctrl
+constexpr double mostAngle = 720.0 * oneDegree;
+constexpr double angleStep = 5.0 * oneDegree; ///< of the wheel, and with Ctrl
 
 /// What the hand does to the number.
 enum class Way : quint8 {
@@ -277,7 +274,7 @@ double FactorTool::value() const
     if (!isAngle())
         return std::clamp(typed().value().value_or(m_dragged * m_wheeled), leastFactor, mostFactor);
     const auto number = typed().value();
-    return std::clamp(number ? *number * degree : m_dragged + m_wheeled, -mostAngle, mostAngle);
+    return std::clamp(number ? *number * oneDegree : m_dragged + m_wheeled, -mostAngle, mostAngle);
 }
 
 void FactorTool::show()
@@ -312,7 +309,7 @@ void FactorTool::drag(const ToolPoint& point)
 
 void FactorTool::turnWheel(double notches)
 {
-    m_wheeled = isAngle() ? m_wheeled + angleStep * notches : m_wheeled * std::pow(perNotch, notches);
+    m_wheeled = isAngle() ? m_wheeled + angleStep * notches : m_wheeled * std::pow(factorPerNotch, notches);
 }
 
 QString FactorTool::hint(Qt::KeyboardModifiers) const
@@ -341,7 +338,7 @@ void FactorTool::paint(QPainter& painter, const PickView& view)
         m_handles.paint(painter, m_context, view);
         return;
     }
-    const double shown = isAngle() ? value() / degree : value();
+    const double shown = isAngle() ? value() / oneDegree : value();
     const QString number =
         typed().isEmpty() ? QLocale().toString(shown, 'f', isAngle() ? 0 : 2) : typed().text();
     QString text = tr(m_kind.readout).arg(number);

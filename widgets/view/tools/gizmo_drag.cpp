@@ -1,24 +1,23 @@
 #include "widgets/view/tools/gizmo_drag.h"
 
+#include "core/math/angle.h"
 #include "core/math/drag_maths.h"
 #include "core/scene/world_transforms.h"
 #include <QCoreApplication>
 #include <QLocale>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace ramure {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double leastFactor = 1e-3;
+constexpr double leastScale = 1e-3;
 constexpr double fineShare = 0.1;
-constexpr double leastArm = 24.0;         ///< pixels: nearer to the pivot the screen says no ratio
-constexpr double leastRingSlope = 0.25;   ///< cosine: flatter rings are turned by pulling along them
-constexpr double pixelsPerDouble = 120.0; ///< of the scale's middle
+constexpr double leastArm = 24.0;              ///< pixels: nearer to the pivot the screen says no ratio
+constexpr double leastRingSlope = 0.25;        ///< cosine: flatter rings are turned by pulling along them
+constexpr double scalePixelsPerDouble = 120.0; ///< of the scale's middle
 
-struct Words
+struct GizmoWords
 {
     Q_DECLARE_TR_FUNCTIONS(GizmoDrag)
 };
@@ -235,7 +234,7 @@ double GizmoDrag::scaleFactor() const
     const glm::dvec2 pivot = pixelOf(m_view, m_place.pivot);
     if (m_byHandle && m_handle->part == GizmoPart::Centre) {
         const glm::dvec2 way = m_hand - m_pressed;
-        return std::exp2((way.x - way.y) / pixelsPerDouble);
+        return std::exp2((way.x - way.y) / scalePixelsPerDouble);
     }
     if (m_byHandle && m_handle->part == GizmoPart::Axis) {
         const glm::dvec3& axis = m_place.axes[m_handle->axis];
@@ -251,9 +250,9 @@ double GizmoDrag::scaleFactor() const
 
 void GizmoDrag::measureScale(bool snap)
 {
-    double factor = std::max(scaleFactor(), leastFactor);
+    double factor = std::max(scaleFactor(), leastScale);
     if (snap)
-        factor = std::max(snapped(factor, m_settings.steps().scale), leastFactor);
+        factor = std::max(snapped(factor, m_settings.steps().scale), leastScale);
     for (int axis = 0; axis < 3; ++axis)
         m_transform.factors[axis] = moves(axis) ? factor : 1.0;
 }
@@ -290,9 +289,9 @@ void GizmoDrag::apply()
     for (const TransformStart& start : m_starts)
         if (auto values = transformed(start, transform))
             places.push_back({start.node, std::move(*values), start.keys});
-    const QString text = m_tool == TransformTool::Move     ? Words::tr("Move")
-                         : m_tool == TransformTool::Rotate ? Words::tr("Rotate")
-                                                           : Words::tr("Scale");
+    const QString text = m_tool == TransformTool::Move     ? GizmoWords::tr("Move")
+                         : m_tool == TransformTool::Rotate ? GizmoWords::tr("Rotate")
+                                                           : GizmoWords::tr("Scale");
     (void)edit::placeNodes(m_document, places, text, m_gesture); // locked meanwhile: it stays
 }
 
@@ -429,13 +428,13 @@ QString GizmoDrag::readout() const
         const auto axes = fields();
         text = axis + QStringLiteral("× ") + number(0, m_transform.factors[axes[0]], 3);
     }
-    const QString spaces[] = {Words::tr("local"), Words::tr("parent"), Words::tr("world")};
+    const QString spaces[] = {GizmoWords::tr("local"), GizmoWords::tr("parent"), GizmoWords::tr("world")};
     const bool free = !m_handle || m_handle->part == GizmoPart::View ||
                       (m_tool == TransformTool::Scale && m_handle->part == GizmoPart::Centre);
     if (!free || m_tool == TransformTool::Move)
         text += QStringLiteral("  ·  ") + spaces[static_cast<int>(m_space)];
     if (m_keys)
-        text += QStringLiteral("  ·  ") + Words::tr("key");
+        text += QStringLiteral("  ·  ") + GizmoWords::tr("key");
     return text;
 }
 

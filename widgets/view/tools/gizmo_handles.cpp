@@ -15,7 +15,7 @@ constexpr double centreReach = 9.0;
 constexpr double tolerance = 7.0;
 constexpr double leastAxis = 0.12;  ///< of its length: shorter it is seen from its end
 constexpr double leastPlane = 0.12; ///< cosine between its normal and the line of sight
-constexpr int corners = 64;
+constexpr int arcCorners = 64;
 
 double squareLength(QPointF v)
 {
@@ -75,8 +75,8 @@ QPolygonF gizmoRing(const PickView& view, const GizmoPlace& place, const glm::dv
     zero = glm::length(zero) > 1e-6 ? glm::normalize(zero) : anyPerpendicular(axis);
     const double reach = half ? 0.5 * std::numbers::pi : std::numbers::pi;
     QPolygonF line;
-    for (int i = 0; i <= corners; ++i) {
-        const glm::dvec3 way = turnAbout(axis, reach * (2.0 * i / corners - 1.0)) * zero;
+    for (int i = 0; i <= arcCorners; ++i) {
+        const glm::dvec3 way = turnAbout(axis, reach * (2.0 * i / arcCorners - 1.0)) * zero;
         if (const auto at = gizmoPixel(view, place.pivot + radius * way))
             line << *at;
     }

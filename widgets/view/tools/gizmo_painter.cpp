@@ -10,7 +10,7 @@ namespace ramure {
 namespace {
 
 const QColor bright(255, 214, 64);
-const QColor halo(16, 22, 28, 150); ///< around everything: coloured lines are seen on any ground
+const QColor haloColour(16, 22, 28, 150); ///< around everything: coloured lines are seen on any ground
 
 QColor inkOf(const QColor& colour, bool hovered)
 {
@@ -20,7 +20,7 @@ QColor inkOf(const QColor& colour, bool hovered)
 void stroke(QPainter& painter, const QPolygonF& line, const QColor& ink, double width)
 {
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(halo, width + 2.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.setPen(QPen(haloColour, width + 2.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.drawPolyline(line);
     painter.setPen(QPen(ink, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.drawPolyline(line);
@@ -32,7 +32,7 @@ void paintEnd(QPainter& painter, const QLineF& line, const QColor& ink, bool box
     QPointF way = line.p2() - line.p1();
     way /= std::max(1e-6, std::hypot(way.x(), way.y()));
     const QPointF across(-way.y(), way.x()), end = line.p2();
-    painter.setPen(QPen(halo, 1.2));
+    painter.setPen(QPen(haloColour, 1.2));
     painter.setBrush(ink);
     if (box)
         painter.drawPolygon(QPolygonF({end - 5.0 * way - 5.0 * across, end + 5.0 * way - 5.0 * across,
@@ -84,7 +84,7 @@ void paintGizmo(QPainter& painter, const PickView& view, const GizmoPlace& place
     if (tool != TransformTool::Rotate) {
         paintAxes(painter, view, place, tool == TransformTool::Scale, hovered);
         const bool over = hovered && hovered->part == GizmoPart::Centre;
-        painter.setPen(QPen(halo, 1.4));
+        painter.setPen(QPen(haloColour, 1.4));
         painter.setBrush(over ? bright : QColor(250, 250, 250, 225));
         if (tool == TransformTool::Scale)
             painter.drawRect(QRectF(*centre - QPointF(5.5, 5.5), QSizeF(11.0, 11.0)));
@@ -101,7 +101,7 @@ void paintGizmo(QPainter& painter, const PickView& view, const GizmoPlace& place
         stroke(painter, gizmoRing(view, place, place.axes[axis], gizmoRingReach, true),
                inkOf(gizmoColour(axis), over), over ? 3.6 : 2.6);
     }
-    painter.setPen(QPen(halo, 1.2));
+    painter.setPen(QPen(haloColour, 1.2));
     painter.setBrush(QColor(250, 250, 250, 225));
     painter.drawEllipse(*centre, 3.5, 3.5);
 }

@@ -7,7 +7,7 @@
 namespace ramure {
 namespace {
 
-constexpr int side = 32, middle = 9, arm = 6, gap = 2, iconSide = 17, iconAt = 14;
+constexpr int cursorSide = 32, crossMiddle = 9, crossArm = 6, crossGap = 2, cursorIcon = 17, iconAt = 14;
 
 /// The picture in one colour.
 QPixmap inColour(const QPixmap& picture, const QColor& colour)
@@ -23,15 +23,16 @@ void drawCross(QPainter& painter, const QColor& colour, double width)
 {
     painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::FlatCap));
     for (const QPoint way : {QPoint(1, 0), QPoint(-1, 0), QPoint(0, 1), QPoint(0, -1)})
-        painter.drawLine(QPoint(middle, middle) + gap * way, QPoint(middle, middle) + arm * way);
+        painter.drawLine(QPoint(crossMiddle, crossMiddle) + crossGap * way,
+                         QPoint(crossMiddle, crossMiddle) + crossArm * way);
 }
 
 QCursor made(HandTool tool, double scale)
 {
-    QPixmap picture(QSize(side, side) * scale);
+    QPixmap picture(QSize(cursorSide, cursorSide) * scale);
     picture.setDevicePixelRatio(scale);
     picture.fill(Qt::transparent);
-    const QPixmap shape = icon(handTool(tool).icon).pixmap(QSize(iconSide, iconSide), scale);
+    const QPixmap shape = icon(handTool(tool).icon).pixmap(QSize(cursorIcon, cursorIcon), scale);
     if (shape.isNull())
         return Qt::CrossCursor;
     QPainter painter(&picture);
@@ -43,7 +44,7 @@ QCursor made(HandTool tool, double scale)
             painter.drawPixmap(iconAt + x, iconAt + y, halo);
     painter.drawPixmap(iconAt, iconAt, inColour(shape, QColor(24, 28, 24)));
     painter.end();
-    return QCursor(picture, middle, middle);
+    return QCursor(picture, crossMiddle, crossMiddle);
 }
 
 } // namespace

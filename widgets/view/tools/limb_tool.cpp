@@ -17,7 +17,7 @@ namespace ramure {
 namespace {
 
 /// How long the hand rests before the mesh of its bends is made.
-constexpr int restMs = 100;
+constexpr int bendRestMs = 100;
 
 class LimbTool : public Tool
 {
@@ -55,7 +55,7 @@ LimbTool::LimbTool(ToolContext& context)
     : Tool(context)
 {
     m_rest.setSingleShot(true);
-    m_rest.setInterval(restMs);
+    m_rest.setInterval(bendRestMs);
     connect(&m_rest, &QTimer::timeout, this, [this] { apply(); });
 }
 

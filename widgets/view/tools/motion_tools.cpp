@@ -120,7 +120,7 @@ namespace {
 
 constexpr double halfReachAt = 3.0; ///< the strength whose arrow is half as long as any can be
 constexpr double reachShare = 0.42; ///< of the picture's smaller side
-constexpr double margin = 26.0;     ///< logical pixels between an arrow and the picture's edge
+constexpr double edgeMargin = 26.0; ///< logical pixels between an arrow and the picture's edge
 constexpr double edgeOn = 0.12;     ///< sine of the angle under which a plane is too flat to point into
 constexpr double leastStrength = 0.02;
 constexpr double tooNear = 0.3; ///< of the camera's distance: an arrow there has no room before the eye
@@ -175,8 +175,8 @@ std::optional<WindArrow> windArrowOver(const EvaluatedScene& now, NodeId node, c
         if (!a || !b)
             break;
         const glm::dvec2 low = glm::min(*a, *b), high = glm::max(*a, *b);
-        const glm::dvec2 shift(shiftInto(low.x, high.x, margin, view.size.x - margin),
-                               shiftInto(low.y, high.y, margin, view.size.y - margin));
+        const glm::dvec2 shift(shiftInto(low.x, high.x, edgeMargin, view.size.x - edgeMargin),
+                               shiftInto(low.y, high.y, edgeMargin, view.size.y - edgeMargin));
         const glm::dvec3 way = pixel * (shift.x * view.camera.right() - shift.y * view.camera.up());
         arrow->foot += way;
         arrow->head += way;

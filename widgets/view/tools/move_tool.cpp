@@ -1,4 +1,5 @@
 // A fork slides along its parent, turns about it, or goes to another branch, with all that grows there.
+#include "core/math/angle.h"
 #include "core/math/frame.h"
 #include "widgets/view/tools/number_tool.h"
 #include "widgets/view/tools/readout.h"
@@ -9,14 +10,12 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numbers>
 #include <set>
 
 namespace ramure {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
-constexpr double anglePerPixel = 0.5 * degree, anglePerNotch = 5.0 * degree;
+constexpr double anglePerNotch = 5.0 * oneDegree;
 
 class MoveTool : public NumberTool
 {
@@ -268,7 +267,7 @@ void MoveTool::paint(QPainter& painter, const PickView& view)
     for (const Piece& piece : m_parent)
         painter.drawLine(QPointF(piece.start.x, piece.start.y), QPointF(piece.end.x, piece.end.y));
     const TreeEdit now = editOf(m_forks.front());
-    const double angle = std::remainder(now.azimuthRad / degree, 360.0);
+    const double angle = std::remainder(now.azimuthRad / oneDegree, 360.0);
     QString text = typed().isEmpty() ? tr("at %1 % · %2°")
                                            .arg(QLocale().toString(100.0 * now.at, 'f', 0),
                                                 QLocale().toString(angle, 'f', 0))

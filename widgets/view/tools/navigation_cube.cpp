@@ -6,9 +6,9 @@
 namespace ramure {
 namespace {
 
-constexpr double side = 92.0;  ///< of the square that holds the cube, logical pixels
-constexpr double inset = 12.0; ///< to the picture's edge
-constexpr double scale = 27.0; ///< half an edge of the cube
+constexpr double cubeRoom = 92.0; ///< of the square that holds the cube, logical pixels
+constexpr double inset = 12.0;    ///< to the picture's edge
+constexpr double halfEdge = 27.0; ///< half an edge of the cube
 
 struct CubeSide
 {
@@ -18,7 +18,7 @@ struct CubeSide
     glm::dvec3 up;
 };
 
-constexpr std::array<CubeSide, 6> sides{{
+constexpr std::array<CubeSide, 6> cubeSides{{
     {AxisView::Front, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}},
     {AxisView::Back, {0, 0, -1}, {-1, 0, 0}, {0, 1, 0}},
     {AxisView::Right, {1, 0, 0}, {0, 0, -1}, {0, 1, 0}},
@@ -30,7 +30,8 @@ constexpr std::array<CubeSide, 6> sides{{
 /// Orthographic: the cube looks the same wherever it sits.
 QPointF onScreen(const Camera& camera, QPointF centre, const glm::dvec3& point)
 {
-    return centre + QPointF(scale * glm::dot(point, camera.right()), -scale * glm::dot(point, camera.up()));
+    return centre +
+           QPointF(halfEdge * glm::dot(point, camera.right()), -halfEdge * glm::dot(point, camera.up()));
 }
 
 bool isVisible(const Camera& camera, const CubeSide& of)
@@ -50,13 +51,13 @@ QPolygonF outline(const Camera& camera, QPointF centre, const CubeSide& of)
 
 QRectF NavigationCube::place(QSize picture)
 {
-    return {picture.width() - side - inset, inset, side, side};
+    return {picture.width() - cubeRoom - inset, inset, cubeRoom, cubeRoom};
 }
 
 std::optional<AxisView> NavigationCube::sideAt(const Camera& camera, QSize picture, QPointF point)
 {
     const QPointF centre = place(picture).center();
-    for (const CubeSide& of : sides) {
+    for (const CubeSide& of : cubeSides) {
         if (isVisible(camera, of) && outline(camera, centre, of).containsPoint(point, Qt::OddEvenFill))
             return of.view;
     }
@@ -75,8 +76,8 @@ void NavigationCube::paint(QPainter& painter, const Camera& camera, QSize pictur
     font.setPixelSize(17);
     font.setWeight(QFont::DemiBold);
     painter.setFont(font);
-    for (std::size_t i = 0; i < sides.size(); ++i) {
-        const CubeSide& of = sides[i];
+    for (std::size_t i = 0; i < cubeSides.size(); ++i) {
+        const CubeSide& of = cubeSides[i];
         if (!isVisible(camera, of))
             continue;
         const QPolygonF polygon = outline(camera, centre, of);

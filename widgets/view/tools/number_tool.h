@@ -3,10 +3,15 @@
 /// is held, or a number that is typed; a click goes on without the button, until Enter or another click.
 #pragma once
 
+#include "core/math/angle.h"
 #include "widgets/view/tools/edit_tool.h"
 #include "widgets/view/tools/typed_number.h"
 
 namespace ramure {
+
+/// Of a factor: pixels that double it, and what a notch of the wheel makes of it.
+inline constexpr double pixelsPerDouble = 140.0, factorPerNotch = 1.05;
+inline constexpr double anglePerPixel = 0.5 * oneDegree;
 
 class NumberTool : public EditTool
 {

@@ -19,12 +19,12 @@
 namespace ramure {
 namespace {
 
-constexpr double least = 0.01; ///< m, of a radius
+constexpr double leastRadius = 0.01; ///< m, of a radius
 /// Pixels: a shape that is smaller was hardly meant, and would take the whole crown.
 constexpr double leastDrag = 24.0;
 constexpr double aslant =
     0.27; ///< of the other way in the picture: a drag that goes less far is straight (15°)
-constexpr int sides = 64;
+constexpr int ringSides = 64;
 
 class PruneTool : public EditTool
 {
@@ -112,7 +112,7 @@ bool PruneTool::take(const ToolPoint& point, const std::optional<LimbHit>& limb)
     const SkeletonStats stats = skeletonStats(m_context.document.result(tree)->tree.simplified->skeleton);
     const glm::dvec3 centre(m_world * glm::dvec4(0.5 * (stats.min + stats.max), 1.0));
     m_middle = glm::dvec3(m_inverse * glm::dvec4(pulledTo(point.view, point.pixel(), centre), 1.0));
-    const glm::dvec3 reach = glm::max(m_middle - stats.min, stats.max - m_middle) + least;
+    const glm::dvec3 reach = glm::max(m_middle - stats.min, stats.max - m_middle) + leastRadius;
     m_reach = {std::hypot(reach.x, reach.z), reach.y};
     m_foot = m_context.document.result(tree)->tree.simplified->skeleton.p0[0];
     m_outline.clear();
@@ -168,7 +168,7 @@ EditShape PruneTool::outline() const
     shape.kind = EditShapeKind::Profile;
     const auto [low, high] = std::ranges::minmax(m_outline, {}, [](const glm::dvec2& p) { return p.y; });
     shape.numbers = {m_foot.x, m_foot.y + low.y, m_foot.z, 0.0, 0.0, 0.0};
-    if (high.y - low.y < least)
+    if (high.y - low.y < leastRadius)
         return shape; // of no height: no profile, and the edit says so
     for (int i = 0; i <= heights; ++i) {
         const double height = low.y + (high.y - low.y) * i / heights;
@@ -194,13 +194,13 @@ EditShape PruneTool::shapeTo(const PickView& view, QPointF at) const
     const glm::dvec3 way = hand - m_middle;
     const glm::dvec2 drag = glm::abs(glm::dvec2(at.x(), at.y()) - view.pixel(middle).value_or(glm::dvec2()));
     const bool isUp = drag.x < aslant * drag.y, isAside = drag.y < aslant * drag.x;
-    const double flat = isUp ? m_reach.x : std::max(std::hypot(way.x, way.z), least);
-    const double high = isAside ? m_reach.y : std::max(std::abs(way.y), least);
+    const double flat = isUp ? m_reach.x : std::max(std::hypot(way.x, way.z), leastRadius);
+    const double high = isAside ? m_reach.y : std::max(std::abs(way.y), leastRadius);
     EditShape shape;
     shape.kind = m_context.hand.options().shape;
     const glm::dvec3& m = m_middle;
     if (shape.kind == EditShapeKind::Sphere)
-        shape.numbers = {m.x, m.y, m.z, std::max(glm::length(way), least), 0.0, 0.0};
+        shape.numbers = {m.x, m.y, m.z, std::max(glm::length(way), leastRadius), 0.0, 0.0};
     else if (shape.kind == EditShapeKind::Box)
         shape.numbers = {m.x - flat, m.y - high, m.z - flat, m.x + flat, m.y + high, m.z + flat};
     else
@@ -271,8 +271,8 @@ std::vector<std::vector<glm::dvec3>> linesOf(const EditShape& shape, const glm::
     const glm::dvec3 a(n[0], n[1], n[2]), b(n[3], n[4], n[5]);
     const auto ring = [](const glm::dvec3& middle, double radius, const Frame& frame) {
         std::vector<glm::dvec3> line;
-        for (int i = 0; i <= sides; ++i) {
-            const double angle = 2.0 * std::numbers::pi * i / sides;
+        for (int i = 0; i <= ringSides; ++i) {
+            const double angle = 2.0 * std::numbers::pi * i / ringSides;
             line.push_back(middle +
                            radius * (std::cos(angle) * frame.normal + std::sin(angle) * frame.binormal));
         }
@@ -296,7 +296,7 @@ std::vector<std::vector<glm::dvec3>> linesOf(const EditShape& shape, const glm::
         const glm::dvec3 top = a + glm::dvec3(0.0, n[4], 0.0);
         std::vector<std::vector<glm::dvec3>> lines{ring(a, n[3], Frame{})};
         for (int i = 0; i < 4; ++i)
-            lines.push_back({lines[0][std::size_t(i * sides / 4)], top});
+            lines.push_back({lines[0][std::size_t(i * ringSides / 4)], top});
         return lines;
     }
     std::vector<std::vector<glm::dvec3>> lines;

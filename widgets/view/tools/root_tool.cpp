@@ -11,7 +11,6 @@
 namespace ramure {
 namespace {
 
-constexpr double pixelsPerDouble = 140.0, perNotch = 1.05;
 constexpr double leastFlare = 0.1, mostFlare = 20.0;
 
 class RootTool : public NumberTool
@@ -44,7 +43,7 @@ protected:
     [[nodiscard]] bool isChanged() const override { return m_changed; }
     void turnWheel(double notches) override
     {
-        m_flare *= std::pow(perNotch, notches);
+        m_flare *= std::pow(factorPerNotch, notches);
         m_changed = true;
     }
     void show() override;

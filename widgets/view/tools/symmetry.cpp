@@ -9,7 +9,7 @@ namespace ramure {
 namespace {
 
 /// How far foot, middle and tip may be away together, in lengths of the limb.
-constexpr double farthest = 1.1;
+constexpr double farthestAway = 1.1;
 constexpr double mostLonger = 1.8; ///< one than the other
 
 } // namespace
@@ -81,7 +81,7 @@ Index Symmetry::nearest(Index axis, const SymmetryMap& map) const
     const glm::dvec3 start = map.point(foot(axis)), half = map.point(middle(axis)),
                      end = map.point(tip(axis));
     Index best = noIndex;
-    double least = farthest * own.length;
+    double least = farthestAway * own.length;
     for (Index other = 0; other < m_axes->axes.size(); ++other) {
         const Axis& axisThere = m_axes->axes[other];
         if (axisThere.order != own.order || axisThere.length > mostLonger * own.length ||

@@ -138,7 +138,7 @@ private slots:
     void wildParametersStayCalm()
     {
         const int wanted = qEnvironmentVariableIntValue("RAMURE_MANY_RUNS");
-        for (int run = 0; run < std::max(wanted, 150); ++run) {
+        for (int run = 0; run < std::max(wanted, test::runs(150)); ++run) {
             for (const bool settled : {false, true}) {
                 const QByteArray fault = wildRun(std::uint64_t(run), settled);
                 QVERIFY2(fault.isEmpty(), "run " + QByteArray::number(run) + ": " + fault);

@@ -23,13 +23,8 @@ private:
 
 namespace {
 
-#ifdef RAMURE_SANITIZED
-constexpr std::int64_t stepsPlayed = 200; // ten times slower
-constexpr int framesLookedAt = 20;
-#else
-constexpr std::int64_t stepsPlayed = 1000;
-constexpr int framesLookedAt = 100;
-#endif
+constexpr std::int64_t stepsPlayed = test::isSanitized ? 200 : 1000;
+constexpr int framesLookedAt = test::isSanitized ? 20 : 100;
 
 /// A storm: the strongest wind of the slider, with gusts.
 PhysicsParams stormy(PhysicsMode mode)

@@ -23,7 +23,7 @@ constexpr int pauseMs = 60;           ///< the strings follow typing, but not ev
 constexpr qsizetype headLength = 220; ///< of a long string these are shown,
 constexpr qsizetype tailLength = 60;  ///< and these
 constexpr QStringView ellipsis = u" … ";
-constexpr int textLines = 14;
+constexpr int shownLines = 14;
 
 /// The beginning and the end.
 QString elided(const std::string& text)
@@ -68,7 +68,7 @@ GenerationsView::GenerationsView(Document* document, QWidget* parent)
     m_text->setTabChangesFocus(true);
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     m_text->setWordWrapMode(QTextOption::WrapAnywhere);
-    m_text->setFixedHeight(m_text->fontMetrics().lineSpacing() * textLines);
+    m_text->setFixedHeight(m_text->fontMetrics().lineSpacing() * shownLines);
     m_text->hide();
     layout->addWidget(m_text);
     m_text->viewport()->installEventFilter(this);
