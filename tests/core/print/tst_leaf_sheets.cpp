@@ -91,7 +91,7 @@ private slots:
         QVERIFY2(grown, test::why(grown));
         PrintOptions options;
         options.process = PrintProcess::Resin;
-        options.height = test::isSanitized ? 0.03 : 0.06;
+        options.height = 0.06;
         const Skeleton& tree = grown->simplified->skeleton;
         const auto bare = printTree(tree, params, options, {}, grown->foliage.get());
         options.leaves = PrintLeaves::Shells;
