@@ -90,9 +90,7 @@ private slots:
         const auto grown = TreePipeline().evaluate(params);
         QVERIFY2(grown, test::why(grown));
         PrintOptions options;
-        // Under a sanitizer resin would take five minutes; grains of powder are coarser, and so is the
-        // height.
-        options.process = test::isSanitized ? PrintProcess::Powder : PrintProcess::Resin;
+        options.process = PrintProcess::Resin;
         options.height = 0.06;
         const Skeleton& tree = grown->simplified->skeleton;
         const auto bare = printTree(tree, params, options, {}, grown->foliage.get());
@@ -111,7 +109,7 @@ private slots:
         QVERIFY(report.volume > bare->report.volume);
         QVERIFY2(report.thinnest > 0.99 * options.smallestDiameter(),
                  qPrintable(QString::number(1e3 * report.thinnest)));
-        QVERIFY2(std::abs(report.high.y / options.height - 1.0) < (test::isSanitized ? 0.04 : 0.02),
+        QVERIFY2(std::abs(report.high.y / options.height - 1.0) < 0.02,
                  qPrintable(QString::number(1e3 * report.high.y)));
         const auto none = printTree(tree, params, options, {}, nullptr); // shells of no leaves
         QVERIFY(none && *none->mesh == *bare->mesh);
