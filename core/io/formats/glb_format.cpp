@@ -7,6 +7,7 @@
 #include "core/io/formats/glb_motion.h"
 #include "core/io/formats/glb_packed.h"
 #include "core/io/formats/glb_reader.h"
+#include "core/math/finite.h"
 #include "core/rig/arm/arm_chain.h"
 #include "core/rig/arm/arm_shape.h"
 #include "core/rig/pose/skin.h"
@@ -347,9 +348,9 @@ private:
                            std::size_t material, const ExportMesh* skinned = nullptr,
                            const WindColumns* wind = nullptr)
     {
-        const auto isFinite = [](const auto& v) { return !glm::any(glm::isnan(v) || glm::isinf(v)); };
-        if (!std::ranges::all_of(mesh.positions, isFinite) || !std::ranges::all_of(mesh.normals, isFinite) ||
-            !std::ranges::all_of(mesh.uv, isFinite))
+        if (!std::ranges::all_of(mesh.positions, &isFinite<3, float>) ||
+            !std::ranges::all_of(mesh.normals, &isFinite<3, float>) ||
+            !std::ranges::all_of(mesh.uv, &isFinite<2, float>))
             return fail(ErrorCode::Invalid, RAMURE_NOOP("a coordinate of %1 is not a finite number"), {name});
         glb::Vertices vertices = glb::verticesOf(mesh, textured);
         if (m_materials.hasNormals(material) && !vertices.normals.empty() && !vertices.uv.empty())

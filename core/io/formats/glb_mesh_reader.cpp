@@ -13,8 +13,6 @@ namespace ramure::glb {
 
 namespace {
 
-constexpr std::size_t mostTriangles = 50'000'000;
-
 template <class V> std::vector<V> vectorsOf(const std::vector<float>& numbers)
 {
     constexpr int size = V::length();

@@ -9,6 +9,8 @@
 
 namespace ramure::glb {
 
+inline constexpr std::size_t mostTriangles = 50'000'000; ///< of a mesh, and of all copies together
+
 /// A primitive as it stands in the file: vertices are parted wherever texture, colour or normal differ.
 struct Primitive
 {

@@ -5,15 +5,14 @@
 #include "core/io/formats/glb_nodes.h"
 #include "core/io/formats/glb_surfaces.h"
 #include "core/io/formats/import_parts.h"
+#include "core/math/finite.h"
 #include "core/rig/arm/arm_chain.h"
 #include "core/scene/kinds/node_kinds.h"
 #include "core/surface/mesh/transformed.h"
 
 #include <algorithm>
 #include <filesystem>
-#include <glm/common.hpp>
 #include <glm/matrix.hpp>
-#include <glm/vector_relational.hpp>
 #include <set>
 
 namespace ramure {
@@ -21,8 +20,6 @@ namespace {
 
 using glb::FileNode;
 using glb::ReadGlbMesh;
-
-constexpr std::size_t mostTrianglesOfCopies = 50'000'000; ///< of all copies together
 
 tl::unexpected<Error> cancelled()
 {
@@ -32,11 +29,10 @@ tl::unexpected<Error> cancelled()
 /// What large numbers of several nodes make of a mesh may be none.
 Expected<TriangleMesh> placed(const TriangleMesh& mesh, const glm::dmat4& matrix, const std::string& name)
 {
-    const auto isFinite = [](const glm::vec3& v) { return !glm::any(glm::isnan(v) || glm::isinf(v)); };
     TriangleMesh out = matrix == glm::dmat4(1.0) ? mesh : transformed(mesh, matrix);
-    if (!std::ranges::all_of(out.positions, isFinite))
+    if (!std::ranges::all_of(out.positions, &isFinite<3, float>))
         return fail(ErrorCode::Invalid, RAMURE_NOOP("a coordinate of %1 is not a finite number"), {name});
-    if (!std::ranges::all_of(out.normals, isFinite))
+    if (!std::ranges::all_of(out.normals, &isFinite<3, float>))
         out.normals.clear();
     return out;
 }
@@ -115,9 +111,9 @@ public:
         if (one.colours.empty()) // all of one colour
             one.colours.assign(one.triangles.size(), glb::srgb(linear[first]));
         m_triangles += copies->size() * one.triangles.size();
-        if (m_triangles > mostTrianglesOfCopies)
+        if (m_triangles > glb::mostTriangles)
             return glb::wrong(place, RAMURE_NOOP("more than %1 triangles"),
-                              {std::to_string(mostTrianglesOfCopies)}, ErrorCode::Limit);
+                              {std::to_string(glb::mostTriangles)}, ErrorCode::Limit);
         if (copies->size() == 1)
             return placed(one, copies->front(), node.name);
         ReadMesh out;
