@@ -4,6 +4,8 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+namespace tst_manifest {
+
 using namespace ramure;
 using namespace ramure::cli;
 
@@ -129,5 +131,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestManifest)
+RAMURE_SUITE(TestManifest)
+
+} // namespace tst_manifest
+
 #include "tst_manifest.moc"

@@ -4,6 +4,8 @@
 #include <QJsonArray>
 #include <random>
 
+namespace tst_ramure_cli {
+
 using namespace ramure;
 using test::isRefused;
 using test::runCli;
@@ -461,5 +463,8 @@ private:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRamureCli)
+RAMURE_SUITE(TestRamureCli)
+
+} // namespace tst_ramure_cli
+
 #include "tst_ramure_cli.moc"

@@ -3,6 +3,8 @@
 #include <QDir>
 #include <QJsonArray>
 
+namespace tst_ramure_cli_animation {
+
 using namespace ramure;
 
 static const QByteArray triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
@@ -82,5 +84,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRamureCliAnimation)
+RAMURE_SUITE(TestRamureCliAnimation)
+
+} // namespace tst_ramure_cli_animation
+
 #include "tst_ramure_cli_animation.moc"

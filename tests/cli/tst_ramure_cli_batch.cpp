@@ -2,6 +2,8 @@
 #include <QCryptographicHash>
 #include <QImage>
 
+namespace tst_ramure_cli_batch {
+
 using namespace ramure;
 using test::batchOf;
 using test::bytesOf;
@@ -399,5 +401,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRamureCliBatch)
+RAMURE_SUITE(TestRamureCliBatch)
+
+} // namespace tst_ramure_cli_batch
+
 #include "tst_ramure_cli_batch.moc"

@@ -4,6 +4,8 @@
 #include <csignal>
 #include <random>
 
+namespace tst_ramure_cli_batch_stopped {
+
 using namespace ramure;
 using test::batchOf;
 using test::bytesOf;
@@ -155,5 +157,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRamureCliBatchStopped)
+RAMURE_SUITE(TestRamureCliBatchStopped)
+
+} // namespace tst_ramure_cli_batch_stopped
+
 #include "tst_ramure_cli_batch_stopped.moc"

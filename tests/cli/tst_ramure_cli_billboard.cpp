@@ -7,6 +7,8 @@
 #include <QtEndian>
 #include <cmath>
 
+namespace tst_ramure_cli_billboard {
+
 using namespace ramure;
 using test::isRefused;
 using test::runCli;
@@ -214,5 +216,8 @@ private:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRamureCliBillboard)
+RAMURE_SUITE(TestRamureCliBillboard)
+
+} // namespace tst_ramure_cli_billboard
+
 #include "tst_ramure_cli_billboard.moc"

@@ -1,6 +1,8 @@
 #include "tests/cli/cli_support.h"
 #include <QJsonArray>
 
+namespace tst_ramure_cli_edit {
+
 using namespace ramure;
 using test::isRefused;
 using test::runCli;
@@ -114,5 +116,8 @@ private:
     QString m_script, m_out;
 };
 
-QTEST_GUILESS_MAIN(TestRamureCliEdit)
+RAMURE_SUITE(TestRamureCliEdit)
+
+} // namespace tst_ramure_cli_edit
+
 #include "tst_ramure_cli_edit.moc"

@@ -5,6 +5,8 @@
 #include <csignal>
 #include <unistd.h>
 
+namespace tst_ramure_cli_files {
+
 using namespace ramure;
 using test::isRefused;
 using test::runCli;
@@ -564,5 +566,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRamureCliFiles)
+RAMURE_SUITE(TestRamureCliFiles)
+
+} // namespace tst_ramure_cli_files
+
 #include "tst_ramure_cli_files.moc"

@@ -2,6 +2,8 @@
 #include <QJsonArray>
 #include <cmath>
 
+namespace tst_ramure_cli_ik {
+
 using namespace ramure;
 using test::isRefused;
 using test::runCli;
@@ -95,5 +97,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRamureCliIk)
+RAMURE_SUITE(TestRamureCliIk)
+
+} // namespace tst_ramure_cli_ik
+
 #include "tst_ramure_cli_ik.moc"

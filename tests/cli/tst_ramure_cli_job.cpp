@@ -2,6 +2,8 @@
 #include <QDateTime>
 #include <QFileInfo>
 
+namespace tst_ramure_cli_job {
+
 using namespace ramure;
 using test::batchOf;
 using test::bytesOf;
@@ -190,5 +192,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRamureCliJob)
+RAMURE_SUITE(TestRamureCliJob)
+
+} // namespace tst_ramure_cli_job
+
 #include "tst_ramure_cli_job.moc"

@@ -9,6 +9,8 @@
 #include <QtEndian>
 #include <cmath>
 
+namespace tst_ramure_cli_motion {
+
 using namespace ramure;
 using namespace ramure::test;
 
@@ -170,6 +172,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRamureCliMotion)
+RAMURE_SUITE(TestRamureCliMotion)
+
+} // namespace tst_ramure_cli_motion
 
 #include "tst_ramure_cli_motion.moc"

@@ -6,6 +6,8 @@
 #include <QRegularExpression>
 #include <QStandardPaths>
 
+namespace tst_ramure_cli_pictures {
+
 using namespace ramure;
 using test::isRefused;
 using test::runCli;
@@ -315,5 +317,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRamureCliPictures)
+RAMURE_SUITE(TestRamureCliPictures)
+
+} // namespace tst_ramure_cli_pictures
+
 #include "tst_ramure_cli_pictures.moc"

@@ -1,6 +1,8 @@
 #include "tests/cli/cli_support.h"
 #include <QJsonArray>
 
+namespace tst_ramure_cli_print {
+
 using namespace ramure;
 
 class TestRamureCliPrint : public QObject
@@ -73,5 +75,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRamureCliPrint)
+RAMURE_SUITE(TestRamureCliPrint)
+
+} // namespace tst_ramure_cli_print
+
 #include "tst_ramure_cli_print.moc"

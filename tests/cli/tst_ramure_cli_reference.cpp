@@ -3,6 +3,8 @@
 #include "core/params/presets.h"
 #include "tests/cli/cli_support.h"
 
+namespace tst_ramure_cli_reference {
+
 using namespace ramure;
 using test::runCli;
 
@@ -163,5 +165,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRamureCliReference)
+RAMURE_SUITE(TestRamureCliReference)
+
+} // namespace tst_ramure_cli_reference
+
 #include "tst_ramure_cli_reference.moc"

@@ -2,6 +2,8 @@
 #include <QJsonArray>
 #include <cmath>
 
+namespace tst_ramure_cli_scenes {
+
 using namespace ramure;
 using test::isRefused;
 using test::runCli;
@@ -94,5 +96,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRamureCliScenes)
+RAMURE_SUITE(TestRamureCliScenes)
+
+} // namespace tst_ramure_cli_scenes
+
 #include "tst_ramure_cli_scenes.moc"

@@ -1,6 +1,8 @@
 #include "tests/cli/batch_support.h"
 #include <QImage>
 
+namespace tst_ramure_cli_sheet {
+
 using namespace ramure;
 using test::bytesOf;
 using test::isRefused;
@@ -83,5 +85,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRamureCliSheet)
+RAMURE_SUITE(TestRamureCliSheet)
+
+} // namespace tst_ramure_cli_sheet
+
 #include "tst_ramure_cli_sheet.moc"

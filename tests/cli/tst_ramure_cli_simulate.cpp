@@ -1,6 +1,8 @@
 #include "tests/cli/cli_support.h"
 #include <QJsonArray>
 
+namespace tst_ramure_cli_simulate {
+
 using namespace ramure;
 using test::isRefused;
 using test::runCli;
@@ -105,5 +107,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRamureCliSimulate)
+RAMURE_SUITE(TestRamureCliSimulate)
+
+} // namespace tst_ramure_cli_simulate
+
 #include "tst_ramure_cli_simulate.moc"

@@ -4,6 +4,8 @@
 #include "core/session/variations.h"
 #include "tests/cli/batch_support.h"
 
+namespace tst_ramure_cli_variations {
+
 using namespace ramure;
 using test::runCli;
 
@@ -43,5 +45,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRamureCliVariations)
+RAMURE_SUITE(TestRamureCliVariations)
+
+} // namespace tst_ramure_cli_variations
+
 #include "tst_ramure_cli_variations.moc"

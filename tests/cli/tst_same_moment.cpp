@@ -3,6 +3,8 @@
 #include "tests/cli/cli_support.h"
 #include "tests/support/random_scene.h"
 
+namespace tst_same_moment {
+
 using namespace ramure;
 
 /// A file of the command line holds the moment that the one evaluator gives, to the byte.
@@ -45,6 +47,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSameMoment)
+RAMURE_SUITE(TestSameMoment)
+
+} // namespace tst_same_moment
 
 #include "tst_same_moment.moc"

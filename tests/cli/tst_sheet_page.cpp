@@ -2,6 +2,8 @@
 #include "tests/cli/cli_support.h"
 #include <QJsonArray>
 
+namespace tst_sheet_page {
+
 using namespace ramure;
 using namespace ramure::cli;
 
@@ -78,5 +80,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSheetPage)
+RAMURE_SUITE(TestSheetPage)
+
+} // namespace tst_sheet_page
+
 #include "tst_sheet_page.moc"

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+namespace tst_layers {
+
 /// The fence between the layers, and the few rules of the house that a machine can see. Reads the sources.
 class TestLayers : public QObject
 {
@@ -484,5 +486,8 @@ void TestLayers::headersBeginWithWhatTheyPromise()
     QVERIFY2(broken.empty(), broken.c_str());
 }
 
-QTEST_GUILESS_MAIN(TestLayers)
+RAMURE_SUITE(TestLayers)
+
+} // namespace tst_layers
+
 #include "tst_layers.moc"

@@ -6,6 +6,8 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
+namespace tst_arm_document {
+
 using namespace ramure;
 
 /// Arms in projects and their commands.
@@ -140,5 +142,8 @@ void TestArmDocument::aDragIsOneStep()
     QCOMPARE(document.undoStack()->count(), 0);
 }
 
-QTEST_GUILESS_MAIN(TestArmDocument)
+RAMURE_SUITE(TestArmDocument)
+
+} // namespace tst_arm_document
+
 #include "tst_arm_document.moc"

@@ -16,6 +16,8 @@
 #include <QStandardPaths>
 #include <QTemporaryDir>
 
+namespace tst_blender_oracle {
+
 using namespace ramure;
 
 class TestBlenderOracle : public QObject
@@ -154,5 +156,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestBlenderOracle)
+RAMURE_SUITE(TestBlenderOracle)
+
+} // namespace tst_blender_oracle
+
 #include "tst_blender_oracle.moc"

@@ -7,6 +7,8 @@
 
 #include <set>
 
+namespace tst_branch_places {
+
 using namespace ramure;
 
 namespace {
@@ -209,5 +211,8 @@ void TestBranchPlaces::randomEditsUndoToTheSameBytes()
     QCOMPARE(writeProject(document.project()), after);
 }
 
-QTEST_GUILESS_MAIN(TestBranchPlaces)
+RAMURE_SUITE(TestBranchPlaces)
+
+} // namespace tst_branch_places
+
 #include "tst_branch_places.moc"

@@ -7,6 +7,8 @@
 #include <limits>
 #include <numbers>
 
+namespace tst_commands {
+
 using namespace ramure;
 using namespace ramure::test;
 
@@ -427,5 +429,8 @@ void TestCommands::moveKeepsTheWorld()
     QVERIFY(edit::moveNode(f.document, 2, noNode, 0, false));
 }
 
-QTEST_GUILESS_MAIN(TestCommands)
+RAMURE_SUITE(TestCommands)
+
+} // namespace tst_commands
+
 #include "tst_commands.moc"

@@ -10,6 +10,8 @@
 #include <map>
 #include <set>
 
+namespace tst_commands_branches {
+
 using namespace ramure;
 using namespace ramure::test;
 
@@ -356,6 +358,8 @@ void TestBranchCommands::randomEditsUndoAndRedo()
     }
 }
 
-QTEST_GUILESS_MAIN(TestBranchCommands)
+RAMURE_SUITE(TestBranchCommands)
+
+} // namespace tst_commands_branches
 
 #include "tst_commands_branches.moc"

@@ -7,6 +7,8 @@
 
 #include <QJsonDocument>
 
+namespace tst_commands_edits {
+
 using namespace ramure;
 using namespace ramure::test;
 
@@ -425,5 +427,8 @@ void TestEditCommands::randomEditsUndoAndRedo()
     }
 }
 
-QTEST_GUILESS_MAIN(TestEditCommands)
+RAMURE_SUITE(TestEditCommands)
+
+} // namespace tst_commands_edits
+
 #include "tst_commands_edits.moc"

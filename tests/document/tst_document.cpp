@@ -4,6 +4,8 @@
 #include "tests/document/recorder.h"
 #include "tests/support/suite.h"
 
+namespace tst_document {
+
 using namespace ramure;
 
 using Ids = std::vector<NodeId>;
@@ -257,5 +259,8 @@ void TestDocument::diesQuietlyWithEdits()
     QVERIFY(recorder.changes.empty());
 }
 
-QTEST_GUILESS_MAIN(TestDocument)
+RAMURE_SUITE(TestDocument)
+
+} // namespace tst_document
+
 #include "tst_document.moc"

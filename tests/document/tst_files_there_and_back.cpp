@@ -9,6 +9,8 @@
 #include <glm/matrix.hpp>
 #include <map>
 
+namespace tst_files_there_and_back {
+
 using namespace ramure;
 
 namespace {
@@ -192,5 +194,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestFilesThereAndBack)
+RAMURE_SUITE(TestFilesThereAndBack)
+
+} // namespace tst_files_there_and_back
+
 #include "tst_files_there_and_back.moc"

@@ -5,6 +5,8 @@
 #include "tests/support/suite.h"
 #include <QTemporaryDir>
 
+namespace tst_growth_document {
+
 using namespace ramure;
 
 /// Trees that grow around solids follow them through edits, undo and files.
@@ -86,5 +88,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestGrowthDocument)
+RAMURE_SUITE(TestGrowthDocument)
+
+} // namespace tst_growth_document
+
 #include "tst_growth_document.moc"

@@ -2,6 +2,8 @@
 #include "tests/document/commands_fixture.h"
 #include "tests/support/suite.h"
 
+namespace tst_joined_steps {
+
 using namespace ramure;
 using namespace ramure::test;
 
@@ -72,5 +74,8 @@ void TestJoinedSteps::afterSavingItIsAStepOfItsOwn()
     QVERIFY(!f.stack.isClean());
 }
 
-QTEST_GUILESS_MAIN(TestJoinedSteps)
+RAMURE_SUITE(TestJoinedSteps)
+
+} // namespace tst_joined_steps
+
 #include "tst_joined_steps.moc"

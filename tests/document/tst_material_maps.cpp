@@ -7,6 +7,8 @@
 #include <QTemporaryDir>
 #include <set>
 
+namespace tst_material_maps {
+
 using namespace ramure;
 
 /// Read back by Qt.
@@ -228,5 +230,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestMaterialMaps)
+RAMURE_SUITE(TestMaterialMaps)
+
+} // namespace tst_material_maps
+
 #include "tst_material_maps.moc"

@@ -7,6 +7,8 @@
 #include <QFile>
 #include <QTemporaryDir>
 
+namespace tst_own_presets {
+
 using namespace ramure;
 
 /// Trees that were kept.
@@ -127,5 +129,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestOwnPresets)
+RAMURE_SUITE(TestOwnPresets)
+
+} // namespace tst_own_presets
+
 #include "tst_own_presets.moc"

@@ -4,6 +4,8 @@
 #include "core/scene/world_transforms.h"
 #include "tests/support/suite.h"
 
+namespace tst_place_commands {
+
 using namespace ramure;
 
 namespace {
@@ -130,5 +132,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestPlaceCommands)
+RAMURE_SUITE(TestPlaceCommands)
+
+} // namespace tst_place_commands
+
 #include "tst_place_commands.moc"

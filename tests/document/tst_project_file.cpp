@@ -12,6 +12,8 @@
 #include <QTemporaryDir>
 #include <unistd.h>
 
+namespace tst_project_file {
+
 using namespace ramure;
 
 static QByteArray inProject(const QByteArray& nodes)
@@ -567,5 +569,8 @@ void TestProjectFile::tooLargeFilesAreRefused()
     QCOMPARE(project.error().code, ErrorCode::Limit);
 }
 
-QTEST_GUILESS_MAIN(TestProjectFile)
+RAMURE_SUITE(TestProjectFile)
+
+} // namespace tst_project_file
+
 #include "tst_project_file.moc"

@@ -5,6 +5,8 @@
 #include <QFile>
 #include <QTemporaryDir>
 
+namespace tst_project_pictures {
+
 using namespace ramure;
 
 /// Paths of pictures: relative in files, absolute in the program.
@@ -57,5 +59,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestProjectPictures)
+RAMURE_SUITE(TestProjectPictures)
+
+} // namespace tst_project_pictures
+
 #include "tst_project_pictures.moc"

@@ -8,6 +8,8 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
+namespace tst_project_places {
+
 using namespace ramure;
 
 namespace {
@@ -143,5 +145,8 @@ void TestProjectPlaces::olderFilesKeepWhatHasNone()
     QCOMPARE(still->scene.find(tree)->params.branches.size(), std::size_t{1});
 }
 
-QTEST_GUILESS_MAIN(TestProjectPlaces)
+RAMURE_SUITE(TestProjectPlaces)
+
+} // namespace tst_project_places
+
 #include "tst_project_places.moc"

@@ -6,6 +6,8 @@
 #include <QProcess>
 #include <QStandardPaths>
 
+namespace tst_slotted_actions {
+
 using namespace ramure;
 
 class TestSlottedActions : public QObject
@@ -29,5 +31,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSlottedActions)
+RAMURE_SUITE(TestSlottedActions)
+
+} // namespace tst_slotted_actions
+
 #include "tst_slotted_actions.moc"

@@ -2,6 +2,8 @@
 #include "core/document/project_file.h"
 #include "tests/support/suite.h"
 
+namespace tst_timeline {
+
 using namespace ramure;
 
 /// The timeline's settings in commands and project files.
@@ -124,6 +126,8 @@ void TestTimeline::unknownKeysAreKept()
     QCOMPARE(readProject(bytes)->extras, project->extras);
 }
 
-QTEST_GUILESS_MAIN(TestTimeline)
+RAMURE_SUITE(TestTimeline)
+
+} // namespace tst_timeline
 
 #include "tst_timeline.moc"

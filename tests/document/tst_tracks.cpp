@@ -12,6 +12,8 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 
+namespace tst_tracks {
+
 using namespace ramure;
 
 namespace {
@@ -264,5 +266,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestTracks)
+RAMURE_SUITE(TestTracks)
+
+} // namespace tst_tracks
+
 #include "tst_tracks.moc"

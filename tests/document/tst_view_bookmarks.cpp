@@ -3,6 +3,8 @@
 #include "tests/support/suite.h"
 #include <limits>
 
+namespace tst_view_bookmarks {
+
 using namespace ramure;
 
 /// Kept views in commands and project files.
@@ -115,6 +117,8 @@ void TestViewBookmarks::unknownKeysAreKept()
     QCOMPARE(readProject(bytes)->extras, project->extras);
 }
 
-QTEST_GUILESS_MAIN(TestViewBookmarks)
+RAMURE_SUITE(TestViewBookmarks)
+
+} // namespace tst_view_bookmarks
 
 #include "tst_view_bookmarks.moc"

@@ -8,6 +8,8 @@
 
 Q_DECLARE_METATYPE(glm::dvec3)
 
+namespace tst_worn_axis {
+
 using namespace ramure;
 
 namespace {
@@ -137,5 +139,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestWornAxis)
+RAMURE_SUITE(TestWornAxis)
+
+} // namespace tst_worn_axis
+
 #include "tst_worn_axis.moc"

@@ -14,6 +14,8 @@
 #include <QTemporaryDir>
 #include <cmath>
 
+namespace tst_worn_mesh {
+
 using namespace ramure;
 
 namespace {
@@ -181,5 +183,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestWornMesh)
+RAMURE_SUITE(TestWornMesh)
+
+} // namespace tst_worn_mesh
+
 #include "tst_worn_mesh.moc"

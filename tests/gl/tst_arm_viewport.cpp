@@ -8,6 +8,8 @@
 #include "widgets/view/tools/arm_rings.h"
 #include <algorithm>
 
+namespace tst_arm_viewport {
+
 using namespace ramure;
 using test::differing;
 
@@ -247,5 +249,8 @@ void TestArmViewport::aLimbFollowsTheHand()
     QCOMPARE(window.document.undoStack()->index(), 0);
 }
 
-QTEST_MAIN(TestArmViewport)
+RAMURE_SUITE(TestArmViewport)
+
+} // namespace tst_arm_viewport
+
 #include "tst_arm_viewport.moc"

@@ -8,11 +8,15 @@
 #include <QApplication>
 #include <QMenu>
 
+namespace tst_bookmarks {
+
 using namespace ramure;
 
 class TestBookmarks : public QObject
 {
     Q_OBJECT
+public:
+    static void initMain() { prepareOpenGl(); }
 private slots:
     void initTestCase()
     {
@@ -88,11 +92,8 @@ private slots:
     }
 };
 
-int main(int argc, char** argv)
-{
-    prepareOpenGl();
-    QApplication app(argc, argv);
-    TestBookmarks suite;
-    return QTest::qExec(&suite, argc, argv);
-}
+RAMURE_SUITE(TestBookmarks)
+
+} // namespace tst_bookmarks
+
 #include "tst_bookmarks.moc"

@@ -8,11 +8,15 @@
 #include <QOpenGLVersionFunctionsFactory>
 #include <memory>
 
+namespace tst_buffer_pool {
+
 using namespace ramure;
 
 class TestBufferPool : public QObject
 {
     Q_OBJECT
+public:
+    static void initMain() { prepareOpenGl(); }
 
     QOffscreenSurface m_surface;
     QOpenGLContext m_context;
@@ -112,11 +116,8 @@ private slots:
     }
 };
 
-int main(int argc, char** argv)
-{
-    prepareOpenGl();
-    QApplication app(argc, argv);
-    TestBufferPool test;
-    return QTest::qExec(&test, argc, argv);
-}
+RAMURE_SUITE(TestBufferPool)
+
+} // namespace tst_buffer_pool
+
 #include "tst_buffer_pool.moc"

@@ -11,11 +11,15 @@
 #include <QMenu>
 #include <utility>
 
+namespace tst_camera_actions {
+
 using namespace ramure;
 
 class TestCameraActions : public QObject
 {
     Q_OBJECT
+public:
+    static void initMain() { prepareOpenGl(); }
 
     static Node node(NodeId id, NodeKind kind, const glm::dvec3& place)
     {
@@ -155,11 +159,8 @@ private slots:
     }
 };
 
-int main(int argc, char** argv)
-{
-    prepareOpenGl();
-    QApplication app(argc, argv);
-    TestCameraActions suite;
-    return QTest::qExec(&suite, argc, argv);
-}
+RAMURE_SUITE(TestCameraActions)
+
+} // namespace tst_camera_actions
+
 #include "tst_camera_actions.moc"

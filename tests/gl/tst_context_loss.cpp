@@ -12,6 +12,8 @@
 #include <QOpenGLContext>
 #include <QSignalSpy>
 
+namespace tst_context_loss {
+
 using namespace ramure;
 
 /// Contexts are not shared here: then Qt destroys the viewport's context whenever its window changes, and
@@ -19,6 +21,12 @@ using namespace ramure;
 class TestContextLoss : public QObject
 {
     Q_OBJECT
+public:
+    static void initMain()
+    {
+        prepareOpenGl();
+        QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts, false);
+    }
 private slots:
     void initTestCase()
     {
@@ -77,12 +85,8 @@ private slots:
     }
 };
 
-int main(int argc, char** argv)
-{
-    prepareOpenGl();
-    QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts, false);
-    QApplication app(argc, argv);
-    TestContextLoss suite;
-    return QTest::qExec(&suite, argc, argv);
-}
+RAMURE_SUITE(TestContextLoss)
+
+} // namespace tst_context_loss
+
 #include "tst_context_loss.moc"

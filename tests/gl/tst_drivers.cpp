@@ -10,6 +10,8 @@
 #include <QProcess>
 #include <QTemporaryDir>
 
+namespace tst_drivers {
+
 using namespace ramure;
 
 /// Stand-ins for the graphics cards that are not at hand: run once as it is, and once each for another way to
@@ -96,5 +98,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestDrivers)
+RAMURE_SUITE(TestDrivers)
+
+} // namespace tst_drivers
+
 #include "tst_drivers.moc"

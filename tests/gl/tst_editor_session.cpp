@@ -14,6 +14,8 @@
 #include <QProcess>
 #include <set>
 
+namespace tst_editor_session {
+
 using namespace ramure;
 
 namespace {
@@ -35,6 +37,9 @@ std::size_t colours(const QImage& image)
 class TestEditorSession : public QObject
 {
     Q_OBJECT
+public:
+    static void initMain() { prepareOpenGl(); }
+
 private:
     test::OwnSettings m_settings;
     QTemporaryDir m_folder;
@@ -172,11 +177,8 @@ private slots:
     }
 };
 
-int main(int argc, char** argv)
-{
-    prepareOpenGl();
-    QApplication application(argc, argv);
-    TestEditorSession test;
-    return QTest::qExec(&test, argc, argv);
-}
+RAMURE_SUITE(TestEditorSession)
+
+} // namespace tst_editor_session
+
 #include "tst_editor_session.moc"

@@ -10,6 +10,8 @@
 #include "widgets/view/render/scene_builder.h"
 #include <QApplication>
 
+namespace tst_framing {
+
 using namespace ramure;
 
 namespace {
@@ -49,6 +51,8 @@ double filled(const test::ViewWindow& window)
 class TestFraming : public QObject
 {
     Q_OBJECT
+public:
+    static void initMain() { prepareOpenGl(); }
 private slots:
     void initTestCase()
     {
@@ -100,11 +104,8 @@ private slots:
     }
 };
 
-int main(int argc, char** argv)
-{
-    prepareOpenGl();
-    QApplication app(argc, argv);
-    TestFraming suite;
-    return QTest::qExec(&suite, argc, argv);
-}
+RAMURE_SUITE(TestFraming)
+
+} // namespace tst_framing
+
 #include "tst_framing.moc"

@@ -15,6 +15,8 @@
 #include <algorithm>
 #include <numbers>
 
+namespace tst_full_session {
+
 using namespace ramure;
 using test::Editor;
 using test::eventually;
@@ -263,5 +265,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestFullSession)
+RAMURE_SUITE(TestFullSession)
+
+} // namespace tst_full_session
+
 #include "tst_full_session.moc"

@@ -13,6 +13,8 @@
 #include <QMouseEvent>
 #include <QSignalSpy>
 
+namespace tst_gizmo {
+
 using namespace ramure;
 
 /// The gizmo, the motion path and the ghosts in a real window, with a mouse and keys. With RAMURE_PICTURES
@@ -373,5 +375,8 @@ void TestGizmo::playingShowsNoGhosts()
     QTest::keyClick(window.view, Qt::Key_Escape);
 }
 
-QTEST_MAIN(TestGizmo)
+RAMURE_SUITE(TestGizmo)
+
+} // namespace tst_gizmo
+
 #include "tst_gizmo.moc"

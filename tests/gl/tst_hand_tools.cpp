@@ -28,6 +28,8 @@
 #include <QTabletEvent>
 #include <QToolButton>
 
+namespace tst_hand_tools {
+
 using namespace ramure;
 
 class TestHandTools : public QObject
@@ -311,5 +313,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestHandTools)
+RAMURE_SUITE(TestHandTools)
+
+} // namespace tst_hand_tools
+
 #include "tst_hand_tools.moc"

@@ -26,6 +26,8 @@
 #include <algorithm>
 #include <map>
 
+namespace tst_handbook_pictures {
+
 using namespace ramure;
 
 namespace {
@@ -276,5 +278,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestHandbookPictures)
+RAMURE_SUITE(TestHandbookPictures)
+
+} // namespace tst_handbook_pictures
+
 #include "tst_handbook_pictures.moc"

@@ -11,6 +11,8 @@
 #include <QDir>
 #include <QFile>
 
+namespace tst_killed_editor {
+
 using namespace ramure;
 using test::Editor;
 using test::eventually;
@@ -31,6 +33,13 @@ std::int64_t seedOf(const Project& project)
 class TestKilledEditor : public QObject
 {
     Q_OBJECT
+public:
+    static void initMain()
+    {
+        if (!qEnvironmentVariableIsSet("QTEST_FUNCTION_TIMEOUT"))
+            qputenv("QTEST_FUNCTION_TIMEOUT", "3600000"); // a hundred starts on a slow machine
+    }
+
 private:
     QTemporaryDir m_home;
     QTemporaryDir m_work;
@@ -178,12 +187,8 @@ private slots:
     }
 };
 
-int main(int argc, char** argv)
-{
-    if (!qEnvironmentVariableIsSet("QTEST_FUNCTION_TIMEOUT"))
-        qputenv("QTEST_FUNCTION_TIMEOUT", "3600000"); // a hundred starts on a slow machine
-    QApplication application(argc, argv);
-    TestKilledEditor test;
-    return QTest::qExec(&test, argc, argv);
-}
+RAMURE_SUITE(TestKilledEditor)
+
+} // namespace tst_killed_editor
+
 #include "tst_killed_editor.moc"

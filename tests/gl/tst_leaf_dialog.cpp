@@ -7,6 +7,8 @@
 #include "widgets/panels/properties/leaf_view.h"
 #include <cmath>
 
+namespace tst_leaf_dialog {
+
 using namespace ramure;
 
 /// A leaf and a twig, large.
@@ -85,5 +87,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestLeafDialog)
+RAMURE_SUITE(TestLeafDialog)
+
+} // namespace tst_leaf_dialog
+
 #include "tst_leaf_dialog.moc"

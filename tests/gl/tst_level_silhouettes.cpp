@@ -9,6 +9,8 @@
 #include <cmath>
 #include <numeric>
 
+namespace tst_level_silhouettes {
+
 using namespace ramure;
 
 namespace {
@@ -77,6 +79,8 @@ double overlap(const std::vector<double>& a, const std::vector<double>& b)
 class TestLevelSilhouettes : public QObject
 {
     Q_OBJECT
+public:
+    static void initMain() { prepareOpenGl(); }
 private slots:
     void initTestCase()
     {
@@ -127,11 +131,8 @@ private slots:
     }
 };
 
-int main(int argc, char** argv)
-{
-    prepareOpenGl();
-    QApplication application(argc, argv);
-    TestLevelSilhouettes suite;
-    return QTest::qExec(&suite, argc, argv);
-}
+RAMURE_SUITE(TestLevelSilhouettes)
+
+} // namespace tst_level_silhouettes
+
 #include "tst_level_silhouettes.moc"

@@ -6,12 +6,16 @@
 #include "widgets/view/render/gl_setup.h"
 #include <QApplication>
 
+namespace tst_level_view {
+
 using namespace ramure;
 
 /// Pictures of levels, as the panel shows them.
 class TestLevelView : public QObject
 {
     Q_OBJECT
+public:
+    static void initMain() { prepareOpenGl(); }
     static constexpr int patienceMs = 60'000;
 
     /// Pixels of leaves: green.
@@ -79,11 +83,8 @@ private slots:
     }
 };
 
-int main(int argc, char** argv)
-{
-    prepareOpenGl();
-    QApplication application(argc, argv);
-    TestLevelView suite;
-    return QTest::qExec(&suite, argc, argv);
-}
+RAMURE_SUITE(TestLevelView)
+
+} // namespace tst_level_view
+
 #include "tst_level_view.moc"

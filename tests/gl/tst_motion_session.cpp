@@ -25,6 +25,8 @@
 #include <cstdio>
 #include <unistd.h>
 
+namespace tst_motion_session {
+
 using namespace ramure;
 
 namespace {
@@ -90,6 +92,13 @@ struct Session
 class TestMotionSession : public QObject
 {
     Q_OBJECT
+public:
+    static void initMain()
+    {
+        keepFreedMemory(); // as the editor does
+        prepareOpenGl();
+    }
+
 private:
     test::OwnSettings m_settings;
     test::FakeChooser m_chooser;
@@ -387,13 +396,8 @@ private slots:
     }
 };
 
-int main(int argc, char** argv)
-{
-    keepFreedMemory(); // as the editor does
-    prepareOpenGl();
-    QApplication application(argc, argv);
-    TestMotionSession test;
-    return QTest::qExec(&test, argc, argv);
-}
+RAMURE_SUITE(TestMotionSession)
+
+} // namespace tst_motion_session
 
 #include "tst_motion_session.moc"

@@ -16,6 +16,8 @@
 #include <QOpenGLVersionFunctionsFactory>
 #include <cmath>
 
+namespace tst_moving_meshes {
+
 using namespace ramure;
 
 /// Moving meshes on the graphics card: the vertex shader against the processor, and what a frame uploads.
@@ -366,6 +368,8 @@ void TestMovingMeshes::restComesBack()
              0);
 }
 
-QTEST_MAIN(TestMovingMeshes)
+RAMURE_SUITE(TestMovingMeshes)
+
+} // namespace tst_moving_meshes
 
 #include "tst_moving_meshes.moc"

@@ -6,6 +6,8 @@
 #include "widgets/view/render/offscreen_renderer.h"
 #include <QApplication>
 
+namespace tst_occlusion {
+
 using namespace ramure;
 
 namespace {
@@ -72,6 +74,8 @@ View view(const RenderScene& scene, Quality quality, bool parallel = false)
 class TestOcclusion : public QObject
 {
     Q_OBJECT
+public:
+    static void initMain() { prepareOpenGl(); }
 private slots:
     void initTestCase()
     {
@@ -107,11 +111,8 @@ private slots:
     }
 };
 
-int main(int argc, char** argv)
-{
-    prepareOpenGl();
-    QApplication application(argc, argv);
-    TestOcclusion suite;
-    return QTest::qExec(&suite, argc, argv);
-}
+RAMURE_SUITE(TestOcclusion)
+
+} // namespace tst_occlusion
+
 #include "tst_occlusion.moc"

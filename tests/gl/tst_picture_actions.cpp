@@ -13,6 +13,8 @@
 #include <QSpinBox>
 #include <functional>
 
+namespace tst_picture_actions {
+
 using namespace ramure;
 
 class TestPictureActions : public QObject
@@ -122,5 +124,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestPictureActions)
+RAMURE_SUITE(TestPictureActions)
+
+} // namespace tst_picture_actions
+
 #include "tst_picture_actions.moc"

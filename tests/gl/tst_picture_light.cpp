@@ -10,6 +10,8 @@
 #include <cmath>
 #include <functional>
 
+namespace tst_picture_light {
+
 using namespace ramure;
 
 namespace {
@@ -120,6 +122,8 @@ std::pair<glm::dvec3, double> crownOf(const QImage& image)
 class TestPictureLight : public QObject
 {
     Q_OBJECT
+public:
+    static void initMain() { prepareOpenGl(); }
 private slots:
     void initTestCase()
     {
@@ -250,11 +254,8 @@ private slots:
     }
 };
 
-int main(int argc, char** argv)
-{
-    prepareOpenGl();
-    QApplication application(argc, argv);
-    TestPictureLight suite;
-    return QTest::qExec(&suite, argc, argv);
-}
+RAMURE_SUITE(TestPictureLight)
+
+} // namespace tst_picture_light
+
 #include "tst_picture_light.moc"

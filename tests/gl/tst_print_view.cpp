@@ -6,12 +6,16 @@
 #include "widgets/view/render/gl_setup.h"
 #include <QApplication>
 
+namespace tst_print_view {
+
 using namespace ramure;
 
 /// Pictures of prints, as the export dialog shows them.
 class TestPrintView : public QObject
 {
     Q_OBJECT
+public:
+    static void initMain() { prepareOpenGl(); }
     static constexpr int patienceMs = 60'000;
 
     /// Pixels of overhangs: much more red than blue.
@@ -67,11 +71,8 @@ private slots:
     }
 };
 
-int main(int argc, char** argv)
-{
-    prepareOpenGl();
-    QApplication application(argc, argv);
-    TestPrintView suite;
-    return QTest::qExec(&suite, argc, argv);
-}
+RAMURE_SUITE(TestPrintView)
+
+} // namespace tst_print_view
+
 #include "tst_print_view.moc"

@@ -11,6 +11,8 @@
 #include <QOpenGLFramebufferObject>
 #include <glm/gtc/matrix_transform.hpp>
 
+namespace tst_renderer {
+
 using namespace ramure;
 
 namespace {
@@ -114,6 +116,8 @@ struct Bench
 class TestRenderer : public QObject
 {
     Q_OBJECT
+public:
+    static void initMain() { prepareOpenGl(); }
 private slots:
     void initTestCase()
     {
@@ -511,11 +515,8 @@ private slots:
     }
 };
 
-int main(int argc, char** argv)
-{
-    prepareOpenGl();
-    QApplication app(argc, argv);
-    TestRenderer suite;
-    return QTest::qExec(&suite, argc, argv);
-}
+RAMURE_SUITE(TestRenderer)
+
+} // namespace tst_renderer
+
 #include "tst_renderer.moc"

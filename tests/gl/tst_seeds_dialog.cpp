@@ -12,6 +12,8 @@
 #include <QLabel>
 #include <QPushButton>
 
+namespace tst_seeds_dialog {
+
 using namespace ramure;
 
 /// Nine trees that chance grew otherwise.
@@ -133,5 +135,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestSeedsDialog)
+RAMURE_SUITE(TestSeedsDialog)
+
+} // namespace tst_seeds_dialog
+
 #include "tst_seeds_dialog.moc"

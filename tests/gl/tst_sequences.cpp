@@ -11,6 +11,8 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 
+namespace tst_sequences {
+
 using namespace ramure;
 
 class TestSequences : public QObject
@@ -182,5 +184,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestSequences)
+RAMURE_SUITE(TestSequences)
+
+} // namespace tst_sequences
+
 #include "tst_sequences.moc"

@@ -6,6 +6,8 @@
 #include "widgets/view/render/offscreen_renderer.h"
 #include <QApplication>
 
+namespace tst_shadow_map {
+
 using namespace ramure;
 
 namespace {
@@ -67,6 +69,8 @@ private:
 class TestShadowMap : public QObject
 {
     Q_OBJECT
+public:
+    static void initMain() { prepareOpenGl(); }
 private slots:
     void initTestCase()
     {
@@ -128,11 +132,8 @@ private slots:
     }
 };
 
-int main(int argc, char** argv)
-{
-    prepareOpenGl();
-    QApplication app(argc, argv);
-    TestShadowMap suite;
-    return QTest::qExec(&suite, argc, argv);
-}
+RAMURE_SUITE(TestShadowMap)
+
+} // namespace tst_shadow_map
+
 #include "tst_shadow_map.moc"

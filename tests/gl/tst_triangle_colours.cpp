@@ -5,6 +5,8 @@
 #include "widgets/view/render/scene_builder.h"
 #include <QApplication>
 
+namespace tst_triangle_colours {
+
 using namespace ramure;
 
 namespace {
@@ -65,5 +67,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestTriangleColours)
+RAMURE_SUITE(TestTriangleColours)
+
+} // namespace tst_triangle_colours
+
 #include "tst_triangle_colours.moc"

@@ -22,6 +22,8 @@
 #include <QSpinBox>
 #include <QTemporaryDir>
 
+namespace tst_variations_dialog {
+
 using namespace ramure;
 using Choice = VariationsModel::Choice;
 
@@ -222,5 +224,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestVariationsDialog)
+RAMURE_SUITE(TestVariationsDialog)
+
+} // namespace tst_variations_dialog
+
 #include "tst_variations_dialog.moc"

@@ -18,6 +18,8 @@
 #include <QTemporaryDir>
 #include <QWheelEvent>
 
+namespace tst_viewport {
+
 using namespace ramure;
 
 namespace {
@@ -96,6 +98,8 @@ glm::dvec3 middle(const Skeleton& skeleton, Index branch)
 class TestViewport : public QObject
 {
     Q_OBJECT
+public:
+    static void initMain() { prepareOpenGl(); }
 private slots:
     void initTestCase()
     {
@@ -555,11 +559,8 @@ private slots:
     }
 };
 
-int main(int argc, char** argv)
-{
-    prepareOpenGl();
-    QApplication app(argc, argv);
-    TestViewport suite;
-    return QTest::qExec(&suite, argc, argv);
-}
+RAMURE_SUITE(TestViewport)
+
+} // namespace tst_viewport
+
 #include "tst_viewport.moc"

@@ -8,6 +8,8 @@
 #include "widgets/view/render/gl_setup.h"
 #include <QContextMenuEvent>
 
+namespace tst_viewport_hand {
+
 using namespace ramure;
 
 /// What the hand does in the view: limbs that follow at once, a menu, hints, copies that move.
@@ -235,5 +237,8 @@ void TestViewportHand::copiesMoveInTheSameStep()
     QCOMPARE(window.document.undoStack()->count(), 1);
 }
 
-QTEST_MAIN(TestViewportHand)
+RAMURE_SUITE(TestViewportHand)
+
+} // namespace tst_viewport_hand
+
 #include "tst_viewport_hand.moc"

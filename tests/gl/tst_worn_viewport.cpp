@@ -10,6 +10,8 @@
 #include <QSignalSpy>
 #include <cmath>
 
+namespace tst_worn_viewport {
+
 using namespace ramure;
 
 /// Imported meshes and the arm in a real window: as terrain, and as its skin. With RAMURE_PICTURES set to a
@@ -159,5 +161,8 @@ void TestWornViewport::aWornMeshIsSeenBentAndColoured()
     QVERIFY(!window.document.scene().find(1)->mesh);
 }
 
-QTEST_MAIN(TestWornViewport)
+RAMURE_SUITE(TestWornViewport)
+
+} // namespace tst_worn_viewport
+
 #include "tst_worn_viewport.moc"

@@ -10,6 +10,8 @@
 #include <QThread>
 #include <atomic>
 
+namespace tst_analysis {
+
 using namespace ramure;
 using State = Analysis::State;
 
@@ -331,5 +333,8 @@ void TestAnalysis::theInterfaceStaysAwake()
     QCOMPARE(found->collisions.size(), found->crossings.branches.size());
 }
 
-QTEST_GUILESS_MAIN(TestAnalysis)
+RAMURE_SUITE(TestAnalysis)
+
+} // namespace tst_analysis
+
 #include "tst_analysis.moc"

@@ -5,6 +5,8 @@
 #include "tests/support/suite.h"
 #include <QSignalSpy>
 
+namespace tst_arm_baker {
+
 using namespace ramure;
 
 /// Keys of arms in documents: baked, saved, moved with their joints.
@@ -171,5 +173,8 @@ void TestArmBaker::keysGoIntoTheProject()
     QVERIFY(back->scene == desk.document.scene());
 }
 
-QTEST_GUILESS_MAIN(TestArmBaker)
+RAMURE_SUITE(TestArmBaker)
+
+} // namespace tst_arm_baker
+
 #include "tst_arm_baker.moc"

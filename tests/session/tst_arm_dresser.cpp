@@ -5,6 +5,8 @@
 #include <QSignalSpy>
 #include <cmath>
 
+namespace tst_arm_dresser {
+
 using namespace ramure;
 
 namespace {
@@ -184,6 +186,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestArmDresser)
+RAMURE_SUITE(TestArmDresser)
+
+} // namespace tst_arm_dresser
 
 #include "tst_arm_dresser.moc"

@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+namespace tst_arm_reach {
+
 using namespace ramure;
 
 /// An arm on its way while nothing plays.
@@ -173,5 +175,8 @@ void TestArmReach::aimingAsksTheTimeline()
     QVERIFY(player.waitForIdle(20'000));
 }
 
-QTEST_GUILESS_MAIN(TestArmReach)
+RAMURE_SUITE(TestArmReach)
+
+} // namespace tst_arm_reach
+
 #include "tst_arm_reach.moc"

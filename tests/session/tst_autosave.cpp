@@ -10,6 +10,8 @@
 #include <QStandardPaths>
 #include <QTemporaryDir>
 
+namespace tst_autosave {
+
 using namespace ramure;
 using test::oneTree;
 using test::seedOf;
@@ -208,5 +210,8 @@ void TestAutosave::savingAndClosingRemoveTheFile()
     QCOMPARE(filesIn(folder.path()), 0);
 }
 
-QTEST_GUILESS_MAIN(TestAutosave)
+RAMURE_SUITE(TestAutosave)
+
+} // namespace tst_autosave
+
 #include "tst_autosave.moc"

@@ -8,6 +8,8 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 
+namespace tst_baker {
+
 using namespace ramure;
 
 /// Motion baked beside a project: written, loaded, stale, damaged, foreign, freed.
@@ -273,5 +275,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestBaker)
+RAMURE_SUITE(TestBaker)
+
+} // namespace tst_baker
+
 #include "tst_baker.moc"

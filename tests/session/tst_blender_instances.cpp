@@ -14,6 +14,8 @@
 #include <QStandardPaths>
 #include <QTemporaryDir>
 
+namespace tst_blender_instances {
+
 using namespace ramure;
 
 class TestBlenderInstances : public QObject
@@ -88,5 +90,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestBlenderInstances)
+RAMURE_SUITE(TestBlenderInstances)
+
+} // namespace tst_blender_instances
+
 #include "tst_blender_instances.moc"

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <limits>
 
+namespace tst_evaluator {
+
 using namespace ramure;
 
 /// Trees at a time, for files: the same as what the player shows.
@@ -211,6 +213,8 @@ void TestEvaluator::textureStaysThatOfTheRest()
     QVERIFY(moved->branches->mesh.positions != still->branches->mesh.positions);
 }
 
-QTEST_GUILESS_MAIN(TestEvaluator)
+RAMURE_SUITE(TestEvaluator)
+
+} // namespace tst_evaluator
 
 #include "tst_evaluator.moc"

@@ -11,6 +11,8 @@
 #include <QTemporaryDir>
 #include <glm/gtc/matrix_transform.hpp>
 
+namespace tst_exporter {
+
 using namespace ramure;
 
 static Node makeTree(NodeId id, NodeId parent = noNode)
@@ -383,5 +385,8 @@ void TestExporter::writesFiles()
     }
 }
 
-QTEST_GUILESS_MAIN(TestExporter)
+RAMURE_SUITE(TestExporter)
+
+} // namespace tst_exporter
+
 #include "tst_exporter.moc"

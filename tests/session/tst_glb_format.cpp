@@ -14,6 +14,8 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <limits>
 
+namespace tst_glb_format {
+
 using namespace ramure;
 using glb::Json;
 
@@ -422,5 +424,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestGlbFormat)
+RAMURE_SUITE(TestGlbFormat)
+
+} // namespace tst_glb_format
+
 #include "tst_glb_format.moc"

@@ -9,6 +9,8 @@
 #include <QImage>
 #include <QTemporaryDir>
 
+namespace tst_glb_import {
+
 using namespace ramure;
 
 /// Files of the program's own clips, imported and written once more: the same surfaces in the same places.
@@ -185,5 +187,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestGlbImport)
+RAMURE_SUITE(TestGlbImport)
+
+} // namespace tst_glb_import
+
 #include "tst_glb_import.moc"

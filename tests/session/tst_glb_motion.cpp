@@ -10,6 +10,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
+namespace tst_glb_motion {
+
 using namespace ramure;
 using glb::Json;
 
@@ -252,5 +254,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestGlbMotion)
+RAMURE_SUITE(TestGlbMotion)
+
+} // namespace tst_glb_motion
+
 #include "tst_glb_motion.moc"

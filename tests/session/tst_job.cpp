@@ -12,6 +12,8 @@
 #include <stdexcept>
 #include <thread>
 
+namespace tst_job {
+
 using namespace ramure;
 using namespace std::chrono_literals;
 
@@ -473,5 +475,8 @@ void TestJob::waitingHandsOverTheResult()
     QCOMPARE(told, 1);
 }
 
-QTEST_GUILESS_MAIN(TestJob)
+RAMURE_SUITE(TestJob)
+
+} // namespace tst_job
+
 #include "tst_job.moc"

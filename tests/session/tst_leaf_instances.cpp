@@ -15,6 +15,8 @@
 #include <limits>
 #include <map>
 
+namespace tst_leaf_instances {
+
 using namespace ramure;
 
 namespace {
@@ -320,5 +322,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestLeafInstances)
+RAMURE_SUITE(TestLeafInstances)
+
+} // namespace tst_leaf_instances
+
 #include "tst_leaf_instances.moc"

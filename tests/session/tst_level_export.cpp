@@ -7,6 +7,8 @@
 #include <QTemporaryDir>
 #include <nlohmann/json.hpp>
 
+namespace tst_level_export {
+
 using namespace ramure;
 using Json = nlohmann::json;
 
@@ -258,5 +260,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestLevelExport)
+RAMURE_SUITE(TestLevelExport)
+
+} // namespace tst_level_export
+
 #include "tst_level_export.moc"

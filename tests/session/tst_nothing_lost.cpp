@@ -13,6 +13,8 @@
 #include "tests/support/suite.h"
 #include <map>
 
+namespace tst_nothing_lost {
+
 using namespace ramure;
 
 namespace {
@@ -183,5 +185,8 @@ private:
     std::vector<Writer> m_writers = writers();
 };
 
-QTEST_GUILESS_MAIN(TestNothingLost)
+RAMURE_SUITE(TestNothingLost)
+
+} // namespace tst_nothing_lost
+
 #include "tst_nothing_lost.moc"

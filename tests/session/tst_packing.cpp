@@ -7,6 +7,8 @@
 #include <QFile>
 #include <QTemporaryDir>
 
+namespace tst_packing {
+
 using namespace ramure;
 
 class TestPacking : public QObject
@@ -124,5 +126,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestPacking)
+RAMURE_SUITE(TestPacking)
+
+} // namespace tst_packing
+
 #include "tst_packing.moc"

@@ -6,6 +6,8 @@
 #include "core/scene/preset_scene.h"
 #include "tests/support/suite.h"
 
+namespace tst_planting {
+
 using namespace ramure;
 
 class TestPlanting : public QObject
@@ -165,5 +167,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestPlanting)
+RAMURE_SUITE(TestPlanting)
+
+} // namespace tst_planting
+
 #include "tst_planting.moc"

@@ -9,6 +9,8 @@
 #include <QThread>
 #include <numeric>
 
+namespace tst_player {
+
 using namespace ramure;
 
 /// Playing a document: time, frames, the hand, and what edits do to frames already computed.
@@ -401,6 +403,8 @@ void TestPlayer::closingWhilePlayingEndsCleanly()
     QCoreApplication::processEvents(); // nothing is delivered any more
 }
 
-QTEST_GUILESS_MAIN(TestPlayer)
+RAMURE_SUITE(TestPlayer)
+
+} // namespace tst_player
 
 #include "tst_player.moc"

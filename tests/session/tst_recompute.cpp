@@ -10,6 +10,8 @@
 #include <QThread>
 #include <atomic>
 
+namespace tst_recompute {
+
 using namespace ramure;
 
 /// Stands for the pipeline: as slow as asked, counts, and stops when told to. A result's symbols name the
@@ -586,5 +588,8 @@ void TestRecompute::snapshotsAreSmall()
     qInfo("snapshot of a tree with 10,000 branches set by hand: %lld us", ns / 1000);
 }
 
-QTEST_GUILESS_MAIN(TestRecompute)
+RAMURE_SUITE(TestRecompute)
+
+} // namespace tst_recompute
+
 #include "tst_recompute.moc"

@@ -5,6 +5,8 @@
 
 #include <QElapsedTimer>
 
+namespace tst_recompute_trees {
+
 using namespace ramure;
 
 /// The background thread with the real pipeline and OpenMesh.
@@ -139,5 +141,8 @@ void TestRecomputeTrees::dragsEndWithTheFullTree()
           longestNs / 1000);
 }
 
-QTEST_GUILESS_MAIN(TestRecomputeTrees)
+RAMURE_SUITE(TestRecomputeTrees)
+
+} // namespace tst_recompute_trees
+
 #include "tst_recompute_trees.moc"

@@ -5,6 +5,8 @@
 #include "tests/support/solids.h"
 #include "tests/support/suite.h"
 
+namespace tst_scene_counts {
+
 using namespace ramure;
 
 /// What the status bar counts is what an export writes.
@@ -77,5 +79,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSceneCounts)
+RAMURE_SUITE(TestSceneCounts)
+
+} // namespace tst_scene_counts
+
 #include "tst_scene_counts.moc"

@@ -14,6 +14,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <limits>
 
+namespace tst_scene_export {
+
 using namespace ramure;
 
 namespace {
@@ -271,5 +273,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSceneExport)
+RAMURE_SUITE(TestSceneExport)
+
+} // namespace tst_scene_export
+
 #include "tst_scene_export.moc"

@@ -8,6 +8,8 @@
 #include "tests/support/suite.h"
 #include <algorithm>
 
+namespace tst_seamless {
+
 using namespace ramure;
 
 /// Loops whose end goes over into their beginning.
@@ -216,5 +218,8 @@ void TestSeamless::filesAreWhatThePlayerShows()
     }
 }
 
-QTEST_GUILESS_MAIN(TestSeamless)
+RAMURE_SUITE(TestSeamless)
+
+} // namespace tst_seamless
+
 #include "tst_seamless.moc"

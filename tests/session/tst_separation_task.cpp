@@ -6,6 +6,8 @@
 
 #include <QSignalSpy>
 
+namespace tst_separation_task {
+
 using namespace ramure;
 
 class TestSeparationTask : public QObject
@@ -128,5 +130,8 @@ void TestSeparationTask::destroyedWhileItRuns()
     QVERIFY(task.start(bench.tree));
 }
 
-QTEST_GUILESS_MAIN(TestSeparationTask)
+RAMURE_SUITE(TestSeparationTask)
+
+} // namespace tst_separation_task
+
 #include "tst_separation_task.moc"

@@ -9,6 +9,8 @@
 #include <QFileInfo>
 #include <QTemporaryDir>
 
+namespace tst_sequence {
+
 using namespace ramure;
 
 /// Files of many frames: their names, their bytes, how large they get, and what a cancelled one leaves.
@@ -180,5 +182,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSequence)
+RAMURE_SUITE(TestSequence)
+
+} // namespace tst_sequence
+
 #include "tst_sequence.moc"

@@ -7,6 +7,8 @@
 #include <QThread>
 #include <atomic>
 
+namespace tst_shape_checks {
+
 using namespace ramure;
 using State = ShapeChecks::State;
 
@@ -183,6 +185,8 @@ void TestShapeChecks::destroyedWhileItRuns()
     QCOMPARE(slow.stopped.load(), 1);
 }
 
-QTEST_GUILESS_MAIN(TestShapeChecks)
+RAMURE_SUITE(TestShapeChecks)
+
+} // namespace tst_shape_checks
 
 #include "tst_shape_checks.moc"

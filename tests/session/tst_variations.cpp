@@ -11,6 +11,8 @@
 #include <cmath>
 #include <set>
 
+namespace tst_variations {
+
 using namespace ramure;
 
 /// Seeds and values of many trees from one, and their table.
@@ -139,5 +141,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestVariations)
+RAMURE_SUITE(TestVariations)
+
+} // namespace tst_variations
+
 #include "tst_variations.moc"

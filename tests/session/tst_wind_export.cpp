@@ -12,6 +12,8 @@
 #include <cmath>
 #include <meshoptimizer.h>
 
+namespace tst_wind_export {
+
 using namespace ramure;
 using glb::Json;
 
@@ -528,5 +530,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestWindExport)
+RAMURE_SUITE(TestWindExport)
+
+} // namespace tst_wind_export
+
 #include "tst_wind_export.moc"

@@ -28,6 +28,14 @@ constexpr int runs(int count)
     return isSanitized ? (count + 19) / 20 : count;
 }
 
+/// One suite of a program that holds many: `PROGRAM tst_name [OPTION OF QTEST]...` runs it.
+struct Suite
+{
+    using Run = int (*)(int argc, char** argv);
+    /// \param file of the suite, whose name without folder and ending is that of the suite
+    Suite(const char* file, Run run);
+};
+
 /// Printable text of an Expected's error, for QVERIFY2.
 template <class T> QByteArray why(const T& expected)
 {
@@ -35,3 +43,20 @@ template <class T> QByteArray why(const T& expected)
 }
 
 } // namespace ramure::test
+
+#ifdef QT_WIDGETS_LIB
+#define RAMURE_APPLICATION QApplication
+#else
+#define RAMURE_APPLICATION QCoreApplication
+#endif
+
+/// In place of QTEST_MAIN, in a namespace named after the file: eight suites are compiled together, and all
+/// of a kind are linked into one program. A suite that needs a main() of its own, or replaces a table of the
+/// program, keeps QTEST_MAIN and is a program alone.
+#define RAMURE_SUITE(Type)                                                                                   \
+    static const ramure::test::Suite registered##Type(__FILE__, [](int argc, char** argv) {                  \
+        QTest::Internal::callInitMain<Type>();                                                               \
+        QTEST_QAPP_SETUP(RAMURE_APPLICATION)                                                                 \
+        Type suite;                                                                                          \
+        return QTest::qExec(&suite, argc, argv);                                                             \
+    });

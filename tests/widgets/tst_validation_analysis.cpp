@@ -21,6 +21,8 @@
 #include <QToolButton>
 #include <atomic>
 
+namespace tst_validation_analysis {
+
 using namespace ramure;
 
 /// What the panel shows of the long analysis.
@@ -285,5 +287,8 @@ void TestValidationAnalysis::largeNumbersAreGrouped()
         QVERIFY2(text.contains(QLocale().toString(number)), qPrintable(text));
 }
 
-QTEST_MAIN(TestValidationAnalysis)
+RAMURE_SUITE(TestValidationAnalysis)
+
+} // namespace tst_validation_analysis
+
 #include "tst_validation_analysis.moc"

@@ -1,6 +1,8 @@
 #include "core/base/error.h"
 #include "tests/support/suite.h"
 
+namespace tst_error {
+
 using namespace ramure;
 
 class TestError : public QObject
@@ -29,5 +31,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestError)
+RAMURE_SUITE(TestError)
+
+} // namespace tst_error
+
 #include "tst_error.moc"

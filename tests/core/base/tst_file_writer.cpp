@@ -9,6 +9,8 @@
 #include <cstdio>
 #include <unistd.h>
 
+namespace tst_file_writer {
+
 using namespace ramure;
 
 namespace {
@@ -241,5 +243,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestFileWriter)
+RAMURE_SUITE(TestFileWriter)
+
+} // namespace tst_file_writer
+
 #include "tst_file_writer.moc"

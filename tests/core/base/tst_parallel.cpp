@@ -7,6 +7,8 @@
 #include <thread>
 #include <vector>
 
+namespace tst_parallel {
+
 using namespace ramure;
 
 class TestParallel : public QObject
@@ -103,5 +105,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestParallel)
+RAMURE_SUITE(TestParallel)
+
+} // namespace tst_parallel
+
 #include "tst_parallel.moc"

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <vector>
 
+namespace tst_stream_copy {
+
 using namespace ramure;
 
 class TestStreamCopy : public QObject
@@ -31,6 +33,8 @@ void TestStreamCopy::copiesFromAnywhereToAnywhere()
             }
 }
 
-QTEST_GUILESS_MAIN(TestStreamCopy)
+RAMURE_SUITE(TestStreamCopy)
+
+} // namespace tst_stream_copy
 
 #include "tst_stream_copy.moc"

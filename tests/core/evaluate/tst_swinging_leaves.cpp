@@ -7,6 +7,8 @@
 #include <limits>
 #include <span>
 
+namespace tst_swinging_leaves {
+
 using namespace ramure;
 
 namespace {
@@ -230,5 +232,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSwingingLeaves)
+RAMURE_SUITE(TestSwingingLeaves)
+
+} // namespace tst_swinging_leaves
+
 #include "tst_swinging_leaves.moc"

@@ -2,6 +2,8 @@
 #include "tests/support/suite.h"
 #include <QTemporaryDir>
 
+namespace tst_csv_table {
+
 using namespace ramure;
 using namespace std::string_literals;
 
@@ -128,5 +130,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestCsvTable)
+RAMURE_SUITE(TestCsvTable)
+
+} // namespace tst_csv_table
+
 #include "tst_csv_table.moc"

@@ -5,6 +5,8 @@
 #include "tests/support/suite.h"
 #include <glm/gtc/matrix_transform.hpp>
 
+namespace tst_export_scene {
+
 using namespace ramure;
 
 class TestExportScene : public QObject
@@ -84,5 +86,8 @@ private:
     }
 };
 
-QTEST_GUILESS_MAIN(TestExportScene)
+RAMURE_SUITE(TestExportScene)
+
+} // namespace tst_export_scene
+
 #include "tst_export_scene.moc"

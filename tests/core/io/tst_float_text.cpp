@@ -5,6 +5,8 @@
 #include <charconv>
 #include <cstring>
 
+namespace tst_float_text {
+
 using namespace ramure;
 
 namespace {
@@ -225,5 +227,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestFloatText)
+RAMURE_SUITE(TestFloatText)
+
+} // namespace tst_float_text
+
 #include "tst_float_text.moc"

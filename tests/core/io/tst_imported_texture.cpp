@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <fstream>
 
+namespace tst_imported_texture {
+
 using namespace ramure;
 
 namespace {
@@ -92,5 +94,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestImportedTexture)
+RAMURE_SUITE(TestImportedTexture)
+
+} // namespace tst_imported_texture
+
 #include "tst_imported_texture.moc"

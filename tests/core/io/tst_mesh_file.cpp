@@ -2,6 +2,8 @@
 #include <QTemporaryDir>
 #include <filesystem>
 
+namespace tst_mesh_file {
+
 using namespace ramure;
 
 namespace {
@@ -172,5 +174,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestMeshFile)
+RAMURE_SUITE(TestMeshFile)
+
+} // namespace tst_mesh_file
+
 #include "tst_mesh_file.moc"

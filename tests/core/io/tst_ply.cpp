@@ -2,6 +2,8 @@
 #include <QTemporaryDir>
 #include <QtEndian>
 
+namespace tst_ply {
+
 using namespace ramure;
 
 namespace {
@@ -387,5 +389,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestPly)
+RAMURE_SUITE(TestPly)
+
+} // namespace tst_ply
+
 #include "tst_ply.moc"

@@ -2,6 +2,8 @@
 #include <QTemporaryDir>
 #include <limits>
 
+namespace tst_texture_files {
+
 using namespace ramure;
 
 /// Texture coordinates in files: split there, while positions stay as they are.
@@ -182,6 +184,8 @@ private:
     }
 };
 
-QTEST_GUILESS_MAIN(TestTextureFiles)
+RAMURE_SUITE(TestTextureFiles)
+
+} // namespace tst_texture_files
 
 #include "tst_texture_files.moc"

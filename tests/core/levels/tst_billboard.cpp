@@ -5,6 +5,8 @@
 #include <limits>
 #include <random>
 
+namespace tst_billboard {
+
 using namespace ramure;
 
 namespace {
@@ -238,5 +240,8 @@ private:
     }
 };
 
-QTEST_APPLESS_MAIN(TestBillboard)
+RAMURE_SUITE(TestBillboard)
+
+} // namespace tst_billboard
+
 #include "tst_billboard.moc"

@@ -2,6 +2,8 @@
 #include "tests/support/suite.h"
 #include <cmath>
 
+namespace tst_level_switches {
+
 using namespace ramure;
 
 namespace {
@@ -137,5 +139,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestLevelSwitches)
+RAMURE_SUITE(TestLevelSwitches)
+
+} // namespace tst_level_switches
+
 #include "tst_level_switches.moc"

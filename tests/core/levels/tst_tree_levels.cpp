@@ -8,6 +8,8 @@
 #include <cmath>
 #include <map>
 
+namespace tst_tree_levels {
+
 using namespace ramure;
 
 namespace {
@@ -290,5 +292,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestTreeLevels)
+RAMURE_SUITE(TestTreeLevels)
+
+} // namespace tst_tree_levels
+
 #include "tst_tree_levels.moc"

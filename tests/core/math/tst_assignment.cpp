@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <set>
 
+namespace tst_assignment {
+
 using namespace ramure;
 
 namespace {
@@ -81,5 +83,8 @@ void TestAssignment::asGoodAsAnyWay()
     }
 }
 
-QTEST_GUILESS_MAIN(TestAssignment)
+RAMURE_SUITE(TestAssignment)
+
+} // namespace tst_assignment
+
 #include "tst_assignment.moc"

@@ -3,6 +3,8 @@
 #include "tests/support/suite.h"
 #include <set>
 
+namespace tst_bvh {
+
 using namespace ramure;
 
 namespace {
@@ -237,5 +239,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestBvh)
+RAMURE_SUITE(TestBvh)
+
+} // namespace tst_bvh
+
 #include "tst_bvh.moc"

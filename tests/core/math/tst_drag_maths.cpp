@@ -7,6 +7,8 @@
 #include <glm/matrix.hpp>
 #include <numbers>
 
+namespace tst_drag_maths {
+
 using namespace ramure;
 
 namespace {
@@ -172,5 +174,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestDragMaths)
+RAMURE_SUITE(TestDragMaths)
+
+} // namespace tst_drag_maths
+
 #include "tst_drag_maths.moc"

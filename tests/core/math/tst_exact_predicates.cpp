@@ -7,6 +7,8 @@
 #include <limits>
 #include <set>
 
+namespace tst_exact_predicates {
+
 using namespace ramure;
 using namespace ramure::test;
 
@@ -242,5 +244,8 @@ void TestExactPredicates::boxPairsAreThoseOfAllBoxes()
     QVERIFY(found == expected);
 }
 
-QTEST_GUILESS_MAIN(TestExactPredicates)
+RAMURE_SUITE(TestExactPredicates)
+
+} // namespace tst_exact_predicates
+
 #include "tst_exact_predicates.moc"

@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+namespace tst_frame {
+
 using namespace ramure;
 
 namespace {
@@ -143,5 +145,8 @@ void TestFrame::rollTurnsAboutTheTangent()
     }
 }
 
-QTEST_GUILESS_MAIN(TestFrame)
+RAMURE_SUITE(TestFrame)
+
+} // namespace tst_frame
+
 #include "tst_frame.moc"

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+namespace tst_hermite {
+
 using namespace ramure;
 
 namespace {
@@ -135,5 +137,8 @@ void TestHermite::farFromTheOrigin()
     QVERIFY(glm::length(start.tangent - xAxis) < 1e-12);
 }
 
-QTEST_GUILESS_MAIN(TestHermite)
+RAMURE_SUITE(TestHermite)
+
+} // namespace tst_hermite
+
 #include "tst_hermite.moc"

@@ -7,6 +7,8 @@
 #include <limits>
 #include <numbers>
 
+namespace tst_reproducible {
+
 using namespace ramure;
 
 namespace {
@@ -151,5 +153,8 @@ void TestReproducible::rotations()
     QVERIFY(glm::length(turned - glm::dvec3(0.0, 1.0, 0.0)) < 1e-15);
 }
 
-QTEST_GUILESS_MAIN(TestReproducible)
+RAMURE_SUITE(TestReproducible)
+
+} // namespace tst_reproducible
+
 #include "tst_reproducible.moc"

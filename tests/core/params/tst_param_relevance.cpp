@@ -2,6 +2,8 @@
 #include "core/surface/primitives/primitive_mesh.h"
 #include "tests/support/suite.h"
 
+namespace tst_param_relevance {
+
 using namespace ramure;
 
 class TestParamRelevance : public QObject
@@ -66,5 +68,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestParamRelevance)
+RAMURE_SUITE(TestParamRelevance)
+
+} // namespace tst_param_relevance
+
 #include "tst_param_relevance.moc"

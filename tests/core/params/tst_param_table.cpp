@@ -5,6 +5,8 @@
 #include <limits>
 #include <set>
 
+namespace tst_param_table {
+
 using namespace ramure;
 
 namespace {
@@ -447,5 +449,8 @@ void TestParamTable::kindsOfNodes()
     }
 }
 
-QTEST_GUILESS_MAIN(TestParamTable)
+RAMURE_SUITE(TestParamTable)
+
+} // namespace tst_param_table
+
 #include "tst_param_table.moc"

@@ -9,6 +9,8 @@
 #include <QJsonObject>
 #include <algorithm>
 
+namespace tst_presets {
+
 using namespace ramure;
 
 namespace {
@@ -113,5 +115,8 @@ void TestPresets::rulesAreThoseOfTheReference()
     }
 }
 
-QTEST_GUILESS_MAIN(TestPresets)
+RAMURE_SUITE(TestPresets)
+
+} // namespace tst_presets
+
 #include "tst_presets.moc"

@@ -4,6 +4,8 @@
 #include "tests/support/suite.h"
 #include <algorithm>
 
+namespace tst_feet_on_bark {
+
 using namespace ramure;
 
 namespace {
@@ -132,5 +134,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestFeetOnBark)
+RAMURE_SUITE(TestFeetOnBark)
+
+} // namespace tst_feet_on_bark
+
 #include "tst_feet_on_bark.moc"

@@ -4,6 +4,8 @@
 #include "core/surface/mesher/mesh_divisions.h"
 #include "tests/support/suite.h"
 
+namespace tst_pipeline_budget {
+
 using namespace ramure;
 
 /// The triangle budget as a parameter: what it changes, and what no longer has a say.
@@ -120,6 +122,8 @@ void TestPipelineBudget::rollsStillTurn()
     QVERIFY(rolled->report->valid);
 }
 
-QTEST_GUILESS_MAIN(TestPipelineBudget)
+RAMURE_SUITE(TestPipelineBudget)
+
+} // namespace tst_pipeline_budget
 
 #include "tst_pipeline_budget.moc"

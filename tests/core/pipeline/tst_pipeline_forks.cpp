@@ -3,6 +3,8 @@
 #include "tests/support/suite.h"
 #include <cmath>
 
+namespace tst_pipeline_forks {
+
 using namespace ramure;
 
 /// The parameters of forks: refused outside their ranges, and of the stages only the mesh depends on them.
@@ -92,5 +94,8 @@ void TestPipelineForks::reachHasNoSayWithoutSoftness()
     QVERIFY(before && after && before->branches == after->branches);
 }
 
-QTEST_GUILESS_MAIN(TestPipelineForks)
+RAMURE_SUITE(TestPipelineForks)
+
+} // namespace tst_pipeline_forks
+
 #include "tst_pipeline_forks.moc"

@@ -8,6 +8,8 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+namespace tst_separate_branches {
+
 using namespace ramure;
 using namespace ramure::test;
 
@@ -227,5 +229,8 @@ void TestSeparateBranches::theSameOnAnyNumberOfThreads()
     QVERIFY(one->rest == three->rest);
 }
 
-QTEST_GUILESS_MAIN(TestSeparateBranches)
+RAMURE_SUITE(TestSeparateBranches)
+
+} // namespace tst_separate_branches
+
 #include "tst_separate_branches.moc"

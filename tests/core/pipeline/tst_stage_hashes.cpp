@@ -4,6 +4,8 @@
 
 #include <functional>
 
+namespace tst_stage_hashes {
+
 using namespace ramure;
 
 namespace {
@@ -162,5 +164,8 @@ void TestStageHashes::editsChangeTheSkeleton()
     }
 }
 
-QTEST_GUILESS_MAIN(TestStageHashes)
+RAMURE_SUITE(TestStageHashes)
+
+} // namespace tst_stage_hashes
+
 #include "tst_stage_hashes.moc"

@@ -3,6 +3,8 @@
 #include "core/surface/check/texture_report.h"
 #include "tests/support/suite.h"
 
+namespace tst_texture_stage {
+
 using namespace ramure;
 
 class TestTextureStage : public QObject
@@ -82,5 +84,8 @@ private:
     TreePipeline m_pipeline;
 };
 
-QTEST_GUILESS_MAIN(TestTextureStage)
+RAMURE_SUITE(TestTextureStage)
+
+} // namespace tst_texture_stage
+
 #include "tst_texture_stage.moc"

@@ -12,6 +12,8 @@
 #include <limits>
 #include <set>
 
+namespace tst_tree_pipeline {
+
 using namespace ramure;
 
 namespace {
@@ -564,5 +566,8 @@ void TestTreePipeline::hashesTellInputsApart()
     QVERIFY(StageHash(1).add(0.0).value() != StageHash(2).add(0.0).value());
 }
 
-QTEST_GUILESS_MAIN(TestTreePipeline)
+RAMURE_SUITE(TestTreePipeline)
+
+} // namespace tst_tree_pipeline
+
 #include "tst_tree_pipeline.moc"

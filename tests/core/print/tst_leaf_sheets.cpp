@@ -4,6 +4,8 @@
 #include "core/print/print_tree.h"
 #include "tests/core/io/io_support.h"
 
+namespace tst_leaf_sheets {
+
 using namespace ramure;
 
 namespace {
@@ -116,5 +118,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestLeafSheets)
+RAMURE_SUITE(TestLeafSheets)
+
+} // namespace tst_leaf_sheets
+
 #include "tst_leaf_sheets.moc"

@@ -7,6 +7,8 @@
 #include "tests/core/io/io_support.h"
 #include <numbers>
 
+namespace tst_notch_fill {
+
 using namespace ramure;
 
 namespace {
@@ -147,5 +149,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestNotchFill)
+RAMURE_SUITE(TestNotchFill)
+
+} // namespace tst_notch_fill
+
 #include "tst_notch_fill.moc"

@@ -2,6 +2,8 @@
 #include "tests/support/suite.h"
 #include <limits>
 
+namespace tst_print_options {
+
 using namespace ramure;
 
 class TestPrintOptions : public QObject
@@ -74,5 +76,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestPrintOptions)
+RAMURE_SUITE(TestPrintOptions)
+
+} // namespace tst_print_options
+
 #include "tst_print_options.moc"

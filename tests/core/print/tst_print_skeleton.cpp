@@ -2,6 +2,8 @@
 #include "tests/support/suite.h"
 #include <algorithm>
 
+namespace tst_print_skeleton {
+
 using namespace ramure;
 
 namespace {
@@ -77,5 +79,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestPrintSkeleton)
+RAMURE_SUITE(TestPrintSkeleton)
+
+} // namespace tst_print_skeleton
+
 #include "tst_print_skeleton.moc"

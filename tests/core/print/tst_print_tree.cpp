@@ -5,6 +5,8 @@
 #include "core/print/united_surface.h"
 #include "tests/core/io/io_support.h"
 
+namespace tst_print_tree {
+
 using namespace ramure;
 
 namespace {
@@ -175,5 +177,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestPrintTree)
+RAMURE_SUITE(TestPrintTree)
+
+} // namespace tst_print_tree
+
 #include "tst_print_tree.moc"

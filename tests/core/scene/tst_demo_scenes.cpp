@@ -7,6 +7,8 @@
 #include <functional>
 #include <glm/gtc/matrix_transform.hpp>
 
+namespace tst_demo_scenes {
+
 using namespace ramure;
 
 namespace {
@@ -134,5 +136,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestDemoScenes)
+RAMURE_SUITE(TestDemoScenes)
+
+} // namespace tst_demo_scenes
+
 #include "tst_demo_scenes.moc"

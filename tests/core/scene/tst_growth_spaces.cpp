@@ -6,6 +6,8 @@
 #include "tests/support/suite.h"
 #include <cmath>
 
+namespace tst_growth_spaces {
+
 using namespace ramure;
 
 namespace {
@@ -201,5 +203,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestGrowthSpaces)
+RAMURE_SUITE(TestGrowthSpaces)
+
+} // namespace tst_growth_spaces
+
 #include "tst_growth_spaces.moc"

@@ -4,6 +4,8 @@
 #include "tests/support/suite.h"
 #include <limits>
 
+namespace tst_keyed_placement {
+
 using namespace ramure;
 
 namespace {
@@ -127,5 +129,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestKeyedPlacement)
+RAMURE_SUITE(TestKeyedPlacement)
+
+} // namespace tst_keyed_placement
+
 #include "tst_keyed_placement.moc"

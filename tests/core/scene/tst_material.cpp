@@ -2,6 +2,8 @@
 #include "core/scene/scene.h"
 #include "tests/support/suite.h"
 
+namespace tst_material {
+
 using namespace ramure;
 
 class TestMaterial : public QObject
@@ -52,5 +54,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestMaterial)
+RAMURE_SUITE(TestMaterial)
+
+} // namespace tst_material
+
 #include "tst_material.moc"

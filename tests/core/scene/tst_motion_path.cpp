@@ -4,6 +4,8 @@
 #include "core/scene/world_transforms.h"
 #include "tests/support/suite.h"
 
+namespace tst_motion_path {
+
 using namespace ramure;
 
 namespace {
@@ -114,5 +116,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestMotionPath)
+RAMURE_SUITE(TestMotionPath)
+
+} // namespace tst_motion_path
+
 #include "tst_motion_path.moc"

@@ -8,6 +8,8 @@
 #include <limits>
 #include <numbers>
 
+namespace tst_node_transform {
+
 using namespace ramure;
 
 namespace {
@@ -299,5 +301,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestNodeTransform)
+RAMURE_SUITE(TestNodeTransform)
+
+} // namespace tst_node_transform
+
 #include "tst_node_transform.moc"

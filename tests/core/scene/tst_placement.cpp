@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+namespace tst_placement {
+
 using namespace ramure;
 
 static double difference(const glm::dmat4& a, const glm::dmat4& b)
@@ -84,5 +86,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestPlacement)
+RAMURE_SUITE(TestPlacement)
+
+} // namespace tst_placement
+
 #include "tst_placement.moc"

@@ -2,6 +2,8 @@
 #include "core/scene/scene.h"
 #include "tests/support/suite.h"
 
+namespace tst_scene {
+
 using namespace ramure;
 
 static Node makeNode(NodeId id, NodeId parent = noNode)
@@ -214,5 +216,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestScene)
+RAMURE_SUITE(TestScene)
+
+} // namespace tst_scene
+
 #include "tst_scene.moc"

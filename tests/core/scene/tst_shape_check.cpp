@@ -4,6 +4,8 @@
 #include "tests/support/suite.h"
 #include <algorithm>
 
+namespace tst_shape_check {
+
 using namespace ramure;
 using namespace ramure::test;
 
@@ -146,6 +148,8 @@ void TestShapeCheck::crossingsAreFoundWhereAsked()
     QVERIFY(asked->analysis.hash == unasked->analysis.hash);
 }
 
-QTEST_GUILESS_MAIN(TestShapeCheck)
+RAMURE_SUITE(TestShapeCheck)
+
+} // namespace tst_shape_check
 
 #include "tst_shape_check.moc"

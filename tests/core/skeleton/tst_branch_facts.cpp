@@ -8,6 +8,8 @@
 #include <numbers>
 #include <sstream>
 
+namespace tst_branch_facts {
+
 using namespace ramure;
 
 namespace {
@@ -442,5 +444,8 @@ void TestBranchFacts::csvIgnoresTheLocale()
     std::setlocale(LC_NUMERIC, before.c_str());
 }
 
-QTEST_GUILESS_MAIN(TestBranchFacts)
+RAMURE_SUITE(TestBranchFacts)
+
+} // namespace tst_branch_facts
+
 #include "tst_branch_facts.moc"

@@ -8,6 +8,8 @@
 #include <functional>
 #include <set>
 
+namespace tst_edit_places {
+
 using namespace ramure;
 using test::afterOneMore, test::shifted, test::StepMap;
 
@@ -272,5 +274,8 @@ void TestEditPlaces::otherNumbers()
         }
 }
 
-QTEST_GUILESS_MAIN(TestEditPlaces)
+RAMURE_SUITE(TestEditPlaces)
+
+} // namespace tst_edit_places
+
 #include "tst_edit_places.moc"

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <set>
 
+namespace tst_measures {
+
 using namespace ramure;
 
 class TestMeasures : public QObject
@@ -87,5 +89,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestMeasures)
+RAMURE_SUITE(TestMeasures)
+
+} // namespace tst_measures
+
 #include "tst_measures.moc"

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace tst_sections {
+
 using namespace ramure;
 
 namespace {
@@ -197,5 +199,8 @@ void TestSections::rollIsHandedOn()
     QVERIFY(std::abs(twist(plain.of(2)[0].frame, shortList.of(2)[0].frame) - 0.7) < 1e-12);
 }
 
-QTEST_GUILESS_MAIN(TestSections)
+RAMURE_SUITE(TestSections)
+
+} // namespace tst_sections
+
 #include "tst_sections.moc"

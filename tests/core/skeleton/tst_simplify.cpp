@@ -10,6 +10,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace tst_simplify {
+
 using namespace ramure;
 
 namespace {
@@ -275,5 +277,8 @@ void TestSimplify::golden()
         QVERIFY2(std::abs(measure - row[column].toDouble()) < 1e-4, qPrintable(row[column]));
 }
 
-QTEST_GUILESS_MAIN(TestSimplify)
+RAMURE_SUITE(TestSimplify)
+
+} // namespace tst_simplify
+
 #include "tst_simplify.moc"

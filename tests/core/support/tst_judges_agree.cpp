@@ -4,6 +4,8 @@
 #include "tests/support/solids.h"
 #include "tests/support/suite.h"
 
+namespace tst_judges_agree {
+
 using namespace ramure;
 using namespace ramure::test;
 
@@ -108,5 +110,8 @@ void TestJudgesAgree::onMeshesBrokenAtRandom()
     }
 }
 
-QTEST_GUILESS_MAIN(TestJudgesAgree)
+RAMURE_SUITE(TestJudgesAgree)
+
+} // namespace tst_judges_agree
+
 #include "tst_judges_agree.moc"

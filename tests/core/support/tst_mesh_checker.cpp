@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+namespace tst_mesh_checker {
+
 using namespace ramure;
 using namespace ramure::test;
 
@@ -211,5 +213,8 @@ void TestMeshChecker::farFromTheOriginVolumeHolds()
     QCOMPARE(c.volume(), 1.0);
 }
 
-QTEST_GUILESS_MAIN(TestMeshChecker)
+RAMURE_SUITE(TestMeshChecker)
+
+} // namespace tst_mesh_checker
+
 #include "tst_mesh_checker.moc"

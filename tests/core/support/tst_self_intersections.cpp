@@ -2,6 +2,8 @@
 #include "tests/support/solids.h"
 #include "tests/support/suite.h"
 
+namespace tst_self_intersections {
+
 using namespace ramure;
 using namespace ramure::test;
 
@@ -201,5 +203,8 @@ void TestSelfIntersections::repairsMoveChildren()
     QCOMPARE(repairedParents(s, {}), s.parent);
 }
 
-QTEST_GUILESS_MAIN(TestSelfIntersections)
+RAMURE_SUITE(TestSelfIntersections)
+
+} // namespace tst_self_intersections
+
 #include "tst_self_intersections.moc"

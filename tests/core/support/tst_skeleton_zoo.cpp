@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace tst_skeleton_zoo {
+
 using namespace ramure;
 using namespace ramure::test;
 
@@ -62,5 +64,8 @@ void TestSkeletonZoo::familiesAreWhatTheySay()
     }
 }
 
-QTEST_GUILESS_MAIN(TestSkeletonZoo)
+RAMURE_SUITE(TestSkeletonZoo)
+
+} // namespace tst_skeleton_zoo
+
 #include "tst_skeleton_zoo.moc"

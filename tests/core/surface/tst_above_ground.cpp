@@ -5,6 +5,8 @@
 #include "tests/support/suite.h"
 #include <algorithm>
 
+namespace tst_above_ground {
+
 using namespace ramure;
 
 namespace {
@@ -74,5 +76,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestAboveGround)
+RAMURE_SUITE(TestAboveGround)
+
+} // namespace tst_above_ground
+
 #include "tst_above_ground.moc"

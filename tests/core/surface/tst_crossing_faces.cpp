@@ -6,6 +6,8 @@
 #include "tests/support/suite.h"
 #include <cmath>
 
+namespace tst_crossing_faces {
+
 using namespace ramure;
 
 /// The program's own count of crossing triangles against CGAL's.
@@ -233,5 +235,8 @@ void TestCrossingFaces::listsEndWhereTheyShould()
     QVERIFY(found == need(mesh, {}, 1));
 }
 
-QTEST_GUILESS_MAIN(TestCrossingFaces)
+RAMURE_SUITE(TestCrossingFaces)
+
+} // namespace tst_crossing_faces
+
 #include "tst_crossing_faces.moc"

@@ -2,6 +2,8 @@
 #include "tests/support/self_intersections.h"
 #include "tests/support/suite.h"
 
+namespace tst_forks_intersections {
+
 using namespace ramure;
 using namespace ramure::test;
 
@@ -132,5 +134,8 @@ void TestForksIntersections::randomSmallTrees()
         }
 }
 
-QTEST_GUILESS_MAIN(TestForksIntersections)
+RAMURE_SUITE(TestForksIntersections)
+
+} // namespace tst_forks_intersections
+
 #include "tst_forks_intersections.moc"

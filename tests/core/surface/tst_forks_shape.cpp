@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace tst_forks_shape {
+
 using namespace ramure;
 using namespace ramure::test;
 
@@ -147,5 +149,8 @@ void TestForksShape::oneBranchIsACappedCone()
     QVERIFY2(std::abs(volume / (cone + tip) - 1.0) < 0.001, qPrintable(QString::number(volume)));
 }
 
-QTEST_GUILESS_MAIN(TestForksShape)
+RAMURE_SUITE(TestForksShape)
+
+} // namespace tst_forks_shape
+
 #include "tst_forks_shape.moc"

@@ -11,6 +11,8 @@
 #include <numbers>
 #include <set>
 
+namespace tst_forks_softness {
+
 using namespace ramure;
 using namespace ramure::test;
 
@@ -227,5 +229,8 @@ void TestForksSoftness::noMoreSlivers()
     }
 }
 
-QTEST_GUILESS_MAIN(TestForksSoftness)
+RAMURE_SUITE(TestForksSoftness)
+
+} // namespace tst_forks_softness
+
 #include "tst_forks_softness.moc"

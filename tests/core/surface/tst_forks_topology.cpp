@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace tst_forks_topology {
+
 using namespace ramure;
 using namespace ramure::test;
 
@@ -221,5 +223,8 @@ void TestForksTopology::theSkeletonsOwnRepairsAreReported()
     QVERIFY(has(*built, SkeletonRepair::SiblingChained, 5));
 }
 
-QTEST_GUILESS_MAIN(TestForksTopology)
+RAMURE_SUITE(TestForksTopology)
+
+} // namespace tst_forks_topology
+
 #include "tst_forks_topology.moc"

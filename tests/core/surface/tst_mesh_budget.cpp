@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace tst_mesh_budget {
+
 using namespace ramure;
 using namespace ramure::test;
 
@@ -130,7 +132,8 @@ void TestMeshBudget::forksStayClean()
     QVERIFY2(skeleton, why(skeleton));
     const Expected<BranchMesh> built = meshOf(*skeleton, budget);
     QVERIFY2(built, why(built));
-    const auto crossings = findSelfIntersections(built->mesh, repairedParents(*skeleton, built->repairs));
+    const auto crossings =
+        ramure::findSelfIntersections(built->mesh, ramure::repairedParents(*skeleton, built->repairs));
     QVERIFY2(crossings, why(crossings));
     QVERIFY2(crossings->aroundForks() == 0, qPrintable(QString::number(crossings->aroundForks())));
 }
@@ -246,6 +249,8 @@ void TestMeshBudget::zoo()
     QVERIFY2(text.isEmpty(), text);
 }
 
-QTEST_GUILESS_MAIN(TestMeshBudget)
+RAMURE_SUITE(TestMeshBudget)
+
+} // namespace tst_mesh_budget
 
 #include "tst_mesh_budget.moc"

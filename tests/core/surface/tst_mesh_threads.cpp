@@ -8,6 +8,8 @@
 #include <cstring>
 #include <thread>
 
+namespace tst_mesh_threads {
+
 using namespace ramure;
 using namespace ramure::test;
 
@@ -277,6 +279,8 @@ void TestMeshThreads::sharedMeshesGiveTheirMemoryBack()
     QVERIFY(!last->mesh.empty()); // longer than the scratch
 }
 
-QTEST_GUILESS_MAIN(TestMeshThreads)
+RAMURE_SUITE(TestMeshThreads)
+
+} // namespace tst_mesh_threads
 
 #include "tst_mesh_threads.moc"

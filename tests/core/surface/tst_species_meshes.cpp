@@ -6,6 +6,8 @@
 #include "tests/support/suite.h"
 #include <algorithm>
 
+namespace tst_species_meshes {
+
 using namespace ramure;
 
 namespace {
@@ -58,5 +60,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSpeciesMeshes)
+RAMURE_SUITE(TestSpeciesMeshes)
+
+} // namespace tst_species_meshes
+
 #include "tst_species_meshes.moc"

@@ -3,6 +3,8 @@
 #include "tests/support/suite.h"
 #include <algorithm>
 
+namespace tst_tubes {
+
 using namespace ramure;
 using namespace ramure::test;
 
@@ -105,6 +107,8 @@ void TestTubes::forkVerticesLieBetweenSiblings()
     }
 }
 
-QTEST_GUILESS_MAIN(TestTubes)
+RAMURE_SUITE(TestTubes)
+
+} // namespace tst_tubes
 
 #include "tst_tubes.moc"

@@ -3,6 +3,8 @@
 #include "tests/support/suite.h"
 #include <QDir>
 
+namespace tst_validate_files {
+
 using namespace ramure;
 
 /// One file per kind of defect, each with a comment that says what is wrong with it; counted by hand.
@@ -79,5 +81,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestValidateFiles)
+RAMURE_SUITE(TestValidateFiles)
+
+} // namespace tst_validate_files
+
 #include "tst_validate_files.moc"

@@ -8,6 +8,8 @@
 #include <QSignalSpy>
 #include <unistd.h>
 
+namespace tst_file_actions {
+
 using namespace ramure;
 
 namespace {
@@ -345,5 +347,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestFileActions)
+RAMURE_SUITE(TestFileActions)
+
+} // namespace tst_file_actions
+
 #include "tst_file_actions.moc"

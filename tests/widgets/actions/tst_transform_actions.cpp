@@ -11,6 +11,8 @@
 #include <QMenu>
 #include <QToolBar>
 
+namespace tst_transform_actions {
+
 using namespace ramure;
 
 /// The tools' buttons, menus and settings. Without OpenGL they are there and cannot be used.
@@ -120,5 +122,8 @@ private:
     ActionSet* m_set = nullptr;
 };
 
-QTEST_MAIN(TestTransformActions)
+RAMURE_SUITE(TestTransformActions)
+
+} // namespace tst_transform_actions
+
 #include "tst_transform_actions.moc"

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace tst_expression {
+
 using namespace ramure;
 
 namespace {
@@ -126,5 +128,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestExpression)
+RAMURE_SUITE(TestExpression)
+
+} // namespace tst_expression
+
 #include "tst_expression.moc"

@@ -9,6 +9,8 @@
 #include <QLineEdit>
 #include <numbers>
 
+namespace tst_number_drag {
+
 using namespace ramure;
 
 namespace {
@@ -276,5 +278,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestNumberDrag)
+RAMURE_SUITE(TestNumberDrag)
+
+} // namespace tst_number_drag
+
 #include "tst_number_drag.moc"

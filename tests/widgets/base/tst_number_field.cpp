@@ -5,6 +5,8 @@
 #include <numbers>
 #include <vector>
 
+namespace tst_number_field {
+
 using namespace ramure;
 
 namespace {
@@ -334,5 +336,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestNumberField)
+RAMURE_SUITE(TestNumberField)
+
+} // namespace tst_number_field
+
 #include "tst_number_field.moc"

@@ -5,6 +5,8 @@
 #include "widgets/base/preferences.h"
 #include <QSignalSpy>
 
+namespace tst_preferences {
+
 using namespace ramure;
 
 /// Preferences and the disk; what they are is tested where they are set.
@@ -108,5 +110,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestPreferences)
+RAMURE_SUITE(TestPreferences)
+
+} // namespace tst_preferences
+
 #include "tst_preferences.moc"

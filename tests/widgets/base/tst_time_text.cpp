@@ -2,6 +2,8 @@
 #include "widgets/base/time_text.h"
 #include <QLocale>
 
+namespace tst_time_text {
+
 using namespace ramure;
 
 class TestTimeText : public QObject
@@ -93,6 +95,8 @@ void TestTimeText::localeDecides()
     QCOMPARE(*frameFromText("1.5", 24.0, TimeDisplay::Seconds), std::int64_t(36));
 }
 
-QTEST_GUILESS_MAIN(TestTimeText)
+RAMURE_SUITE(TestTimeText)
+
+} // namespace tst_time_text
 
 #include "tst_time_text.moc"

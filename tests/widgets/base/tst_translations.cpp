@@ -4,6 +4,8 @@
 #include <QXmlStreamReader>
 #include <map>
 
+namespace tst_translations {
+
 using namespace ramure;
 
 namespace {
@@ -139,5 +141,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestTranslations)
+RAMURE_SUITE(TestTranslations)
+
+} // namespace tst_translations
+
 #include "tst_translations.moc"

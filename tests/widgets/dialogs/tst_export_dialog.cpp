@@ -11,6 +11,8 @@
 #include <QPushButton>
 #include <QSignalSpy>
 
+namespace tst_export_dialog {
+
 using namespace ramure;
 
 class TestExportDialog : public QObject
@@ -356,5 +358,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestExportDialog)
+RAMURE_SUITE(TestExportDialog)
+
+} // namespace tst_export_dialog
+
 #include "tst_export_dialog.moc"

@@ -14,6 +14,8 @@
 #include <QSignalSpy>
 #include <QToolButton>
 
+namespace tst_export_print {
+
 using namespace ramure;
 
 class TestExportPrint : public QObject
@@ -181,5 +183,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestExportPrint)
+RAMURE_SUITE(TestExportPrint)
+
+} // namespace tst_export_print
+
 #include "tst_export_print.moc"

@@ -9,6 +9,8 @@
 #include <QSignalSpy>
 #include <QSpinBox>
 
+namespace tst_export_sequence {
+
 using namespace ramure;
 
 /// The export dialog about moments, sequences and pictures.
@@ -198,5 +200,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestExportSequence)
+RAMURE_SUITE(TestExportSequence)
+
+} // namespace tst_export_sequence
+
 #include "tst_export_sequence.moc"

@@ -15,6 +15,8 @@
 #include <QSpinBox>
 #include <QTabBar>
 
+namespace tst_export_uses {
+
 using namespace ramure;
 
 /// The pages of the export dialog, one a use, and the settings that it keeps.
@@ -383,5 +385,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestExportUses)
+RAMURE_SUITE(TestExportUses)
+
+} // namespace tst_export_uses
+
 #include "tst_export_uses.moc"

@@ -14,6 +14,8 @@
 #include "widgets/window/main_window.h"
 #include <QListView>
 
+namespace tst_palette {
+
 using namespace ramure;
 
 class TestPalette : public QObject
@@ -193,5 +195,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestPalette)
+RAMURE_SUITE(TestPalette)
+
+} // namespace tst_palette
+
 #include "tst_palette.moc"

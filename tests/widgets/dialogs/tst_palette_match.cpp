@@ -1,6 +1,8 @@
 #include "tests/widgets/base/fixture.h"
 #include "widgets/dialogs/palette_match.h"
 
+namespace tst_palette_match {
+
 using namespace ramure;
 
 namespace {
@@ -71,5 +73,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestPaletteMatch)
+RAMURE_SUITE(TestPaletteMatch)
+
+} // namespace tst_palette_match
+
 #include "tst_palette_match.moc"

@@ -10,6 +10,8 @@
 #include <QSignalSpy>
 #include <QSpinBox>
 
+namespace tst_preferences_dialog {
+
 using namespace ramure;
 
 class TestPreferencesDialog : public QObject
@@ -156,5 +158,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestPreferencesDialog)
+RAMURE_SUITE(TestPreferencesDialog)
+
+} // namespace tst_preferences_dialog
+
 #include "tst_preferences_dialog.moc"

@@ -5,6 +5,8 @@
 #include "widgets/dialogs/recovery.h"
 #include "widgets/dialogs/recovery_dialog.h"
 
+namespace tst_recovery {
+
 using namespace ramure;
 
 namespace {
@@ -206,5 +208,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestRecovery)
+RAMURE_SUITE(TestRecovery)
+
+} // namespace tst_recovery
+
 #include "tst_recovery.moc"

@@ -9,6 +9,8 @@
 #include <QTreeWidget>
 #include <algorithm>
 
+namespace tst_shortcuts_dialog {
+
 using namespace ramure;
 
 class TestShortcutsDialog : public QObject
@@ -257,5 +259,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestShortcutsDialog)
+RAMURE_SUITE(TestShortcutsDialog)
+
+} // namespace tst_shortcuts_dialog
+
 #include "tst_shortcuts_dialog.moc"

@@ -36,6 +36,8 @@
 #include <QHeaderView>
 #include <functional>
 
+namespace tst_gallery {
+
 using namespace ramure;
 
 class TestGallery : public QObject
@@ -334,11 +336,15 @@ private slots:
         environment.insert(QStringLiteral("QT_SCALE_FACTOR"), QStringLiteral("2"));
         again.setProcessEnvironment(environment);
         again.setProcessChannelMode(QProcess::MergedChannels);
-        again.start(QCoreApplication::applicationFilePath(), {QStringLiteral("looks")});
+        again.start(QCoreApplication::applicationFilePath(),
+                    {QStringLiteral("tst_gallery"), QStringLiteral("looks")});
         QVERIFY(again.waitForFinished(600'000));
         QVERIFY2(again.exitCode() == 0, again.readAllStandardOutput().constData());
     }
 };
 
-QTEST_MAIN(TestGallery)
+RAMURE_SUITE(TestGallery)
+
+} // namespace tst_gallery
+
 #include "tst_gallery.moc"

@@ -16,6 +16,8 @@
 #include <QTextBlock>
 #include <QTreeWidget>
 
+namespace tst_handbook {
+
 using namespace ramure;
 
 class TestHandbook : public QObject
@@ -228,5 +230,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestHandbook)
+RAMURE_SUITE(TestHandbook)
+
+} // namespace tst_handbook
+
 #include "tst_handbook.moc"

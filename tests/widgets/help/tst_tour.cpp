@@ -10,6 +10,8 @@
 #include "widgets/help/tour.h"
 #include "widgets/window/main_window.h"
 
+namespace tst_tour {
+
 using namespace ramure;
 
 class TestTour : public QObject
@@ -127,5 +129,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestTour)
+RAMURE_SUITE(TestTour)
+
+} // namespace tst_tour
+
 #include "tst_tour.moc"

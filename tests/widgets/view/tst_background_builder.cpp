@@ -5,6 +5,8 @@
 #include <QSignalSpy>
 #include <QThread>
 
+namespace tst_background_builder {
+
 using namespace ramure;
 
 namespace {
@@ -134,5 +136,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestBackgroundBuilder)
+RAMURE_SUITE(TestBackgroundBuilder)
+
+} // namespace tst_background_builder
+
 #include "tst_background_builder.moc"

@@ -6,6 +6,8 @@
 
 #include <QSignalSpy>
 
+namespace tst_bark_waiter {
+
 using namespace ramure;
 
 namespace {
@@ -94,5 +96,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestBarkWaiter)
+RAMURE_SUITE(TestBarkWaiter)
+
+} // namespace tst_bark_waiter
+
 #include "tst_bark_waiter.moc"

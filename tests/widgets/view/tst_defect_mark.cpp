@@ -2,6 +2,8 @@
 #include "tests/support/suite.h"
 #include "widgets/view/defect_mark.h"
 
+namespace tst_defect_mark {
+
 using namespace ramure;
 
 /// How a defect is looked at: without OpenGL.
@@ -122,5 +124,8 @@ void TestDefectMark::theEyeStaysAboveTheGround()
     QVERIFY(defectView(scene, place, 1.0, from, 1.5, false).eye().y < 0.0);
 }
 
-QTEST_MAIN(TestDefectMark)
+RAMURE_SUITE(TestDefectMark)
+
+} // namespace tst_defect_mark
+
 #include "tst_defect_mark.moc"

@@ -6,6 +6,8 @@
 #include "widgets/view/tools/typed_number.h"
 #include <QSignalSpy>
 
+namespace tst_gizmo_trail {
+
 using namespace ramure;
 
 namespace {
@@ -315,5 +317,8 @@ void TestGizmoTrail::ghostsHaveAnEnd()
     QVERIFY(trail.ghostCount() <= GizmoTrail::mostCopies);
 }
 
-QTEST_MAIN(TestGizmoTrail)
+RAMURE_SUITE(TestGizmoTrail)
+
+} // namespace tst_gizmo_trail
+
 #include "tst_gizmo_trail.moc"

@@ -11,6 +11,8 @@
 #include <QSlider>
 #include <QSpinBox>
 
+namespace tst_light_dialog {
+
 using namespace ramure;
 
 class TestLightDialog : public QObject
@@ -117,5 +119,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestLightDialog)
+RAMURE_SUITE(TestLightDialog)
+
+} // namespace tst_light_dialog
+
 #include "tst_light_dialog.moc"

@@ -11,6 +11,8 @@
 #include "widgets/view/moving_scene.h"
 #include "widgets/view/render/scene_builder.h"
 
+namespace tst_same_moment {
+
 using namespace ramure;
 using test::RandomScene;
 
@@ -110,6 +112,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestSameMoment)
+RAMURE_SUITE(TestSameMoment)
+
+} // namespace tst_same_moment
 
 #include "tst_same_moment.moc"

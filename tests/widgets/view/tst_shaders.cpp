@@ -8,6 +8,8 @@
 #include <QStandardPaths>
 #include <QTemporaryDir>
 
+namespace tst_shaders {
+
 using namespace ramure;
 
 namespace {
@@ -167,5 +169,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestShaders)
+RAMURE_SUITE(TestShaders)
+
+} // namespace tst_shaders
+
 #include "tst_shaders.moc"

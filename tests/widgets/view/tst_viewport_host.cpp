@@ -9,6 +9,8 @@
 #include <QSignalSpy>
 #include <QStackedWidget>
 
+namespace tst_viewport_host {
+
 using namespace ramure;
 
 class TestViewportHost : public QObject
@@ -81,5 +83,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestViewportHost)
+RAMURE_SUITE(TestViewportHost)
+
+} // namespace tst_viewport_host
+
 #include "tst_viewport_host.moc"

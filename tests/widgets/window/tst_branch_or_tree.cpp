@@ -11,6 +11,8 @@
 #include "widgets/window/view_menu.h"
 #include <QStatusBar>
 
+namespace tst_branch_or_tree {
+
 using namespace ramure;
 
 /// A click in the view selects a branch and its tree: whatever acts on the tree says so before it does.
@@ -162,5 +164,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestBranchOrTree)
+RAMURE_SUITE(TestBranchOrTree)
+
+} // namespace tst_branch_or_tree
+
 #include "tst_branch_or_tree.moc"

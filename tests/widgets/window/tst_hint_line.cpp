@@ -4,6 +4,8 @@
 #include <QEnterEvent>
 #include <QSignalSpy>
 
+namespace tst_hint_line {
+
 using namespace ramure;
 
 /// The line of the status bar that says what mouse and keys do.
@@ -100,5 +102,8 @@ void TestHintLine::fixedHintsFollowTheLanguage()
     QCOMPARE(hint.hint(), word);
 }
 
-QTEST_MAIN(TestHintLine)
+RAMURE_SUITE(TestHintLine)
+
+} // namespace tst_hint_line
+
 #include "tst_hint_line.moc"

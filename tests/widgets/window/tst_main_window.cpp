@@ -30,6 +30,8 @@
 #include <QToolBar>
 #include <QToolButton>
 
+namespace tst_main_window {
+
 using namespace ramure;
 
 class TestMainWindow : public QObject
@@ -561,5 +563,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestMainWindow)
+RAMURE_SUITE(TestMainWindow)
+
+} // namespace tst_main_window
+
 #include "tst_main_window.moc"

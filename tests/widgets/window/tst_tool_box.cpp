@@ -3,6 +3,8 @@
 #include <QAction>
 #include <QToolButton>
 
+namespace tst_tool_box {
+
 using namespace ramure;
 
 /// The tool bar at the view's edge.
@@ -60,5 +62,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestToolBox)
+RAMURE_SUITE(TestToolBox)
+
+} // namespace tst_tool_box
+
 #include "tst_tool_box.moc"

@@ -8,6 +8,8 @@
 #include <QPushButton>
 #include <QTreeWidget>
 
+namespace tst_unplaced_button {
+
 using namespace ramure;
 
 class TestUnplacedButton : public QObject
@@ -88,5 +90,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestUnplacedButton)
+RAMURE_SUITE(TestUnplacedButton)
+
+} // namespace tst_unplaced_button
+
 #include "tst_unplaced_button.moc"

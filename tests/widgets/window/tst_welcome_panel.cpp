@@ -6,6 +6,8 @@
 #include "widgets/base/preferences.h"
 #include "widgets/window/welcome_panel.h"
 
+namespace tst_welcome_panel {
+
 using namespace ramure;
 
 class TestWelcomePanel : public QObject
@@ -165,5 +167,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestWelcomePanel)
+RAMURE_SUITE(TestWelcomePanel)
+
+} // namespace tst_welcome_panel
+
 #include "tst_welcome_panel.moc"

@@ -6,6 +6,8 @@
 #include "tests/support/suite.h"
 #include <cmath>
 
+namespace tst_colonisation {
+
 using namespace ramure;
 
 namespace {
@@ -315,5 +317,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestColonisation)
+RAMURE_SUITE(TestColonisation)
+
+} // namespace tst_colonisation
+
 #include "tst_colonisation.moc"

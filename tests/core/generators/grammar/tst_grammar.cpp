@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+namespace tst_grammar {
+
 using namespace ramure;
 
 namespace {
@@ -325,5 +327,8 @@ void TestGrammar::everyRuleThatParsesSurvivesFormatting()
     }
 }
 
-QTEST_GUILESS_MAIN(TestGrammar)
+RAMURE_SUITE(TestGrammar)
+
+} // namespace tst_grammar
+
 #include "tst_grammar.moc"

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+namespace tst_rewrite {
+
 using namespace ramure;
 
 namespace {
@@ -277,5 +279,8 @@ void TestRewrite::progressReachesOne()
     QCOMPARE(last, 1.0);
 }
 
-QTEST_GUILESS_MAIN(TestRewrite)
+RAMURE_SUITE(TestRewrite)
+
+} // namespace tst_rewrite
+
 #include "tst_rewrite.moc"

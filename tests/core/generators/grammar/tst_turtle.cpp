@@ -7,6 +7,8 @@
 #include <numbers>
 #include <set>
 
+namespace tst_turtle {
+
 using namespace ramure;
 
 namespace {
@@ -338,5 +340,8 @@ void TestTurtle::badSharesAreRefused()
     }
 }
 
-QTEST_GUILESS_MAIN(TestTurtle)
+RAMURE_SUITE(TestTurtle)
+
+} // namespace tst_turtle
+
 #include "tst_turtle.moc"

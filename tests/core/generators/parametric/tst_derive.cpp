@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+namespace tst_derive {
+
 using namespace ramure;
 
 namespace {
@@ -181,5 +183,8 @@ void TestDerive::weightsAreShares()
     QVERIFY2(std::abs(ones - 1000) < 100, qPrintable(QString::number(ones)));
 }
 
-QTEST_GUILESS_MAIN(TestDerive)
+RAMURE_SUITE(TestDerive)
+
+} // namespace tst_derive
+
 #include "tst_derive.moc"

@@ -10,6 +10,8 @@
 #include <numbers>
 #include <set>
 
+namespace tst_module_turtle {
+
 using namespace ramure;
 
 namespace {
@@ -356,5 +358,8 @@ void TestModuleTurtle::organsStandOnTheirBranches()
     QVERIFY(near(foliage->leaves.front().orientation * glm::dvec3(0, 1, 0), {1, 0, 0}, 1e-6));
 }
 
-QTEST_GUILESS_MAIN(TestModuleTurtle)
+RAMURE_SUITE(TestModuleTurtle)
+
+} // namespace tst_module_turtle
+
 #include "tst_module_turtle.moc"

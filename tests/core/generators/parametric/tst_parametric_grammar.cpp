@@ -2,6 +2,8 @@
 #include "core/math/random.h"
 #include "tests/support/suite.h"
 
+namespace tst_parametric_grammar {
+
 using namespace ramure;
 
 namespace {
@@ -205,5 +207,8 @@ void TestParametricGrammar::parametersOfContexts()
     QCOMPARE(right->rules[0].productions[0].computed[0].expression.value(inputs), 123.0);
 }
 
-QTEST_GUILESS_MAIN(TestParametricGrammar)
+RAMURE_SUITE(TestParametricGrammar)
+
+} // namespace tst_parametric_grammar
+
 #include "tst_parametric_grammar.moc"

@@ -5,6 +5,8 @@
 #include "tests/support/suite.h"
 #include <cmath>
 
+namespace tst_weber_penn {
+
 using namespace ramure;
 
 namespace {
@@ -252,5 +254,8 @@ private:
     }
 };
 
-QTEST_GUILESS_MAIN(TestWeberPenn)
+RAMURE_SUITE(TestWeberPenn)
+
+} // namespace tst_weber_penn
+
 #include "tst_weber_penn.moc"

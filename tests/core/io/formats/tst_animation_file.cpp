@@ -2,6 +2,8 @@
 #include "core/math/random.h"
 #include "tests/support/suite.h"
 
+namespace tst_animation_file {
+
 using namespace ramure;
 
 static Expected<AnimationFile> parsed(std::string_view text, CubicMeaning cubic = CubicMeaning::Automatic)
@@ -236,5 +238,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestAnimationFile)
+RAMURE_SUITE(TestAnimationFile)
+
+} // namespace tst_animation_file
+
 #include "tst_animation_file.moc"

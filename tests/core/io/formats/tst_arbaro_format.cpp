@@ -7,6 +7,8 @@
 #include <QTemporaryDir>
 #include <cmath>
 
+namespace tst_arbaro_format {
+
 using namespace ramure;
 
 /// The quaking aspen of the paper, as Arbaro writes it.
@@ -208,5 +210,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestArbaroFormat)
+RAMURE_SUITE(TestArbaroFormat)
+
+} // namespace tst_arbaro_format
+
 #include "tst_arbaro_format.moc"

@@ -7,6 +7,8 @@
 #include <QFile>
 #include <QTemporaryDir>
 
+namespace tst_blender_scene {
+
 using namespace ramure;
 
 namespace {
@@ -228,5 +230,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestBlenderScene)
+RAMURE_SUITE(TestBlenderScene)
+
+} // namespace tst_blender_scene
+
 #include "tst_blender_scene.moc"

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace tst_ez_tree_format {
+
 using namespace ramure;
 
 static const QByteArray tree = R"({
@@ -172,5 +174,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestEzTreeFormat)
+RAMURE_SUITE(TestEzTreeFormat)
+
+} // namespace tst_ez_tree_format
+
 #include "tst_ez_tree_format.moc"

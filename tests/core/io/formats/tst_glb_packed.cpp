@@ -12,6 +12,8 @@
 #include <meshoptimizer.h>
 #include <set>
 
+namespace tst_glb_packed {
+
 using namespace ramure;
 using glb::Json;
 using glb::Packed;
@@ -213,5 +215,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestGlbPacked)
+RAMURE_SUITE(TestGlbPacked)
+
+} // namespace tst_glb_packed
+
 #include "tst_glb_packed.moc"

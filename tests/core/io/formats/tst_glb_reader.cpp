@@ -11,6 +11,8 @@
 #include <glm/matrix.hpp>
 #include <nlohmann/json.hpp>
 
+namespace tst_glb_reader {
+
 using namespace ramure;
 using Json = nlohmann::json;
 
@@ -378,5 +380,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestGlbReader)
+RAMURE_SUITE(TestGlbReader)
+
+} // namespace tst_glb_reader
+
 #include "tst_glb_reader.moc"

@@ -6,6 +6,8 @@
 #include <sys/stat.h>
 #include <thread>
 
+namespace tst_material_file {
+
 using namespace ramure;
 
 namespace {
@@ -194,5 +196,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestMaterialFile)
+RAMURE_SUITE(TestMaterialFile)
+
+} // namespace tst_material_file
+
 #include "tst_material_file.moc"

@@ -2,6 +2,8 @@
 #include "tests/core/io/io_support.h"
 #include <QTemporaryDir>
 
+namespace tst_obj_reader {
+
 using namespace ramure;
 
 namespace {
@@ -246,5 +248,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestObjReader)
+RAMURE_SUITE(TestObjReader)
+
+} // namespace tst_obj_reader
+
 #include "tst_obj_reader.moc"

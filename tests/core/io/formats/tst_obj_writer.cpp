@@ -2,6 +2,8 @@
 #include <QTemporaryDir>
 #include <limits>
 
+namespace tst_obj_writer {
+
 using namespace ramure;
 
 class TestObjWriter : public QObject
@@ -127,5 +129,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestObjWriter)
+RAMURE_SUITE(TestObjWriter)
+
+} // namespace tst_obj_writer
+
 #include "tst_obj_writer.moc"

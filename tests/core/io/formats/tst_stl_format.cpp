@@ -3,6 +3,8 @@
 #include "tests/core/io/io_support.h"
 #include <QTemporaryDir>
 
+namespace tst_stl_format {
+
 using namespace ramure;
 
 namespace {
@@ -155,5 +157,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestStlFormat)
+RAMURE_SUITE(TestStlFormat)
+
+} // namespace tst_stl_format
+
 #include "tst_stl_format.moc"

@@ -5,6 +5,8 @@
 #include <QTemporaryDir>
 #include <glm/geometric.hpp>
 
+namespace tst_three_mf_format {
+
 using namespace ramure;
 
 namespace {
@@ -211,5 +213,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestThreeMfFormat)
+RAMURE_SUITE(TestThreeMfFormat)
+
+} // namespace tst_three_mf_format
+
 #include "tst_three_mf_format.moc"

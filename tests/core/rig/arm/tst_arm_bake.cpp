@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+namespace tst_arm_bake {
+
 using namespace ramure;
 using namespace ramure::test;
 
@@ -402,5 +404,8 @@ void TestArmBake::neededPointsPassAllOthers()
     }
 }
 
-QTEST_GUILESS_MAIN(TestArmBake)
+RAMURE_SUITE(TestArmBake)
+
+} // namespace tst_arm_bake
+
 #include "tst_arm_bake.moc"

@@ -6,6 +6,8 @@
 #include <glm/mat4x4.hpp>
 #include <limits>
 
+namespace tst_arm_chain {
+
 using namespace ramure;
 using namespace ramure::test;
 
@@ -175,5 +177,8 @@ void TestArmChain::thePoseMovesTheStraightArm()
     }
 }
 
-QTEST_GUILESS_MAIN(TestArmChain)
+RAMURE_SUITE(TestArmChain)
+
+} // namespace tst_arm_chain
+
 #include "tst_arm_chain.moc"

@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+namespace tst_arm_motion {
+
 using namespace ramure;
 using namespace ramure::test;
 
@@ -257,5 +259,8 @@ void TestArmMotion::comesToRest()
     }
 }
 
-QTEST_GUILESS_MAIN(TestArmMotion)
+RAMURE_SUITE(TestArmMotion)
+
+} // namespace tst_arm_motion
+
 #include "tst_arm_motion.moc"

@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+namespace tst_arm_shape {
+
 using namespace ramure;
 
 namespace {
@@ -162,5 +164,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestArmShape)
+RAMURE_SUITE(TestArmShape)
+
+} // namespace tst_arm_shape
+
 #include "tst_arm_shape.moc"

@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
+namespace tst_arm_skin {
+
 using namespace ramure;
 using namespace ramure::test;
 
@@ -318,5 +320,8 @@ void TestArmSkin::normalsAreThoseOfTheSurface()
     QVERIFY(checked > 3000);
 }
 
-QTEST_GUILESS_MAIN(TestArmSkin)
+RAMURE_SUITE(TestArmSkin)
+
+} // namespace tst_arm_skin
+
 #include "tst_arm_skin.moc"

@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+namespace tst_arm_solver {
+
 using namespace ramure;
 using namespace ramure::test;
 
@@ -310,5 +312,8 @@ void TestArmSolver::tellsWhatHappened()
     QCOMPARE(solver.figures().steps, std::int64_t(0));
 }
 
-QTEST_GUILESS_MAIN(TestArmSolver)
+RAMURE_SUITE(TestArmSolver)
+
+} // namespace tst_arm_solver
+
 #include "tst_arm_solver.moc"

@@ -5,6 +5,8 @@
 #include "tests/support/suite.h"
 #include <limits>
 
+namespace tst_limb {
+
 using namespace ramure;
 using namespace ramure::test;
 
@@ -218,5 +220,8 @@ void TestLimb::theRootAndWhatIsThickAreNoLimb()
     QCOMPARE(limbLength(tree, 0), std::size_t(0));
 }
 
-QTEST_GUILESS_MAIN(TestLimb)
+RAMURE_SUITE(TestLimb)
+
+} // namespace tst_limb
+
 #include "tst_limb.moc"

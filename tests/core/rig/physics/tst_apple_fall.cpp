@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+namespace tst_apple_fall {
+
 using namespace ramure;
 
 namespace {
@@ -129,5 +131,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestAppleFall)
+RAMURE_SUITE(TestAppleFall)
+
+} // namespace tst_apple_fall
+
 #include "tst_apple_fall.moc"

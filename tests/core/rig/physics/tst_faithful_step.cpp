@@ -1,6 +1,8 @@
 #include "tests/core/rig/physics/physics_support.h"
 #include "tests/support/suite.h"
 
+namespace tst_faithful_step {
+
 using namespace ramure;
 
 namespace {
@@ -234,5 +236,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestFaithfulStep)
+RAMURE_SUITE(TestFaithfulStep)
+
+} // namespace tst_faithful_step
+
 #include "tst_faithful_step.moc"

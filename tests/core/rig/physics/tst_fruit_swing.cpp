@@ -4,6 +4,8 @@
 #include "tests/support/suite.h"
 #include <numbers>
 
+namespace tst_fruit_swing {
+
 using namespace ramure;
 
 namespace {
@@ -94,5 +96,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestFruitSwing)
+RAMURE_SUITE(TestFruitSwing)
+
+} // namespace tst_fruit_swing
+
 #include "tst_fruit_swing.moc"

@@ -8,6 +8,8 @@
 #include <QTemporaryDir>
 #include <cmath>
 
+namespace tst_limb_fall {
+
 using namespace ramure;
 using namespace ramure::test;
 
@@ -250,5 +252,8 @@ void TestLimbFall::theMovedMeshIsWhole()
     }
 }
 
-QTEST_GUILESS_MAIN(TestLimbFall)
+RAMURE_SUITE(TestLimbFall)
+
+} // namespace tst_limb_fall
+
 #include "tst_limb_fall.moc"

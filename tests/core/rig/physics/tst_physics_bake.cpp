@@ -4,6 +4,8 @@
 #include <QFile>
 #include <QTemporaryDir>
 
+namespace tst_physics_bake {
+
 using namespace ramure;
 
 class TestPhysicsBake : public QObject
@@ -198,5 +200,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestPhysicsBake)
+RAMURE_SUITE(TestPhysicsBake)
+
+} // namespace tst_physics_bake
+
 #include "tst_physics_bake.moc"

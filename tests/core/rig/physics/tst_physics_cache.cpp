@@ -2,6 +2,8 @@
 #include "tests/core/rig/physics/physics_support.h"
 #include "tests/support/suite.h"
 
+namespace tst_physics_cache {
+
 using namespace ramure;
 
 namespace {
@@ -232,5 +234,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestPhysicsCache)
+RAMURE_SUITE(TestPhysicsCache)
+
+} // namespace tst_physics_cache
+
 #include "tst_physics_cache.moc"

@@ -2,6 +2,8 @@
 #include "tests/core/rig/physics/physics_support.h"
 #include "tests/support/suite.h"
 
+namespace tst_physics_script {
+
 using namespace ramure;
 
 namespace {
@@ -122,5 +124,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestPhysicsScript)
+RAMURE_SUITE(TestPhysicsScript)
+
+} // namespace tst_physics_script
+
 #include "tst_physics_script.moc"

@@ -1,6 +1,8 @@
 #include "tests/core/rig/physics/physics_support.h"
 #include "tests/support/suite.h"
 
+namespace tst_robust_step {
+
 using namespace ramure;
 
 namespace {
@@ -308,5 +310,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRobustStep)
+RAMURE_SUITE(TestRobustStep)
+
+} // namespace tst_robust_step
+
 #include "tst_robust_step.moc"

@@ -4,6 +4,8 @@
 #include "tests/support/suite.h"
 #include <thread>
 
+namespace tst_tree_physics {
+
 using namespace ramure;
 
 /// What both modes share: bodies, determinism, the hand, apples, live changes.
@@ -252,5 +254,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestTreePhysics)
+RAMURE_SUITE(TestTreePhysics)
+
+} // namespace tst_tree_physics
+
 #include "tst_tree_physics.moc"

@@ -2,6 +2,8 @@
 #include "tests/core/rig/physics/physics_support.h"
 #include "tests/support/suite.h"
 
+namespace tst_wind {
+
 using namespace ramure;
 
 namespace {
@@ -109,5 +111,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestWind)
+RAMURE_SUITE(TestWind)
+
+} // namespace tst_wind
+
 #include "tst_wind.moc"

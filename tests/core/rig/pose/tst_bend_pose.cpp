@@ -4,6 +4,8 @@
 #include "tests/support/preset_trees.h"
 #include "tests/support/suite.h"
 
+namespace tst_bend_pose {
+
 using namespace ramure;
 
 /// A pose in the place of a mesh that is still to be made: it shows the same tree.
@@ -50,5 +52,8 @@ void TestBendPose::whatIsNotTurnedStaysToTheBit()
     QVERIFY(bones.back() != RigidTransform());
 }
 
-QTEST_GUILESS_MAIN(TestBendPose)
+RAMURE_SUITE(TestBendPose)
+
+} // namespace tst_bend_pose
+
 #include "tst_bend_pose.moc"

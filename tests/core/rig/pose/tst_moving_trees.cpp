@@ -2,6 +2,8 @@
 #include "core/surface/proof/validate.h"
 #include "tests/core/rig/physics/physics_support.h"
 
+namespace tst_moving_trees {
+
 using namespace ramure;
 using namespace ramure::test;
 
@@ -166,5 +168,8 @@ void TestMovingTrees::leavesAndApplesStayAtTheirAnchors()
     }
 }
 
-QTEST_GUILESS_MAIN(TestMovingTrees)
+RAMURE_SUITE(TestMovingTrees)
+
+} // namespace tst_moving_trees
+
 #include "tst_moving_trees.moc"

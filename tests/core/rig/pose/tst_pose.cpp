@@ -2,6 +2,8 @@
 #include "core/rig/pose/pose.h"
 #include "tests/support/suite.h"
 
+namespace tst_pose {
+
 using namespace ramure;
 
 namespace {
@@ -59,5 +61,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestPose)
+RAMURE_SUITE(TestPose)
+
+} // namespace tst_pose
+
 #include "tst_pose.moc"

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace tst_skin {
+
 using namespace ramure;
 using namespace ramure::test;
 
@@ -376,6 +378,8 @@ void TestSkin::lengthsOfRunsChangeNoBit()
         }
 }
 
-QTEST_GUILESS_MAIN(TestSkin)
+RAMURE_SUITE(TestSkin)
+
+} // namespace tst_skin
 
 #include "tst_skin.moc"

@@ -3,6 +3,8 @@
 
 #include <QFile>
 
+namespace tst_easing {
+
 using namespace ramure;
 
 static Key keyAt(double seconds, double value, KeyMode mode)
@@ -90,5 +92,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestEasing)
+RAMURE_SUITE(TestEasing)
+
+} // namespace tst_easing
+
 #include "tst_easing.moc"

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace tst_key_list {
+
 using namespace ramure;
 
 namespace {
@@ -247,5 +249,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestKeyList)
+RAMURE_SUITE(TestKeyList)
+
+} // namespace tst_key_list
+
 #include "tst_key_list.moc"

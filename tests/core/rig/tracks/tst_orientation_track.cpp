@@ -8,6 +8,8 @@
 #include <limits>
 #include <numbers>
 
+namespace tst_orientation_track {
+
 using namespace ramure;
 
 namespace {
@@ -340,5 +342,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestOrientationTrack)
+RAMURE_SUITE(TestOrientationTrack)
+
+} // namespace tst_orientation_track
+
 #include "tst_orientation_track.moc"

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+namespace tst_timeline_settings {
+
 using namespace ramure;
 using namespace ramure::test;
 
@@ -112,6 +114,8 @@ void TestTimelineSettings::oneFrameStandsStill()
     QCOMPARE(playedFrame({24.0, 4, 4, PlayLoop::Once}, 0.0), (PlayPlace{4, true}));
 }
 
-QTEST_GUILESS_MAIN(TestTimelineSettings)
+RAMURE_SUITE(TestTimelineSettings)
+
+} // namespace tst_timeline_settings
 
 #include "tst_timeline_settings.moc"

@@ -5,6 +5,8 @@
 
 #include <limits>
 
+namespace tst_track {
+
 using namespace ramure;
 
 namespace {
@@ -355,5 +357,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestTrack)
+RAMURE_SUITE(TestTrack)
+
+} // namespace tst_track
+
 #include "tst_track.moc"

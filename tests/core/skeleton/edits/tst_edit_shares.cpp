@@ -4,6 +4,8 @@
 
 #include <set>
 
+namespace tst_edit_shares {
+
 using namespace ramure;
 using namespace ramure::test;
 
@@ -119,5 +121,8 @@ void TestEditShares::otherNumbers()
     }
 }
 
-QTEST_GUILESS_MAIN(TestEditShares)
+RAMURE_SUITE(TestEditShares)
+
+} // namespace tst_edit_shares
+
 #include "tst_edit_shares.moc"

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <set>
 
+namespace tst_edited_growth {
+
 using namespace ramure;
 using namespace ramure::test;
 
@@ -407,5 +409,8 @@ void TestEditedGrowth::placesHoldWhereAnAxisIsSplit()
     }
 }
 
-QTEST_GUILESS_MAIN(TestEditedGrowth)
+RAMURE_SUITE(TestEditedGrowth)
+
+} // namespace tst_edited_growth
+
 #include "tst_edited_growth.moc"

@@ -5,6 +5,8 @@
 #include <QElapsedTimer>
 #include <cmath>
 
+namespace tst_random_edits {
+
 using namespace ramure;
 using namespace ramure::test;
 
@@ -152,5 +154,8 @@ void TestRandomEdits::theSameEditsGiveTheSameBytes()
     }
 }
 
-QTEST_GUILESS_MAIN(TestRandomEdits)
+RAMURE_SUITE(TestRandomEdits)
+
+} // namespace tst_random_edits
+
 #include "tst_random_edits.moc"

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <set>
 
+namespace tst_tree_edits {
+
 using namespace ramure;
 using namespace ramure::test;
 
@@ -584,5 +586,8 @@ void TestTreeEdits::bowsAreSmooth()
     QVERIFY(shaped.tree(Stage::Mesh).report->valid);
 }
 
-QTEST_GUILESS_MAIN(TestTreeEdits)
+RAMURE_SUITE(TestTreeEdits)
+
+} // namespace tst_tree_edits
+
 #include "tst_tree_edits.moc"

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <set>
 
+namespace tst_bark_maps {
+
 using namespace ramure;
 
 namespace {
@@ -166,5 +168,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestBarkMaps)
+RAMURE_SUITE(TestBarkMaps)
+
+} // namespace tst_bark_maps
+
 #include "tst_bark_maps.moc"

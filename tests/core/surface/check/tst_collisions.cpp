@@ -6,6 +6,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+namespace tst_collisions {
+
 using namespace ramure;
 using namespace ramure::test;
 
@@ -85,7 +87,7 @@ void TestCollisions::crossingTwigsAreFound()
     for (const double gap : {0.0, 0.03, 0.06}) {
         const auto found = analysisOf(crossingTwigs(gap));
         QVERIFY2(found, why(found));
-        QCOMPARE(found->crossings.total(), found->crossings.count(PairKind::Far));
+        QCOMPARE(found->crossings.total(), found->crossings.count(ramure::PairKind::Far));
         QCOMPARE(found->collisions.size(), std::size_t(1));
         const Collision& collision = found->collisions.front();
         QCOMPARE(collision.first, Index(3));
@@ -147,5 +149,8 @@ void TestCollisions::theSameOnAnyNumberOfThreads()
     QVERIFY(one && many && one->sameFindings(*many));
 }
 
-QTEST_GUILESS_MAIN(TestCollisions)
+RAMURE_SUITE(TestCollisions)
+
+} // namespace tst_collisions
+
 #include "tst_collisions.moc"

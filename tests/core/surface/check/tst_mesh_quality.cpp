@@ -7,6 +7,8 @@
 #include <numeric>
 #include <set>
 
+namespace tst_mesh_quality {
+
 using namespace ramure;
 using namespace ramure::test;
 
@@ -175,5 +177,8 @@ void TestMeshQuality::hashIsTheSameEverywhere()
     QCOMPARE(meshHash(box({0, 0, 0}, {1, 2, 3})).shortText().size(), std::size_t(8));
 }
 
-QTEST_GUILESS_MAIN(TestMeshQuality)
+RAMURE_SUITE(TestMeshQuality)
+
+} // namespace tst_mesh_quality
+
 #include "tst_mesh_quality.moc"

@@ -6,6 +6,8 @@
 #include <limits>
 #include <random>
 
+namespace tst_validate {
+
 using namespace ramure;
 
 namespace {
@@ -446,5 +448,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestValidate)
+RAMURE_SUITE(TestValidate)
+
+} // namespace tst_validate
+
 #include "tst_validate.moc"

@@ -1,6 +1,8 @@
 #include "core/surface/check/verdict.h"
 #include "tests/support/suite.h"
 
+namespace tst_verdict {
+
 using namespace ramure;
 
 /// One word for a mesh, whoever asks.
@@ -56,5 +58,8 @@ private:
     }
 };
 
-QTEST_GUILESS_MAIN(TestVerdict)
+RAMURE_SUITE(TestVerdict)
+
+} // namespace tst_verdict
+
 #include "tst_verdict.moc"

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace tst_foliage {
+
 using namespace ramure;
 
 namespace {
@@ -320,5 +322,8 @@ void TestFoliage::fineModel()
     QCOMPARE(checked.components.size(), foliage.apples.size());
 }
 
-QTEST_GUILESS_MAIN(TestFoliage)
+RAMURE_SUITE(TestFoliage)
+
+} // namespace tst_foliage
+
 #include "tst_foliage.moc"

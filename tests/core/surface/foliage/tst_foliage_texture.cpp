@@ -3,6 +3,8 @@
 #include "core/surface/foliage/foliage_texture.h"
 #include "tests/support/suite.h"
 
+namespace tst_foliage_texture {
+
 using namespace ramure;
 using namespace ramure::test;
 
@@ -82,6 +84,8 @@ void TestFoliageTexture::applesAreGlobes()
     QVERIFY(area > 1.7 && area < 2.0);
 }
 
-QTEST_GUILESS_MAIN(TestFoliageTexture)
+RAMURE_SUITE(TestFoliageTexture)
+
+} // namespace tst_foliage_texture
 
 #include "tst_foliage_texture.moc"

@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace tst_fruit_shapes {
+
 using namespace ramure;
 
 namespace {
@@ -145,5 +147,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestFruitShapes)
+RAMURE_SUITE(TestFruitShapes)
+
+} // namespace tst_fruit_shapes
+
 #include "tst_fruit_shapes.moc"

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace tst_leaf_placement {
+
 using namespace ramure;
 
 namespace {
@@ -282,5 +284,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestLeafPlacement)
+RAMURE_SUITE(TestLeafPlacement)
+
+} // namespace tst_leaf_placement
+
 #include "tst_leaf_placement.moc"

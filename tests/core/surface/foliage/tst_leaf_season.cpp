@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <set>
 
+namespace tst_leaf_season {
+
 using namespace ramure;
 
 namespace {
@@ -153,5 +155,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestLeafSeason)
+RAMURE_SUITE(TestLeafSeason)
+
+} // namespace tst_leaf_season
+
 #include "tst_leaf_season.moc"

@@ -9,6 +9,8 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+namespace tst_leaf_shapes {
+
 using namespace ramure;
 
 namespace {
@@ -182,5 +184,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestLeafShapes)
+RAMURE_SUITE(TestLeafShapes)
+
+} // namespace tst_leaf_shapes
+
 #include "tst_leaf_shapes.moc"

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <map>
 
+namespace tst_venation {
+
 using namespace ramure;
 
 namespace {
@@ -97,5 +99,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestVenation)
+RAMURE_SUITE(TestVenation)
+
+} // namespace tst_venation
+
 #include "tst_venation.moc"

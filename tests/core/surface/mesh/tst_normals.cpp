@@ -7,6 +7,8 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+namespace tst_normals {
+
 using namespace ramure;
 
 namespace {
@@ -169,5 +171,8 @@ void TestNormals::sameBytesEveryTime()
     QVERIFY(a == b);
 }
 
-QTEST_GUILESS_MAIN(TestNormals)
+RAMURE_SUITE(TestNormals)
+
+} // namespace tst_normals
+
 #include "tst_normals.moc"

@@ -10,6 +10,8 @@
 #include <limits>
 #include <numbers>
 
+namespace tst_branch_mesh {
+
 using namespace ramure;
 using namespace ramure::test;
 
@@ -390,5 +392,8 @@ void TestBranchMesh::cleanupPartsTwinsAndOpensFlatTriangles()
     QCOMPARE(separateVertices(positions, triangles, {}), Index(0)); // nothing more to do
 }
 
-QTEST_GUILESS_MAIN(TestBranchMesh)
+RAMURE_SUITE(TestBranchMesh)
+
+} // namespace tst_branch_mesh
+
 #include "tst_branch_mesh.moc"

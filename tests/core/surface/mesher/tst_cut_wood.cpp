@@ -3,6 +3,8 @@
 #include "tests/support/shaped_tree.h"
 #include <cmath>
 
+namespace tst_cut_wood {
+
 using namespace ramure;
 using namespace ramure::test;
 
@@ -85,5 +87,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestCutWood)
+RAMURE_SUITE(TestCutWood)
+
+} // namespace tst_cut_wood
+
 #include "tst_cut_wood.moc"

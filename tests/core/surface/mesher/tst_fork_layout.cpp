@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+namespace tst_fork_layout {
+
 using namespace ramure;
 using namespace ramure::test;
 
@@ -195,5 +197,8 @@ void TestForkLayout::randomChildren()
     }
 }
 
-QTEST_GUILESS_MAIN(TestForkLayout)
+RAMURE_SUITE(TestForkLayout)
+
+} // namespace tst_fork_layout
+
 #include "tst_fork_layout.moc"

@@ -8,6 +8,8 @@
 #include <numbers>
 #include <set>
 
+namespace tst_fork_triangulation {
+
 using namespace ramure;
 using namespace ramure::test;
 
@@ -272,5 +274,8 @@ void TestForkTriangulation::randomSites()
     }
 }
 
-QTEST_GUILESS_MAIN(TestForkTriangulation)
+RAMURE_SUITE(TestForkTriangulation)
+
+} // namespace tst_fork_triangulation
+
 #include "tst_fork_triangulation.moc"

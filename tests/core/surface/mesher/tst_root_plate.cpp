@@ -7,6 +7,8 @@
 
 #include <numbers>
 
+namespace tst_root_plate {
+
 using namespace ramure;
 
 /// Stems that start together are one mesh.
@@ -111,5 +113,8 @@ void TestRootPlate::grammarsWithTwoRoots()
     QVERIFY(tree->texture); // the stems have their coordinates too
 }
 
-QTEST_GUILESS_MAIN(TestRootPlate)
+RAMURE_SUITE(TestRootPlate)
+
+} // namespace tst_root_plate
+
 #include "tst_root_plate.moc"

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+namespace tst_rough_model {
+
 using namespace ramure;
 
 namespace {
@@ -146,5 +148,8 @@ void TestRoughModel::usedArraysAreWrittenInPlace()
     QVERIFY(mesh.positions.capacity() < before.positions.size());
 }
 
-QTEST_GUILESS_MAIN(TestRoughModel)
+RAMURE_SUITE(TestRoughModel)
+
+} // namespace tst_rough_model
+
 #include "tst_rough_model.moc"

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+namespace tst_skeleton_normalise {
+
 using namespace ramure;
 using namespace ramure::test;
 
@@ -274,5 +276,8 @@ void TestSkeletonNormalise::invariantsOfTheZoo()
     }
 }
 
-QTEST_GUILESS_MAIN(TestSkeletonNormalise)
+RAMURE_SUITE(TestSkeletonNormalise)
+
+} // namespace tst_skeleton_normalise
+
 #include "tst_skeleton_normalise.moc"

@@ -4,6 +4,8 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
+namespace tst_stem_limbs {
+
 using namespace ramure;
 
 /// Which children of a fork are limbs of one of them, and what becomes of those that show nothing of
@@ -115,5 +117,8 @@ void TestStemLimbs::limbsComeOutAboveTheFork()
     QVERIFY(std::abs(limbStart(child(150.0, 1.0, 0.02), trunk)) <= 2.0 * trunk.radius);
 }
 
-QTEST_GUILESS_MAIN(TestStemLimbs)
+RAMURE_SUITE(TestStemLimbs)
+
+} // namespace tst_stem_limbs
+
 #include "tst_stem_limbs.moc"

@@ -6,6 +6,8 @@
 #include <map>
 #include <numbers>
 
+namespace tst_strip_patch {
+
 using namespace ramure;
 using namespace ramure::test;
 
@@ -251,5 +253,8 @@ void TestStripPatch::randomRows()
     }
 }
 
-QTEST_GUILESS_MAIN(TestStripPatch)
+RAMURE_SUITE(TestStripPatch)
+
+} // namespace tst_strip_patch
+
 #include "tst_strip_patch.moc"

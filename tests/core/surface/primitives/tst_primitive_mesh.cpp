@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+namespace tst_primitive_mesh {
+
 using namespace ramure;
 
 class TestPrimitiveMesh : public QObject
@@ -75,5 +77,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestPrimitiveMesh)
+RAMURE_SUITE(TestPrimitiveMesh)
+
+} // namespace tst_primitive_mesh
+
 #include "tst_primitive_mesh.moc"

@@ -5,6 +5,8 @@
 #include "tests/support/suite.h"
 #include <cmath>
 
+namespace tst_terrain {
+
 using namespace ramure;
 using namespace ramure::test;
 
@@ -157,5 +159,8 @@ void TestTerrain::raysMeetTheNearestTriangle()
     QVERIFY(hits > 500);
 }
 
-QTEST_GUILESS_MAIN(TestTerrain)
+RAMURE_SUITE(TestTerrain)
+
+} // namespace tst_terrain
+
 #include "tst_terrain.moc"

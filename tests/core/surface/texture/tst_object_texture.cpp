@@ -2,6 +2,8 @@
 #include "core/surface/texture/object_texture.h"
 #include "tests/support/suite.h"
 
+namespace tst_object_texture {
+
 using namespace ramure;
 
 class TestObjectTexture : public QObject
@@ -56,5 +58,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestObjectTexture)
+RAMURE_SUITE(TestObjectTexture)
+
+} // namespace tst_object_texture
+
 #include "tst_object_texture.moc"

@@ -9,6 +9,8 @@
 #include <map>
 #include <set>
 
+namespace tst_texture_coordinates {
+
 using namespace ramure;
 using namespace ramure::test;
 
@@ -443,6 +445,8 @@ void TestTextureCoordinates::anySkeleton()
     }
 }
 
-QTEST_GUILESS_MAIN(TestTextureCoordinates)
+RAMURE_SUITE(TestTextureCoordinates)
+
+} // namespace tst_texture_coordinates
 
 #include "tst_texture_coordinates.moc"

@@ -3,6 +3,8 @@
 #include <QAbstractButton>
 #include <QComboBox>
 
+namespace tst_key_sheet {
+
 using namespace ramure;
 using test::KeyDock;
 using Frames = std::vector<double>;
@@ -458,5 +460,8 @@ void TestKeySheet::everythingHasAToolTip()
         QVERIFY(!box->toolTip().isEmpty());
 }
 
-QTEST_MAIN(TestKeySheet)
+RAMURE_SUITE(TestKeySheet)
+
+} // namespace tst_key_sheet
+
 #include "tst_key_sheet.moc"

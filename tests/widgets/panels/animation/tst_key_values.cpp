@@ -11,6 +11,8 @@
 #include <QToolButton>
 #include <array>
 
+namespace tst_key_values {
+
 using namespace ramure;
 using test::KeyDock;
 
@@ -428,5 +430,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestKeyValues)
+RAMURE_SUITE(TestKeyValues)
+
+} // namespace tst_key_values
+
 #include "tst_key_values.moc"

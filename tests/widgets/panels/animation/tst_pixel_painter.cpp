@@ -4,6 +4,8 @@
 #include "widgets/panels/animation/pixel_painter.h"
 #include <cmath>
 
+namespace tst_pixel_painter {
+
 using namespace ramure;
 
 namespace {
@@ -113,5 +115,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestPixelPainter)
+RAMURE_SUITE(TestPixelPainter)
+
+} // namespace tst_pixel_painter
+
 #include "tst_pixel_painter.moc"

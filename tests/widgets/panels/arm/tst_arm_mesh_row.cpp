@@ -8,6 +8,8 @@
 #include <QPushButton>
 #include <QSignalSpy>
 
+namespace tst_arm_mesh_row {
+
 using namespace ramure;
 
 /// The choice of what an arm wears.
@@ -161,5 +163,8 @@ private:
     };
 };
 
-QTEST_MAIN(TestArmMeshRow)
+RAMURE_SUITE(TestArmMeshRow)
+
+} // namespace tst_arm_mesh_row
+
 #include "tst_arm_mesh_row.moc"

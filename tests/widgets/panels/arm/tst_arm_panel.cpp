@@ -18,6 +18,8 @@
 #include <functional>
 #include <glm/geometric.hpp>
 
+namespace tst_arm_panel {
+
 using namespace ramure;
 
 class TestArmPanel : public QObject
@@ -276,5 +278,8 @@ void TestArmPanel::aTypedTargetSendsTheArm()
     QVERIFY(desk.reach.progress()->moves);
 }
 
-QTEST_MAIN(TestArmPanel)
+RAMURE_SUITE(TestArmPanel)
+
+} // namespace tst_arm_panel
+
 #include "tst_arm_panel.moc"

@@ -14,6 +14,8 @@
 #include <QTreeView>
 #include <memory>
 
+namespace tst_edits_panel {
+
 using namespace ramure;
 
 /// The list of what a hand did to a tree.
@@ -245,5 +247,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestEditsPanel)
+RAMURE_SUITE(TestEditsPanel)
+
+} // namespace tst_edits_panel
+
 #include "tst_edits_panel.moc"

@@ -3,6 +3,8 @@
 #include "widgets/panels/history/history_dock.h"
 #include <QUndoView>
 
+namespace tst_history_dock {
+
 using namespace ramure;
 
 class TestHistoryDock : public QObject
@@ -86,5 +88,8 @@ void TestHistoryDock::followsLanguageAndTheme()
     QCOMPARE(middle(), QColor(10, 200, 30));
 }
 
-QTEST_MAIN(TestHistoryDock)
+RAMURE_SUITE(TestHistoryDock)
+
+} // namespace tst_history_dock
+
 #include "tst_history_dock.moc"

@@ -11,6 +11,8 @@
 #include <QSlider>
 #include <QToolButton>
 
+namespace tst_branch_inspector {
+
 using namespace ramure;
 
 namespace {
@@ -405,5 +407,8 @@ void TestBranchInspector::manyRandomChoices()
     }
 }
 
-QTEST_MAIN(TestBranchInspector)
+RAMURE_SUITE(TestBranchInspector)
+
+} // namespace tst_branch_inspector
+
 #include "tst_branch_inspector.moc"

@@ -7,6 +7,8 @@
 #include <QToolButton>
 #include <numbers>
 
+namespace tst_roll_editor {
+
 using namespace ramure;
 
 namespace {
@@ -165,5 +167,8 @@ void TestRollEditor::lockedTreesCannotBeRolled()
     QVERIFY(field->isEnabled());
 }
 
-QTEST_MAIN(TestRollEditor)
+RAMURE_SUITE(TestRollEditor)
+
+} // namespace tst_roll_editor
+
 #include "tst_roll_editor.moc"

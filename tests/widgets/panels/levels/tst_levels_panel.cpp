@@ -23,6 +23,8 @@
 #include <QTreeView>
 #include <atomic>
 
+namespace tst_levels_panel {
+
 using namespace ramure;
 using State = LevelWatch::State;
 
@@ -503,5 +505,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestLevelsPanel)
+RAMURE_SUITE(TestLevelsPanel)
+
+} // namespace tst_levels_panel
+
 #include "tst_levels_panel.moc"

@@ -17,6 +17,8 @@
 #include <QPushButton>
 #include <set>
 
+namespace tst_gallery_panel {
+
 using namespace ramure;
 
 class TestGalleryPanel : public QObject
@@ -319,5 +321,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestGalleryPanel)
+RAMURE_SUITE(TestGalleryPanel)
+
+} // namespace tst_gallery_panel
+
 #include "tst_gallery_panel.moc"

@@ -11,6 +11,8 @@
 #include <QPushButton>
 #include <climits>
 
+namespace tst_parameter_search {
+
 using namespace ramure;
 
 namespace {
@@ -169,5 +171,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestParameterSearch)
+RAMURE_SUITE(TestParameterSearch)
+
+} // namespace tst_parameter_search
+
 #include "tst_parameter_search.moc"

@@ -7,6 +7,8 @@
 #include <QTemporaryDir>
 #include <QToolButton>
 
+namespace tst_picture_editor {
+
 using namespace ramure;
 
 class TestPictureEditor : public QObject
@@ -94,5 +96,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestPictureEditor)
+RAMURE_SUITE(TestPictureEditor)
+
+} // namespace tst_picture_editor
+
 #include "tst_picture_editor.moc"

@@ -8,6 +8,8 @@
 #include <QMenu>
 #include <QToolButton>
 
+namespace tst_preset_memory {
+
 using namespace ramure;
 
 /// What the panel calls changed, and where its arrows lead, hangs on the preset that a tree came from.
@@ -115,5 +117,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestPresetMemory)
+RAMURE_SUITE(TestPresetMemory)
+
+} // namespace tst_preset_memory
+
 #include "tst_preset_memory.moc"

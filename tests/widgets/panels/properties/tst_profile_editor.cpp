@@ -5,6 +5,8 @@
 #include <QLineEdit>
 #include <QSignalSpy>
 
+namespace tst_profile_editor {
+
 using namespace ramure;
 
 namespace {
@@ -135,5 +137,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestProfileEditor)
+RAMURE_SUITE(TestProfileEditor)
+
+} // namespace tst_profile_editor
+
 #include "tst_profile_editor.moc"

@@ -14,6 +14,8 @@
 #include <QColorDialog>
 #include <numbers>
 
+namespace tst_properties_panel {
+
 using namespace ramure;
 
 namespace {
@@ -596,5 +598,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestPropertiesPanel)
+RAMURE_SUITE(TestPropertiesPanel)
+
+} // namespace tst_properties_panel
+
 #include "tst_properties_panel.moc"

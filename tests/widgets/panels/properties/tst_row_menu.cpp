@@ -13,6 +13,8 @@
 #include <QToolButton>
 #include <numbers>
 
+namespace tst_row_menu {
+
 using namespace ramure;
 
 /// What the mouse does to a row: its menu, and dragging its label.
@@ -185,5 +187,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestRowMenu)
+RAMURE_SUITE(TestRowMenu)
+
+} // namespace tst_row_menu
+
 #include "tst_row_menu.moc"

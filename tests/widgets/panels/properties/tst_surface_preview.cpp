@@ -9,6 +9,8 @@
 #include <QTemporaryDir>
 #include <QToolButton>
 
+namespace tst_surface_preview {
+
 using namespace ramure;
 
 namespace {
@@ -180,5 +182,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestSurfacePreview)
+RAMURE_SUITE(TestSurfacePreview)
+
+} // namespace tst_surface_preview
+
 #include "tst_surface_preview.moc"

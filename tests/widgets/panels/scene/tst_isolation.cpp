@@ -9,6 +9,8 @@
 #include "widgets/window/isolation_button.h"
 #include "widgets/window/main_window.h"
 
+namespace tst_isolation {
+
 using namespace ramure;
 
 class TestIsolation : public QObject
@@ -134,5 +136,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestIsolation)
+RAMURE_SUITE(TestIsolation)
+
+} // namespace tst_isolation
+
 #include "tst_isolation.moc"

@@ -9,6 +9,8 @@
 #include <QMimeData>
 #include <QSignalSpy>
 
+namespace tst_scene_drops {
+
 using namespace ramure;
 
 /// Nodes that get another parent by drag and drop, at any time.
@@ -165,5 +167,8 @@ void TestSceneDrops::theStatusBarTellsTheKey()
     QVERIFY(said.front().front().toString().contains(QStringLiteral("Shift")));
 }
 
-QTEST_MAIN(TestSceneDrops)
+RAMURE_SUITE(TestSceneDrops)
+
+} // namespace tst_scene_drops
+
 #include "tst_scene_drops.moc"

@@ -3,6 +3,8 @@
 #include <QAbstractItemModelTester>
 #include <random>
 
+namespace tst_scene_model {
+
 using namespace ramure;
 
 namespace {
@@ -535,5 +537,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestSceneModel)
+RAMURE_SUITE(TestSceneModel)
+
+} // namespace tst_scene_model
+
 #include "tst_scene_model.moc"

@@ -9,6 +9,8 @@
 #include <QHeaderView>
 #include <QMouseEvent>
 
+namespace tst_scene_panel {
+
 using namespace ramure;
 
 namespace {
@@ -452,5 +454,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestScenePanel)
+RAMURE_SUITE(TestScenePanel)
+
+} // namespace tst_scene_panel
+
 #include "tst_scene_panel.moc"

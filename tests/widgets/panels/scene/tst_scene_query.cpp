@@ -2,6 +2,8 @@
 #include "tests/widgets/tree_document.h"
 #include "widgets/panels/scene/scene_query.h"
 
+namespace tst_scene_query {
+
 using namespace ramure;
 
 class TestSceneQuery : public QObject
@@ -130,5 +132,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSceneQuery)
+RAMURE_SUITE(TestSceneQuery)
+
+} // namespace tst_scene_query
+
 #include "tst_scene_query.moc"

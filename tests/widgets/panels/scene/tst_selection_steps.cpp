@@ -4,6 +4,8 @@
 #include "widgets/panels/scene/selection_steps.h"
 #include <algorithm>
 
+namespace tst_selection_steps {
+
 using namespace ramure;
 
 class TestSelectionSteps : public QObject
@@ -129,5 +131,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSelectionSteps)
+RAMURE_SUITE(TestSelectionSteps)
+
+} // namespace tst_selection_steps
+
 #include "tst_selection_steps.moc"

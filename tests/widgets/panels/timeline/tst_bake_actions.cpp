@@ -9,6 +9,8 @@
 #include "widgets/window/main_window.h"
 #include <QToolButton>
 
+namespace tst_bake_actions {
+
 using namespace ramure;
 
 /// Baking from the window, and what the preferences say about motion.
@@ -140,5 +142,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestBakeActions)
+RAMURE_SUITE(TestBakeActions)
+
+} // namespace tst_bake_actions
+
 #include "tst_bake_actions.moc"

@@ -22,6 +22,8 @@
 #include <QSignalSpy>
 #include <QWheelEvent>
 
+namespace tst_timeline_panel {
+
 using namespace ramure;
 
 /// The timeline by mouse and keyboard. Playing itself is tested with the player.
@@ -470,6 +472,8 @@ void TestTimelinePanel::everythingHasAToolTip()
         QVERIFY(!action->shortcut().isEmpty());
 }
 
-QTEST_MAIN(TestTimelinePanel)
+RAMURE_SUITE(TestTimelinePanel)
+
+} // namespace tst_timeline_panel
 
 #include "tst_timeline_panel.moc"

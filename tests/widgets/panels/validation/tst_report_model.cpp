@@ -6,6 +6,8 @@
 #include <QAbstractItemModelTester>
 #include <QSignalSpy>
 
+namespace tst_report_model {
+
 using namespace ramure;
 
 namespace {
@@ -195,5 +197,8 @@ void TestReportModel::tooltipsCallBranchesByName()
     QCOMPARE(model.index(1, 0, top).data(Qt::ToolTipRole).toString(), meaning); // no such branch
 }
 
-QTEST_MAIN(TestReportModel)
+RAMURE_SUITE(TestReportModel)
+
+} // namespace tst_report_model
+
 #include "tst_report_model.moc"

@@ -13,6 +13,8 @@
 #include <QToolButton>
 #include <set>
 
+namespace tst_validation_panel {
+
 using namespace ramure;
 
 namespace {
@@ -574,5 +576,8 @@ void TestValidationPanel::nothingIsCutOff()
     QCoreApplication::removeTranslator(&language);
 }
 
-QTEST_MAIN(TestValidationPanel)
+RAMURE_SUITE(TestValidationPanel)
+
+} // namespace tst_validation_panel
+
 #include "tst_validation_panel.moc"

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace tst_camera {
+
 using namespace ramure;
 
 namespace {
@@ -274,5 +276,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestCamera)
+RAMURE_SUITE(TestCamera)
+
+} // namespace tst_camera
+
 #include "tst_camera.moc"

@@ -7,6 +7,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 
+namespace tst_camera_items {
+
 using namespace ramure;
 
 namespace {
@@ -138,5 +140,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestCameraItems)
+RAMURE_SUITE(TestCameraItems)
+
+} // namespace tst_camera_items
+
 #include "tst_camera_items.moc"

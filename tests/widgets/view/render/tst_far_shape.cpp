@@ -4,6 +4,8 @@
 #include "widgets/view/render/far_shape.h"
 #include <algorithm>
 
+namespace tst_far_shape {
+
 using namespace ramure;
 
 namespace {
@@ -103,5 +105,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestFarShape)
+RAMURE_SUITE(TestFarShape)
+
+} // namespace tst_far_shape
+
 #include "tst_far_shape.moc"

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace tst_framing_points {
+
 using namespace ramure;
 
 namespace {
@@ -94,5 +96,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestFramingPoints)
+RAMURE_SUITE(TestFramingPoints)
+
+} // namespace tst_framing_points
+
 #include "tst_framing_points.moc"

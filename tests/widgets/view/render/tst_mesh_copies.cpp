@@ -4,6 +4,8 @@
 #include "widgets/view/render/mesh_copies.h"
 #include <algorithm>
 
+namespace tst_mesh_copies {
+
 using namespace ramure;
 
 namespace {
@@ -104,5 +106,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestMeshCopies)
+RAMURE_SUITE(TestMeshCopies)
+
+} // namespace tst_mesh_copies
+
 #include "tst_mesh_copies.moc"

@@ -5,6 +5,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <set>
 
+namespace tst_pick_scene {
+
 using namespace ramure;
 
 namespace {
@@ -236,5 +238,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestPickScene)
+RAMURE_SUITE(TestPickScene)
+
+} // namespace tst_pick_scene
+
 #include "tst_pick_scene.moc"

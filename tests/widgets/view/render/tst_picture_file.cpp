@@ -3,6 +3,8 @@
 #include "widgets/view/render/picture_file.h"
 #include <QTemporaryDir>
 
+namespace tst_picture_file {
+
 using namespace ramure;
 
 namespace {
@@ -57,5 +59,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestPictureFile)
+RAMURE_SUITE(TestPictureFile)
+
+} // namespace tst_picture_file
+
 #include "tst_picture_file.moc"

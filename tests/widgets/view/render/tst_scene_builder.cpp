@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+namespace tst_scene_builder {
+
 using namespace ramure;
 
 namespace {
@@ -574,5 +576,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestSceneBuilder)
+RAMURE_SUITE(TestSceneBuilder)
+
+} // namespace tst_scene_builder
+
 #include "tst_scene_builder.moc"

@@ -9,6 +9,8 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+namespace tst_sky {
+
 using namespace ramure;
 
 namespace {
@@ -132,5 +134,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSky)
+RAMURE_SUITE(TestSky)
+
+} // namespace tst_sky
+
 #include "tst_sky.moc"

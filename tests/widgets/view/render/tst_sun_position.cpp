@@ -4,6 +4,8 @@
 #include <QTest>
 #include <cmath>
 
+namespace tst_sun_position {
+
 using namespace ramure;
 
 class TestSunPosition : public QObject
@@ -45,5 +47,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSunPosition)
+RAMURE_SUITE(TestSunPosition)
+
+} // namespace tst_sun_position
+
 #include "tst_sun_position.moc"

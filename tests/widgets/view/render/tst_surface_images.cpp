@@ -10,6 +10,8 @@
 #include <cmath>
 #include <sys/stat.h>
 
+namespace tst_surface_images {
+
 using namespace ramure;
 
 class TestSurfaceImages : public QObject
@@ -172,5 +174,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestSurfaceImages)
+RAMURE_SUITE(TestSurfaceImages)
+
+} // namespace tst_surface_images
+
 #include "tst_surface_images.moc"

@@ -7,6 +7,8 @@
 #include "widgets/view/render/scene_builder.h"
 #include <glm/gtc/matrix_transform.hpp>
 
+namespace tst_surface_picks {
+
 using namespace ramure;
 
 namespace {
@@ -135,5 +137,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestSurfacePicks)
+RAMURE_SUITE(TestSurfacePicks)
+
+} // namespace tst_surface_picks
+
 #include "tst_surface_picks.moc"

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace tst_arm_rings {
+
 using namespace ramure;
 
 class TestArmRings : public QObject
@@ -115,5 +117,8 @@ void TestArmRings::limitsHold()
     QVERIFY(std::abs(turnedBy(free, 3.0, -3.0) - wrappedAngle(3.0 + 2.0 * pi - 6.0)) < 1e-12);
 }
 
-QTEST_MAIN(TestArmRings)
+RAMURE_SUITE(TestArmRings)
+
+} // namespace tst_arm_rings
+
 #include "tst_arm_rings.moc"

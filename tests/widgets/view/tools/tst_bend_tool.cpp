@@ -3,6 +3,8 @@
 #include "tests/support/suite.h"
 #include <QTest>
 
+namespace tst_bend_tool {
+
 using namespace ramure;
 using test::HandBench;
 
@@ -129,5 +131,8 @@ void TestBendTool::bendsStayAfterACut()
         QCOMPARE(outcome.state, EditState::ByAddress);
 }
 
-QTEST_MAIN(TestBendTool)
+RAMURE_SUITE(TestBendTool)
+
+} // namespace tst_bend_tool
+
 #include "tst_bend_tool.moc"

@@ -1,6 +1,8 @@
 #include "tests/support/hand_bench.h"
 #include "tests/support/suite.h"
 
+namespace tst_brush_tool {
+
 using namespace ramure;
 using test::HandBench;
 
@@ -189,5 +191,8 @@ void TestBrushTool::anotherDocumentEndsIt()
     bench.tools.hover(bench.at({5.0, 5.0}));
 }
 
-QTEST_MAIN(TestBrushTool)
+RAMURE_SUITE(TestBrushTool)
+
+} // namespace tst_brush_tool
+
 #include "tst_brush_tool.moc"

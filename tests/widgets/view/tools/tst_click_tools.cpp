@@ -3,6 +3,8 @@
 #include <QImage>
 #include <QPainter>
 
+namespace tst_click_tools {
+
 using namespace ramure;
 using test::HandBench;
 
@@ -256,5 +258,8 @@ void TestClickTools::limbsThatWereChangedAreMarked()
     QVERIFY(painted() == before);
 }
 
-QTEST_MAIN(TestClickTools)
+RAMURE_SUITE(TestClickTools)
+
+} // namespace tst_click_tools
+
 #include "tst_click_tools.moc"

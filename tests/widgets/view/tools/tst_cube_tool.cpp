@@ -2,6 +2,8 @@
 #include "tests/support/tool_bench.h"
 #include "widgets/view/tools/navigation_cube.h"
 
+namespace tst_cube_tool {
+
 using namespace ramure;
 
 /// The navigation cube under the mouse.
@@ -74,5 +76,8 @@ void TestCubeTool::itIsPaintedAboveAll()
     QVERIFY(image.pixelColor(cube().toPoint() + QPoint(0, 20)).alpha() > 200);
 }
 
-QTEST_MAIN(TestCubeTool)
+RAMURE_SUITE(TestCubeTool)
+
+} // namespace tst_cube_tool
+
 #include "tst_cube_tool.moc"

@@ -1,6 +1,8 @@
 #include "tests/support/hand_bench.h"
 #include "tests/support/suite.h"
 
+namespace tst_factor_tool {
+
 using namespace ramure;
 using test::HandBench;
 
@@ -285,5 +287,8 @@ void TestFactorTool::anotherDocumentEndsIt()
     bench.release({5.0, 5.0});
 }
 
-QTEST_MAIN(TestFactorTool)
+RAMURE_SUITE(TestFactorTool)
+
+} // namespace tst_factor_tool
+
 #include "tst_factor_tool.moc"

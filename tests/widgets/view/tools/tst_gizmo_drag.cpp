@@ -6,6 +6,8 @@
 #include "widgets/view/tools/gizmo_drag.h"
 #include <numbers>
 
+namespace tst_gizmo_drag {
+
 using namespace ramure;
 
 namespace {
@@ -596,5 +598,8 @@ void TestGizmoDrag::theReadoutHasUnits()
     QVERIFY2(desk.drag->readout().startsWith(QStringLiteral("× 1.000")), qPrintable(desk.drag->readout()));
 }
 
-QTEST_GUILESS_MAIN(TestGizmoDrag)
+RAMURE_SUITE(TestGizmoDrag)
+
+} // namespace tst_gizmo_drag
+
 #include "tst_gizmo_drag.moc"

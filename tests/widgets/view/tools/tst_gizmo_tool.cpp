@@ -3,6 +3,8 @@
 #include "tests/support/tool_bench.h"
 #include "widgets/view/tools/gizmo_tool.h"
 
+namespace tst_gizmo_tool {
+
 using namespace ramure;
 
 /// Moving, turning and scaling nodes with the mouse and with keys, without a window.
@@ -167,5 +169,8 @@ void TestGizmoTool::theHintNamesWhatMoves()
     QVERIFY(bench.says("release: done"));
 }
 
-QTEST_MAIN(TestGizmoTool)
+RAMURE_SUITE(TestGizmoTool)
+
+} // namespace tst_gizmo_tool
+
 #include "tst_gizmo_tool.moc"

@@ -3,6 +3,8 @@
 #include "tests/support/tool_bench.h"
 #include "widgets/view/tools/arm_rings.h"
 
+namespace tst_joint_tool {
+
 using namespace ramure;
 
 /// Joints are turned by their rings.
@@ -80,5 +82,8 @@ void TestJointTool::escapeTakesItBack()
     QCOMPARE(bench.document.undoStack()->count(), 0);
 }
 
-QTEST_MAIN(TestJointTool)
+RAMURE_SUITE(TestJointTool)
+
+} // namespace tst_joint_tool
+
 #include "tst_joint_tool.moc"

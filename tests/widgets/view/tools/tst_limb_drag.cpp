@@ -4,6 +4,8 @@
 #include "widgets/view/tools/limb_drag.h"
 #include "widgets/view/tools/limb_pose.h"
 
+namespace tst_limb_drag {
+
 using namespace ramure;
 
 /// Grab a twig: without OpenGL.
@@ -279,5 +281,8 @@ void TestLimbDrag::thePoseEndsWithItsMesh()
     QVERIFY(glm::distance(desk.world(seen), tool->hand()) < 1e-4);
 }
 
-QTEST_MAIN(TestLimbDrag)
+RAMURE_SUITE(TestLimbDrag)
+
+} // namespace tst_limb_drag
+
 #include "tst_limb_drag.moc"

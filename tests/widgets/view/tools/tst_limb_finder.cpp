@@ -3,6 +3,8 @@
 #include "widgets/view/tools/hand_edit.h"
 #include "widgets/view/tools/turned_limb.h"
 
+namespace tst_limb_finder {
+
 using namespace ramure;
 using test::HandBench;
 
@@ -132,5 +134,8 @@ void TestLimbFinder::aGestureIsOneStepOrNone()
     QVERIFY(bench.document.scene().find(1)->params == before);
 }
 
-QTEST_MAIN(TestLimbFinder)
+RAMURE_SUITE(TestLimbFinder)
+
+} // namespace tst_limb_finder
+
 #include "tst_limb_finder.moc"

@@ -4,6 +4,8 @@
 #include "tests/support/suite.h"
 #include "tests/support/tool_bench.h"
 
+namespace tst_limb_tool {
+
 using namespace ramure;
 
 /// Ctrl and a drag on a branch of a tree at rest.
@@ -128,5 +130,8 @@ void TestLimbTool::anotherDocumentEndsIt()
     bench.release({500.0, 300.0}, Qt::LeftButton, Qt::ControlModifier);
 }
 
-QTEST_MAIN(TestLimbTool)
+RAMURE_SUITE(TestLimbTool)
+
+} // namespace tst_limb_tool
+
 #include "tst_limb_tool.moc"

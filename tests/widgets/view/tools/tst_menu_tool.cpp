@@ -2,6 +2,8 @@
 #include "tests/support/tool_bench.h"
 #include <QSignalSpy>
 
+namespace tst_menu_tool {
+
 using namespace ramure;
 
 /// A right click asks for a menu.
@@ -36,5 +38,8 @@ void TestMenuTool::aClickDoesWhenTheButtonIsLetGo()
     QVERIFY(bench.says("right: menu"));
 }
 
-QTEST_MAIN(TestMenuTool)
+RAMURE_SUITE(TestMenuTool)
+
+} // namespace tst_menu_tool
+
 #include "tst_menu_tool.moc"

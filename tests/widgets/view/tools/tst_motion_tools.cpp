@@ -9,6 +9,8 @@
 #include "widgets/view/tools/motion_tools.h"
 #include <cmath>
 
+namespace tst_motion_tools {
+
 using namespace ramure;
 
 /// The hand on moving trees, and scenes that move: without OpenGL.
@@ -312,6 +314,8 @@ void TestMotionTools::splitMeshesDoNotComeApart()
     }
 }
 
-QTEST_GUILESS_MAIN(TestMotionTools)
+RAMURE_SUITE(TestMotionTools)
+
+} // namespace tst_motion_tools
 
 #include "tst_motion_tools.moc"

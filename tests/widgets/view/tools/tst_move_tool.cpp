@@ -1,6 +1,8 @@
 #include "tests/support/hand_bench.h"
 #include "tests/support/suite.h"
 
+namespace tst_move_tool {
+
 using namespace ramure;
 using test::HandBench;
 
@@ -173,5 +175,8 @@ void TestMoveTool::theSameLimbGoesOn()
     QCOMPARE(bench.edits().front().at, 0.4);
 }
 
-QTEST_MAIN(TestMoveTool)
+RAMURE_SUITE(TestMoveTool)
+
+} // namespace tst_move_tool
+
 #include "tst_move_tool.moc"

@@ -4,9 +4,11 @@
 #include <QImage>
 #include <set>
 
-using namespace ramure;
-
 Q_DECLARE_METATYPE(ramure::CameraDrag)
+
+namespace tst_navigation {
+
+using namespace ramure;
 
 class TestNavigation : public QObject
 {
@@ -116,5 +118,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestNavigation)
+RAMURE_SUITE(TestNavigation)
+
+} // namespace tst_navigation
+
 #include "tst_navigation.moc"

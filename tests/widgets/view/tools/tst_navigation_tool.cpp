@@ -1,6 +1,8 @@
 #include "tests/support/suite.h"
 #include "tests/support/tool_bench.h"
 
+namespace tst_navigation_tool {
+
 using namespace ramure;
 
 /// Turning, moving and zooming the view with the mouse.
@@ -95,5 +97,8 @@ void TestNavigationTool::theHintSaysWhatIsDone()
     }
 }
 
-QTEST_MAIN(TestNavigationTool)
+RAMURE_SUITE(TestNavigationTool)
+
+} // namespace tst_navigation_tool
+
 #include "tst_navigation_tool.moc"

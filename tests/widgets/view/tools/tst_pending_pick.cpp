@@ -2,6 +2,8 @@
 #include "tests/support/tool_bench.h"
 #include <QSignalSpy>
 
+namespace tst_pending_pick {
+
 using namespace ramure;
 
 /// Clicks and boxes wait for what is picked in.
@@ -101,5 +103,8 @@ void TestPendingPick::aMenuIsOfWhatIsClicked()
     QCOMPARE(bench.selected(), std::vector<NodeId>{2}); // beside it nothing changes
 }
 
-QTEST_MAIN(TestPendingPick)
+RAMURE_SUITE(TestPendingPick)
+
+} // namespace tst_pending_pick
+
 #include "tst_pending_pick.moc"

@@ -1,6 +1,8 @@
 #include "tests/support/hand_bench.h"
 #include "tests/support/suite.h"
 
+namespace tst_place_tool {
+
 using namespace ramure;
 using test::HandBench;
 
@@ -88,5 +90,8 @@ void TestPlaceTool::whatTheTreeBearsIsSaid()
     QVERIFY(bench.messages.join(u' ').contains(QLatin1String("bears fruit")));
 }
 
-QTEST_MAIN(TestPlaceTool)
+RAMURE_SUITE(TestPlaceTool)
+
+} // namespace tst_place_tool
+
 #include "tst_place_tool.moc"

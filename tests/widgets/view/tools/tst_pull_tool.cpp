@@ -3,6 +3,8 @@
 #include "tests/support/suite.h"
 #include "tests/support/tool_bench.h"
 
+namespace tst_pull_tool {
+
 using namespace ramure;
 
 /// The hand on a branch of a tree that moves.
@@ -82,5 +84,8 @@ void TestPullTool::aBranchIsPulledUntilPlayingStops()
     QCOMPARE(bench.document.undoStack()->count(), 0);
 }
 
-QTEST_MAIN(TestPullTool)
+RAMURE_SUITE(TestPullTool)
+
+} // namespace tst_pull_tool
+
 #include "tst_pull_tool.moc"

@@ -3,6 +3,8 @@
 #include "tests/support/suite.h"
 #include <random>
 
+namespace tst_random_gestures {
+
 using namespace ramure;
 using test::HandBench;
 
@@ -81,5 +83,8 @@ void TestRandomGestures::undoneTheyAreGone()
     }
 }
 
-QTEST_MAIN(TestRandomGestures)
+RAMURE_SUITE(TestRandomGestures)
+
+} // namespace tst_random_gestures
+
 #include "tst_random_gestures.moc"

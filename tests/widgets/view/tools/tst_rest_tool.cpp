@@ -1,6 +1,8 @@
 #include "tests/support/hand_bench.h"
 #include "tests/support/suite.h"
 
+namespace tst_rest_tool {
+
 using namespace ramure;
 using test::HandBench;
 
@@ -126,5 +128,8 @@ void TestRestTool::playingStops()
     QVERIFY(bench.edits().empty());
 }
 
-QTEST_MAIN(TestRestTool)
+RAMURE_SUITE(TestRestTool)
+
+} // namespace tst_rest_tool
+
 #include "tst_rest_tool.moc"

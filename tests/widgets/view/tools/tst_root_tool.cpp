@@ -1,6 +1,8 @@
 #include "tests/support/hand_bench.h"
 #include "tests/support/suite.h"
 
+namespace tst_root_tool {
+
 using namespace ramure;
 using test::HandBench;
 
@@ -103,5 +105,8 @@ void TestRootTool::escapeTakesItBack()
     QCOMPARE(bench.document.undoStack()->count(), 0);
 }
 
-QTEST_MAIN(TestRootTool)
+RAMURE_SUITE(TestRootTool)
+
+} // namespace tst_root_tool
+
 #include "tst_root_tool.moc"

@@ -1,6 +1,8 @@
 #include "tests/support/suite.h"
 #include "tests/support/tool_bench.h"
 
+namespace tst_select_tool {
+
 using namespace ramure;
 
 /// Clicks and boxes with the left button.
@@ -114,5 +116,8 @@ void TestSelectTool::theHintSaysWhatIsUnderTheCursor()
     QCOMPARE(bench.hint(), rest); // a press is no box yet
 }
 
-QTEST_MAIN(TestSelectTool)
+RAMURE_SUITE(TestSelectTool)
+
+} // namespace tst_select_tool
+
 #include "tst_select_tool.moc"

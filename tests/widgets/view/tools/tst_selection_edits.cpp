@@ -1,6 +1,8 @@
 #include "tests/support/suite.h"
 #include "widgets/view/tools/selection_edits.h"
 
+namespace tst_selection_edits {
+
 using namespace ramure;
 
 namespace {
@@ -81,5 +83,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestSelectionEdits)
+RAMURE_SUITE(TestSelectionEdits)
+
+} // namespace tst_selection_edits
+
 #include "tst_selection_edits.moc"

@@ -2,6 +2,8 @@
 #include "tests/support/suite.h"
 #include "widgets/view/tools/stroke.h"
 
+namespace tst_stroke_tools {
+
 using namespace ramure;
 using test::HandBench;
 
@@ -571,5 +573,8 @@ void TestStrokeTools::escapeTakesTheShapeBack()
     QCOMPARE(bench.document.undoStack()->count(), 0);
 }
 
-QTEST_MAIN(TestStrokeTools)
+RAMURE_SUITE(TestStrokeTools)
+
+} // namespace tst_stroke_tools
+
 #include "tst_stroke_tools.moc"

@@ -3,6 +3,8 @@
 #include "tests/support/suite.h"
 #include "widgets/view/tools/symmetry.h"
 
+namespace tst_symmetry {
+
 using namespace ramure;
 using test::HandBench;
 
@@ -190,5 +192,8 @@ void TestSymmetry::bentLimbsStayEven()
     QVERIFY2(most - least < 0.25, qPrintable(QString::number(most - least)));
 }
 
-QTEST_MAIN(TestSymmetry)
+RAMURE_SUITE(TestSymmetry)
+
+} // namespace tst_symmetry
+
 #include "tst_symmetry.moc"

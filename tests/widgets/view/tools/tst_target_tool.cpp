@@ -2,6 +2,8 @@
 #include "tests/support/suite.h"
 #include "tests/support/tool_bench.h"
 
+namespace tst_target_tool {
+
 using namespace ramure;
 
 /// Ctrl and a click or drag on a surface: the arm reaches for it.
@@ -106,5 +108,8 @@ void TestTargetTool::theHintSaysWhereAnArmCanBeSent()
     QVERIFY(!bench.says("target"));
 }
 
-QTEST_MAIN(TestTargetTool)
+RAMURE_SUITE(TestTargetTool)
+
+} // namespace tst_target_tool
+
 #include "tst_target_tool.moc"

@@ -2,6 +2,8 @@
 #include "tests/support/tool_bench.h"
 #include "widgets/view/tools/tool_table.h"
 
+namespace tst_tool_manager {
+
 using namespace ramure;
 
 /// Which tool gets what the mouse and the keys do.
@@ -52,5 +54,8 @@ void TestToolManager::everyRowOfTheTableMakesATool()
     }
 }
 
-QTEST_MAIN(TestToolManager)
+RAMURE_SUITE(TestToolManager)
+
+} // namespace tst_tool_manager
+
 #include "tst_tool_manager.moc"

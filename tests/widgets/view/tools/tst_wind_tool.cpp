@@ -4,6 +4,8 @@
 #include "tests/support/tool_bench.h"
 #include "widgets/view/tools/motion_tools.h"
 
+namespace tst_wind_tool {
+
 using namespace ramure;
 
 /// The arrow of the wind is dragged by its head.
@@ -89,5 +91,8 @@ void TestWindTool::escapeTakesItBack()
     QCOMPARE(bench.document.undoStack()->count(), 0);
 }
 
-QTEST_MAIN(TestWindTool)
+RAMURE_SUITE(TestWindTool)
+
+} // namespace tst_wind_tool
+
 #include "tst_wind_tool.moc"

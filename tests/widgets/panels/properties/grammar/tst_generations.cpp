@@ -6,6 +6,8 @@
 #include <QLabel>
 #include <QToolButton>
 
+namespace tst_generations {
+
 using namespace ramure;
 
 namespace {
@@ -147,5 +149,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestGenerations)
+RAMURE_SUITE(TestGenerations)
+
+} // namespace tst_generations
+
 #include "tst_generations.moc"

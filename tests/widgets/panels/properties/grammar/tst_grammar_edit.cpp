@@ -7,6 +7,8 @@
 #include <QTextBlock>
 #include <QTextLayout>
 
+namespace tst_grammar_edit {
+
 using namespace ramure;
 
 class TestGrammarEdit : public QObject
@@ -194,5 +196,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestGrammarEdit)
+RAMURE_SUITE(TestGrammarEdit)
+
+} // namespace tst_grammar_edit
+
 #include "tst_grammar_edit.moc"

@@ -1,1 +1,0 @@
-// Exists so that the widget suites can share one precompiled header.
