@@ -69,7 +69,7 @@ const std::array mixedSpecies{
                     {.length = 0.566, .lengthV = 0.08, .segSplits = 0.1, .splitAngle = 30, .splitAngleV = 10, .curveRes = 8, .curve = -10, .curveV = 130, .downAngle = 70, .downAngleV = -20, .rotate = 137, .rotateV = 20, .branches = 36},
                     {.length = 0.36, .lengthV = 0.08, .curveRes = 4, .curve = -10, .curveV = 120, .downAngle = 50, .downAngleV = 12, .rotate = 137, .rotateV = 20, .branches = 75},
                     {.length = 0.3, .curveRes = 1}}}},
-        {L::Oak, 1.15, 0.6, 0.13, B::Furrowed, 0.0, F::Acorn, 0.02}},
+        {L::Oak, 1.15, 0.6, 0.13, B::Furrowed, 0.0, F::Acorn, 0.02, 0.45}},
     Species{"NorwaySpruce", "Picea abies", RAMURE_NOOP("A dark spire of limbs that droop and rise again"), true,
         {.shape = S::Envelope, .baseSize = 0.04, .scale = 17.9, .scaleV = 1.6, .levels = 3, .ratio = 0.015, .ratioPower = 1.4, .lobes = 0, .flare = 0.5, .attractionUp = -0.2,
          .pruneWidthPeak = 0.05, .prunePowerLow = 0.05, .prunePowerHigh = 0.85,
@@ -84,7 +84,7 @@ const std::array mixedSpecies{
                     {.length = 0.339, .lengthV = 0.06, .curveRes = 8, .curve = -30, .curveV = 110, .downAngle = 75, .downAngleV = -25, .rotate = 137, .rotateV = 25, .branches = 34},
                     {.length = 0.45, .lengthV = 0.1, .curveRes = 4, .curve = -40, .curveV = 70, .downAngle = 50, .downAngleV = 12, .rotate = 137, .rotateV = 20, .branches = 36},
                     {.length = 0.3, .curveRes = 1}}}},
-        {L::ScotsPine, 1.25, 0.62, 0.1, B::Plated, 0.15, F::Cone, 0.01}},
+        {L::ScotsPine, 1.25, 0.62, 0.1, B::Plated, 0.15, F::Cone, 0.01, 0.32}},
 };
 // clang-format on
 
@@ -140,6 +140,7 @@ NodeParams speciesParams(const Species& species)
     params.bark.light = dress.light;
     params.texture.tileSize = dress.tile;
     params.fruit.kind = dress.fruit;
+    params.fruit.size = dress.fruitSize;
     params.foliage.applesProbability = dress.fruitful;
     params.sections = {3, 6};
     params.mesh.targetTriangles = 300'000; // which makes trunks round; twigs do with less than the sections

@@ -14,7 +14,6 @@ namespace {
 
 constexpr int mostTicksAtOnce = 6; ///< after a stall the arm does not leap
 constexpr int longestWay = 20'000;
-constexpr std::size_t mostResiduals = 4096;
 
 /// Keys say where the arm is, or where it is to go.
 bool isHeld(const NodeAnimation& animation)

@@ -10,7 +10,6 @@ namespace {
 constexpr std::int64_t firstSnapshotTicks = 120;
 constexpr std::size_t mostSnapshots = 512;
 constexpr double mostSeconds = 86400.0;
-constexpr std::size_t mostResidualsKept = 4096;
 
 ArmDriver::Source constantJoints(std::span<const ArmJoint> joints, ArmDriver::Target target)
 {
@@ -117,7 +116,7 @@ Expected<ArmMoment> ArmDriver::momentAt(double timeSeconds, const Progress& prog
                 moment.angles[i] = between[i];
         moment.figures = m_motion.solver().figures();
         const auto end = m_residuals.begin() + last;
-        moment.residuals.assign(end - std::min<std::int64_t>(last, mostResidualsKept), end);
+        moment.residuals.assign(end - std::min<std::int64_t>(last, mostResiduals), end);
     }
     setArmAngles(given.joints, moment.angles);
     for (ArmJoint& joint : given.joints) { // limits that move may be a little elsewhere than at the tick

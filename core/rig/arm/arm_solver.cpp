@@ -19,7 +19,6 @@ constexpr int mostSlow = 6;
 constexpr int descentSteps = 20, furtherStarts = 16, startSteps = 40, polishSteps = 10;
 constexpr double smallBend = 0.1; ///< rad
 constexpr double stillRad = 1e-9; ///< an arm whose angles move less stands still
-constexpr std::size_t mostResiduals = 4096;
 
 } // namespace
 

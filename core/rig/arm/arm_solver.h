@@ -22,6 +22,9 @@ enum class ArmStatus : std::uint8_t {
 
 enum class ArmLimit : std::int8_t { Lower = -1, Free = 0, Upper = 1 };
 
+/// That ArmFigures keeps.
+inline constexpr std::size_t mostResiduals = 4096;
+
 /// What happened since the target was set.
 struct ArmFigures
 {
@@ -29,8 +32,7 @@ struct ArmFigures
     double residual = 0.0;  ///< m, from the tip to the target
     std::int64_t steps = 0; ///< all iterations, those of further starts too
     int starts = 0;         ///< further starts from random angles
-    std::vector<float>
-        residuals; ///< m, before the first call of step() and after each; at most 4096 are kept
+    std::vector<float> residuals; ///< m, before the first call of step() and after each; at most mostResiduals
 
     /// m short of a target that is not reached; 0 where it is, or where nobody knows yet.
     [[nodiscard]] double shortBy() const { return status == ArmStatus::Settled ? residual : 0.0; }
