@@ -13,6 +13,7 @@ uniform sampler3D uCrown; // the way out, share of the sky that is seen
 
 const float roundness = 0.5;  // of a crown's leaves: they look the way out as much
 const float innermost = 0.4; // of the sky's light, what leaves pass on to the middle of a thick crown
+const float passedOn = 1.4;  // of the light that a leaf throws back or lets through, what meets others in a thick crown
 
 vec3 toEye(vec3 relative)
 {
@@ -25,9 +26,11 @@ vec3 shaded(vec3 relative, vec3 albedo, vec3 normal, vec3 plane, float gloss)
     vec3 side = uTwoSided ? plane : normal;
     float sun = sunlight(relative, dot(side, uSun) < 0.0 ? -side : side, plane);
     float open = uThrough > 0.0 ? 1.0 : skyReaching(); // a crown's light knows already what leaves hide
+    float hidden = 0.0;
     vec3 round = normal;
     if (uHasCrown) {
         vec4 crown = texture(uCrown, (uCrownPlace * vec4(relative, 1.0)).xyz);
+        hidden = 1.0 - crown.a;
         open *= mix(innermost, 1.0, crown.a);
         if (uThrough > 0.0)
             round = normalize(mix(normal, 2.0 * crown.xyz - 1.0, roundness) + 1e-4 * normal);
@@ -36,7 +39,9 @@ vec3 shaded(vec3 relative, vec3 albedo, vec3 normal, vec3 plane, float gloss)
     vec3 colour = albedo * light;
     if (uThrough > 0.0) {
         vec3 behind = max(-facing, 0.0) * sun * uSunLight + uAround * open * ambient(-round);
-        colour += uThrough * behind * albedo * vec3(1.5, 1.25, 0.4);
+        vec3 through = uThrough * albedo * vec3(1.5, 1.25, 0.4);
+        colour += through * behind;
+        colour *= 1.0 + passedOn * hidden * (albedo + through);
     }
     if (uShininess > 0.0) {
         float glint = pow(max(dot(reflect(-uSun, normal), toEye(relative)), 0.0), uShininess);
