@@ -8162,8 +8162,8 @@ OpenGL&#xa0;: %4
         <translation>Articulation %1</translation>
     </message>
     <message>
-        <source>No arm. Add one with Edit &gt; Add &gt; Arm, or open the demo.</source>
-        <translation>Pas de bras. Ajoutez-en un par Édition &gt; Ajouter &gt; Bras, ou ouvrez la démo.</translation>
+        <source>No arm. Edit &gt; Add to the scene &gt; Arm makes one; the demo of the arm has one already.</source>
+        <translation>Pas de bras. Édition &gt; Ajouter à la scène &gt; Bras en crée un ; la démo du bras en a déjà un.</translation>
     </message>
     <message>
         <source>Joints</source>
@@ -10550,8 +10550,8 @@ OpenGL&#xa0;: %4
         <translation>L’arbre entier vu de cette distance</translation>
     </message>
     <message>
-        <source>Enlarged</source>
-        <translation>Agrandi</translation>
+        <source>Zoom to the tree</source>
+        <translation>Zoom sur l’arbre</translation>
     </message>
     <message>
         <source>Shows both as through a long lens, to compare their shapes; else they have the pixels of a screen 1080 pixels high</source>

@@ -240,7 +240,7 @@ private slots:
         Editor::keys({QStringLiteral("ctrl+e")});
         QVERIFY(editor.waitForWindow(QStringLiteral("^Export$")));
         test::stillPicture(editor.place(QStringLiteral("^Export$")));
-        Editor::keys({QStringLiteral("Return")}); // an OBJ file beside the project
+        Editor::keys({QStringLiteral("Return")}); // a GLB beside the project
         QVERIFY(editor.waitUntilGone(QStringLiteral("^Export$")));
         QVERIFY(editor.waitForWindow(QStringLiteral("^oak.ramure ")));
         QVERIFY(editor.quit());
@@ -249,19 +249,16 @@ private slots:
         QVERIFY(QDir(m_work.path()).mkdir(QStringLiteral("cli")));
         QProcess cli;
         cli.start(QStringLiteral(RAMURE_CLI),
-                  {QStringLiteral("export"), project, QStringLiteral("-o"), file("cli/oak.obj")});
+                  {QStringLiteral("export"), project, QStringLiteral("-o"), file("cli/oak.glb")});
         QVERIFY(cli.waitForFinished(test::deskPatienceMs));
         QCOMPARE(cli.exitCode(), 0);
-        for (const char* name : {"oak.obj", "oak.mtl"}) {
-            const QByteArray byHand = bytesOf(file(name));
-            QVERIFY2(byHand.size() > 100, name);
-            QVERIFY2(byHand == bytesOf(m_work.filePath(QStringLiteral("cli/") + QLatin1String(name))), name);
-        }
+        const QByteArray byHand = bytesOf(file("oak.glb"));
+        QVERIFY(byHand.size() > 100);
+        QVERIFY(byHand == bytesOf(file("cli/oak.glb")));
         // Nothing else lies about.
         QCOMPARE(
             QDir(m_work.path()).entryList({QStringLiteral("oak*")}, QDir::Files | QDir::Hidden, QDir::Name),
-            (QStringList{QStringLiteral("oak.mtl"), QStringLiteral("oak.obj"),
-                         QStringLiteral("oak.ramure")}));
+            (QStringList{QStringLiteral("oak.glb"), QStringLiteral("oak.ramure")}));
     }
 };
 

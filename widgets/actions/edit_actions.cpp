@@ -192,11 +192,27 @@ void EditActions::updateTexts()
         m_set->setText(m_rename, {});
     say(m_visible, active && !active->visible ? tr("S&how %1") : tr("&Hide %1"));
     say(m_locked, active && active->locked ? tr("Unloc&k %1") : tr("Loc&k %1"));
-    if (const auto branches = selection.branches.size(); branches > 0)
-        m_set->setText(m_delete, tr("De&lete %n branch(es)", nullptr, int(branches)));
+    if (!selection.branches.empty())
+        m_set->setText(m_delete, tr("De&lete %n branch(es)", nullptr, goingBranches()));
     else
         say(m_delete, tr("De&lete %1"));
     emit targetNamed(what);
+}
+
+/// How many branches go with those that are selected: all that grows on them, too.
+int EditActions::goingBranches() const
+{
+    const Selection& selection = m_document->selection();
+    const NodeResult* result = m_document->result(selection.branchNode);
+    if (!result || !result->tree.simplified)
+        return int(selection.branches.size());
+    const std::vector<Index>& parent = result->tree.simplified->skeleton.parent;
+    std::vector<bool> goes(parent.size(), false);
+    for (const Index branch : selection.branches)
+        goes[branch] = true;
+    for (std::size_t b = 0; b < parent.size(); ++b)
+        goes[b] = goes[b] || (parent[b] != noIndex && goes[parent[b]]);
+    return int(std::ranges::count(goes, true));
 }
 
 void EditActions::updateUndoTexts()
@@ -218,7 +234,13 @@ void EditActions::report(const Error& error)
 
 void EditActions::newTree()
 {
-    reportFailure(edit::newTree(*m_document, targetTrees(*m_document)));
+    const auto grown = edit::newTree(*m_document, targetTrees(*m_document));
+    reportFailure(grown);
+    if (grown) { // a branch of the same address is another one
+        Selection selection = m_document->selection();
+        selection.branches.clear();
+        m_document->setSelection(std::move(selection));
+    }
 }
 
 /// Beside the active node.
@@ -294,6 +316,8 @@ void EditActions::removeSelected()
     if (!m_document->selection().branches.empty()) {
         if (auto done = removeLimbs(*m_document, LimbFinder().selected(*m_document), false); !done)
             emit messageRaised(errorText(done.error()));
+        else
+            m_document->setSelection({}); // else the same key would take the whole tree next
         return;
     }
     reportFailure(edit::removeNodes(*m_document, selected()));

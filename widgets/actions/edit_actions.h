@@ -69,6 +69,7 @@ private:
     void removeSelected();
     void duplicateSelected();
     void straightenSelected();
+    [[nodiscard]] int goingBranches() const;
     [[nodiscard]] std::map<std::uint64_t, glm::dvec3> bentBranches() const;
     void toggleVisible();
     void toggleLocked();

@@ -212,6 +212,8 @@ void ExportDialog::turnPage(ExportUse use)
     const bool isNew = kept.isEmpty();
     QVariantMap page = m_usual;
     page.remove(QStringLiteral("format"));
+    page.insert(QStringLiteral("compressed"),
+                use == ExportUse::Web); // what reads the web's files can unpack them
     page.insert(kept);
     page.insert(QStringLiteral("use"), keyOf(use));
     page.insert(QStringLiteral("print"), use == ExportUse::Print);

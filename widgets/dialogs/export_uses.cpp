@@ -63,6 +63,9 @@ QStringList formatsOf(ExportUse use)
         if (const QString id = QString::fromLatin1(format->id);
             isFor(*format, FormatUse::Write) && !prints.contains(id))
             formats += id;
+    // Materials, skin and motion come along in a GLB.
+    if (const auto glb = formats.indexOf(QStringLiteral("glb")); glb > 0)
+        formats.move(glb, 0);
     return formats;
 }
 

@@ -319,6 +319,7 @@ private slots:
         const FileSpace chosen{UpAxis::Z, 2, 0.5};
         {
             ExportDialog dialog(&m_document, &m_recompute, &m_preferences, &m_chooser);
+            dialog.setFormat(QStringLiteral("obj"));
             QVERIFY(dialog.options().texture); // by default
             QVERIFY(dialog.options().space.isOwn());
             dialog.findChild<QComboBox*>(QStringLiteral("exportUp"))->setCurrentIndex(1);

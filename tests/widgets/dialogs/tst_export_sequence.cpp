@@ -68,6 +68,7 @@ private slots:
         m_dialog = std::make_unique<ExportDialog>(&m_document, &m_recompute, &m_preferences, &m_chooser,
                                                   nullptr, 48);
         m_dialog->setSequenceTask(&m_task);
+        m_dialog->setFormat(QStringLiteral("obj"));
         m_dialog->setPath(path("tree.obj"));
         m_dialog->show();
     }

@@ -191,7 +191,7 @@ private slots:
         const auto* tabs = child<QTabBar>("exportUses");
         QCOMPARE(tabs->count(), int(exportUses.size()));
         const QList<QStringList> wanted{
-            {"obj", "ply", "ply-text", "glb"}, {"glb", "obj"}, {"3mf", "stl"}, {"glb"}, {"png"}};
+            {"glb", "obj", "ply", "ply-text"}, {"glb", "obj"}, {"3mf", "stl"}, {"glb"}, {"png"}};
         for (int tab = 0; tab < tabs->count(); ++tab) {
             QVERIFY(!tabs->tabText(tab).isEmpty() && !tabs->tabToolTip(tab).isEmpty());
             m_dialog->setUse(exportUses[std::size_t(tab)]);
@@ -273,8 +273,7 @@ private slots:
         box->setChecked(true);
         QVERIFY(!box->isVisible() && !m_dialog->options().write.compressed); // of a GLB alone
         m_dialog->setUse(ExportUse::Web);
-        QVERIFY(!box->isChecked());
-        box->setChecked(true);
+        QVERIFY(box->isChecked()); // there alone to begin with
         child<QComboBox>("exportMaps")->setCurrentIndex(0);
         QVERIFY(box->isVisible() && m_dialog->options().write.compressed);
         QVERIFY(m_dialog->settings().value(QStringLiteral("compressed")).toBool());

@@ -4,6 +4,7 @@
 #include "core/session/auto_key.h"
 #include "core/session/player.h"
 #include "widgets/base/core_text.h"
+#include "widgets/base/empty_page.h"
 #include "widgets/panels/arm/arm_mesh_row.h"
 #include "widgets/panels/arm/bake_keys_dialog.h"
 #include "widgets/panels/arm/joint_form.h"
@@ -21,8 +22,9 @@ namespace ramure {
 ArmPanel::ArmPanel(Document* document, QWidget* parent)
     : QWidget(parent)
     , m_document(document)
-    , m_none(new QLabel(this))
-    , m_content(new QWidget(this))
+    , m_none(new EmptyPage(this))
+    , m_scroll(new QScrollArea(this))
+    , m_content(new QWidget(m_scroll))
     , m_list(new QListWidget(m_content))
     , m_add(new QPushButton(m_content))
     , m_remove(new QPushButton(m_content))
@@ -36,8 +38,6 @@ ArmPanel::ArmPanel(Document* document, QWidget* parent)
     , m_baker(new ArmBaker(document, this))
     , m_worn(new ArmMeshRow(document, m_content))
 {
-    m_none->setAlignment(Qt::AlignCenter);
-    m_none->setWordWrap(true);
     m_list->setMaximumHeight(130);
     m_list->setSpacing(2);
     m_status->setWordWrap(true);
@@ -78,14 +78,13 @@ void ArmPanel::layOut()
     inner->addWidget(m_status);
     inner->addWidget(m_bake);
     inner->addStretch();
-    auto* scroll = new QScrollArea(this);
-    scroll->setWidget(m_content);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
+    m_scroll->setWidget(m_content);
+    m_scroll->setWidgetResizable(true);
+    m_scroll->setFrameShape(QFrame::NoFrame);
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     outer->addWidget(m_none);
-    outer->addWidget(scroll);
+    outer->addWidget(m_scroll);
 }
 
 void ArmPanel::setReach(ArmReach* reach)
@@ -201,7 +200,7 @@ void ArmPanel::showJoints()
 {
     const std::vector<ArmJoint>* all = joints();
     m_none->setVisible(!all);
-    m_content->setVisible(all);
+    m_scroll->setVisible(all);
     m_content->setEnabled(all && !m_document->scene().isLocked(m_arm));
     const int count = all ? static_cast<int>(all->size()) : 0;
     if (m_list->count() != count) {
@@ -251,7 +250,8 @@ void ArmPanel::changeEvent(QEvent* event)
 
 void ArmPanel::retranslate()
 {
-    m_none->setText(tr("No arm. Add one with Edit > Add > Arm, or open the demo."));
+    m_none->setText(
+        tr("No arm. Edit > Add to the scene > Arm makes one; the demo of the arm has one already."));
     m_list->setAccessibleName(tr("Joints"));
     m_add->setText(tr("Add"));
     m_add->setToolTip(tr("Adds a joint behind the chosen one, the same as it (1 to 64)"));

@@ -11,11 +11,13 @@
 class QLabel;
 class QListWidget;
 class QPushButton;
+class QScrollArea;
 
 namespace ramure {
 
 class ArmMeshRow;
 class AutoKey;
+class EmptyPage;
 class JointForm;
 
 class ArmPanel : public QWidget
@@ -64,7 +66,8 @@ private:
     Document* m_document;
     ArmReach* m_reach = nullptr;
     NodeId m_arm = noNode;
-    QLabel* m_none;
+    EmptyPage* m_none;
+    QScrollArea* m_scroll;
     QWidget* m_content;
     QListWidget* m_list;
     QPushButton *m_add, *m_remove;

@@ -79,10 +79,12 @@ Camera levelCamera(const TreeLevels& of, const LevelShot& shot, const glm::ivec2
     double tangent = screenTan() * double(size.y) / levelScreenHeight;
     if (shot.enlarged) {
         const glm::dvec3 half = 0.5 * of.box.size();
-        const double around = std::hypot(half.x, half.z), aspect = double(size.x) / double(size.y);
-        const double nearest = std::max(camera.distance - around, 0.1 * camera.distance);
+        const double around = std::max(half.x, half.z),
+                     aspect = double(size.x) / double(size.y); // as a crown is
+        const double away =
+            camera.distance * std::sqrt(std::max(1.0 - std::pow(around / camera.distance, 2), 0.01));
         tangent = Camera::usualMargin *
-                  std::max(half.y + around * std::abs(std::sin(shot.pitchRad)), around / aspect) / nearest;
+                  std::max(half.y + around * std::abs(std::sin(shot.pitchRad)), around / aspect) / away;
     }
     camera.fovRad = 2.0 * std::atan(std::min(tangent, widestTan));
     return camera;

@@ -571,7 +571,7 @@ void LevelsPanel::retranslate()
     }
     m_levelView->setAccessibleName(tr("The level from this distance"));
     m_wholeView->setAccessibleName(tr("The whole tree from this distance"));
-    m_enlarged->setText(tr("Enlarged"));
+    m_enlarged->setText(tr("Zoom to the tree"));
     m_enlarged->setToolTip(tr("Shows both as through a long lens, to compare their shapes; else they have "
                               "the pixels of a screen 1080 pixels high"));
     m_sizeText->setToolTip(tr("A screen 1080 pixels high, with the view's angle of view, 40°"));

@@ -113,7 +113,12 @@ void GalleryPanel::keep()
 {
     const Node* tree = m_document->scene().find(targetTrees(*m_document).front());
     askName(tr("Save as preset"), m_own.freeName(spacedName(QString::fromStdString(tree->name))),
-            [this, tree = *tree](const QString& name) { return m_own.save(name, tree); });
+            [this, tree = *tree](const QString& name) {
+                auto saved = m_own.save(name, tree);
+                if (saved)
+                    m_gallery->search()->clear(); // which might hide it
+                return saved;
+            });
 }
 
 void GalleryPanel::rename()

@@ -23,6 +23,7 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QStyle>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -328,6 +329,8 @@ void PropertiesPanel::applyFilter()
     for (int place = 0; place < static_cast<int>(order.size()); ++place)
         if (layout->indexOf(order[std::size_t(place)]) != place)
             layout->insertWidget(place, order[std::size_t(place)]);
+    if (!words.isEmpty())
+        m_scroll->verticalScrollBar()->setValue(0); // what was found stands first
     m_scroll->setVisible(m_kinds != 0 && shown > 0);
     m_empty->setVisible(m_kinds == 0 || shown == 0);
     m_clear->setVisible(m_kinds != 0 && shown == 0);
