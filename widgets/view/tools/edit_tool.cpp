@@ -40,8 +40,7 @@ bool EditTool::hover(const ToolPoint& point)
     m_eye = point.view.camera.eye();
     const bool looks = isChosen() && !m_context.isPlaying() && !m_context.host.isStale();
     const auto scene = looks ? m_context.host.latestPickScene() : nullptr;
-    const auto hit = scene ? scene->pick(point.view, point.pixel()) : std::nullopt;
-    setAim(hit ? m_context.limbs.at(m_context.document, *hit) : std::nullopt);
+    setAim(scene ? limbNear(*scene, point) : std::nullopt);
     return false;
 }
 
@@ -76,8 +75,24 @@ QString EditTool::lossWords(const HandLoss& loss)
 std::optional<LimbHit> EditTool::limbAt(const ToolPoint& point)
 {
     const auto scene = m_context.host.pickScene(pickPatience);
-    const auto hit = scene ? scene->pick(point.view, point.pixel()) : std::nullopt;
-    return hit ? m_context.limbs.at(m_context.document, *hit) : std::nullopt;
+    return scene ? limbNear(*scene, point) : std::nullopt;
+}
+
+/// Under the mouse, or, as thin as twigs are, a few pixels beside it.
+std::optional<LimbHit> EditTool::limbNear(const PickScene& scene, const ToolPoint& point)
+{
+    constexpr double reaches[] = {0.0, 3.0, 6.0}; // logical pixels
+    constexpr glm::dvec2 ways[] = {{1, 0},     {0, 1},      {-1, 0},     {0, -1},
+                                   {0.7, 0.7}, {-0.7, 0.7}, {0.7, -0.7}, {-0.7, -0.7}};
+    for (const double reach : reaches)
+        for (const glm::dvec2& way : ways) {
+            if (const auto hit = scene.pick(point.view, point.pixel() + reach * way))
+                if (auto limb = m_context.limbs.at(m_context.document, *hit))
+                    return limb;
+            if (reach == 0.0)
+                break;
+        }
+    return std::nullopt;
 }
 
 bool EditTool::press(const ToolPoint& point)

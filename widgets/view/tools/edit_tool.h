@@ -39,6 +39,7 @@ protected:
     [[nodiscard]] static QString lossWords(const HandLoss& loss);
 
     [[nodiscard]] std::optional<LimbHit> limbAt(const ToolPoint& point);
+    [[nodiscard]] std::optional<LimbHit> limbNear(const PickScene& scene, const ToolPoint& point);
     /// The same without waiting for what is picked in.
     [[nodiscard]] const std::optional<LimbHit>& aim() const { return m_aim; }
     void setAim(const std::optional<LimbHit>& aim);

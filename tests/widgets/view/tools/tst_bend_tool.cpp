@@ -16,6 +16,7 @@ private slots:
     void init() { test::failOnAnyWarning(); }
     void besideTheTreeNothingBends();
     void whatFollowsIsShownBefore();
+    void aFewPixelsBesideATwigTakeIt();
     void aDragBowsTheLimb();
     void theWheelReachesFarther();
     void escapeTakesItBack();
@@ -47,6 +48,24 @@ void TestBendTool::whatFollowsIsShownBefore()
     QVERIFY(bench.says("bows where it is green"));
     bench.tools.hover(bench.at({2.0, 2.0}));
     QVERIFY(bench.marked.empty());
+}
+
+void TestBendTool::aFewPixelsBesideATwigTakeIt()
+{
+    HandBench bench(HandTool::Bend);
+    const auto isHit = [&](QPointF place) {
+        return bench.latestPickScene()->pick(bench.view(), {place.x(), place.y()}).has_value();
+    };
+    QPointF at = bench.on(bench.twig());
+    QVERIFY(isHit(at));
+    while (isHit(at))
+        at += QPointF(1.0, 0.0);
+    at += QPointF(2.0, 0.0);
+    QVERIFY(!isHit(at));
+    bench.tools.hover(bench.at(at));
+    QVERIFY(!bench.marked.empty());
+    bench.drag(at, at + QPointF(25.0, 10.0));
+    QCOMPARE(bench.edits().size(), std::size_t(1));
 }
 
 void TestBendTool::aDragBowsTheLimb()
