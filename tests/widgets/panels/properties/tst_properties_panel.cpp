@@ -13,11 +13,8 @@
 #include "widgets/panels/properties/properties_panel.h"
 #include <QColorDialog>
 #include <numbers>
-
 namespace tst_properties_panel {
-
 using namespace ramure;
-
 namespace {
 
 const ParamDef& param(const char* key)
@@ -599,7 +596,5 @@ private slots:
 };
 
 RAMURE_SUITE(TestPropertiesPanel)
-
 } // namespace tst_properties_panel
-
 #include "tst_properties_panel.moc"

@@ -5,11 +5,8 @@
 #include "tests/widgets/base/fixture.h"
 #include "widgets/view/tools/gizmo_drag.h"
 #include <numbers>
-
 namespace tst_gizmo_drag {
-
 using namespace ramure;
-
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -599,7 +596,5 @@ void TestGizmoDrag::theReadoutHasUnits()
 }
 
 RAMURE_SUITE(TestGizmoDrag)
-
 } // namespace tst_gizmo_drag
-
 #include "tst_gizmo_drag.moc"
