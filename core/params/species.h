@@ -17,7 +17,7 @@ struct SpeciesDress
     FruitKind fruit = FruitKind::Faithful;
     double fruitful = 0.0;
     double fruitSize = 1.0; ///< of what the plant has on such a trunk: a cone of a Scots pine is 5 cm long
-    double tile = 0.0; ///< m, of the bark; 0: as grownBarkTile says
+    double tile = 0.0;      ///< m, of the bark; 0: as grownBarkTile says
 };
 
 struct Species

@@ -32,7 +32,8 @@ struct ArmFigures
     double residual = 0.0;  ///< m, from the tip to the target
     std::int64_t steps = 0; ///< all iterations, those of further starts too
     int starts = 0;         ///< further starts from random angles
-    std::vector<float> residuals; ///< m, before the first call of step() and after each; at most mostResiduals
+    std::vector<float>
+        residuals; ///< m, before the first call of step() and after each; at most mostResiduals
 
     /// m short of a target that is not reached; 0 where it is, or where nobody knows yet.
     [[nodiscard]] double shortBy() const { return status == ArmStatus::Settled ? residual : 0.0; }
