@@ -6570,8 +6570,8 @@
         <translation>glTF binaire</translation>
     </message>
     <message>
-        <source>GLB (glTF), for games and the web</source>
-        <translation>GLB (glTF), pour les jeux et le web</translation>
+        <source>GLB (glTF), with materials and motion</source>
+        <translation>GLB (glTF), avec matériaux et mouvement</translation>
     </message>
     <message>
         <source>only PNG and JPEG can stand in a GLB</source>

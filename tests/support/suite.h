@@ -50,7 +50,7 @@ template <class T> QByteArray why(const T& expected)
 #define RAMURE_APPLICATION QCoreApplication
 #endif
 
-/// In place of QTEST_MAIN, in a namespace named after the file: eight suites are compiled together, and all
+/// In place of QTEST_MAIN, in a namespace named after the file: several suites are compiled together, and all
 /// of a kind are linked into one program. A suite that needs a main() of its own, or replaces a table of the
 /// program, keeps QTEST_MAIN and is a program alone.
 #define RAMURE_SUITE(Type)                                                                                   \

@@ -19,9 +19,7 @@
 #include <QMenu>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QShortcut>
 #include <QSpinBox>
-#include <QUndoStack>
 #include <algorithm>
 
 namespace ramure {
@@ -86,10 +84,6 @@ void VariationsDialog::buildActions()
     connect(m_open, &QAction::triggered, this, &VariationsDialog::openCurrent);
     connect(m_star, &QAction::triggered, this, &VariationsDialog::starCurrent);
     connect(m_keep, &QAction::triggered, this, &VariationsDialog::keepCurrent);
-    QUndoStack* stack = m_document->undoStack();
-    connect(new QShortcut(QKeySequence::Undo, this), &QShortcut::activated, stack, &QUndoStack::undo);
-    connect(new QShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), this), &QShortcut::activated, stack,
-            &QUndoStack::redo);
     using Choice = VariationsModel::Choice;
     for (const Choice choice : {Choice::All, Choice::Starred, Choice::Rest}) {
         QAction*& action = m_save[std::size_t(choice)];

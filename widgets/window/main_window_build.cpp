@@ -281,6 +281,8 @@ void MainWindow::buildManyTrees()
     connect(m_edits, &EditActions::variationsRequested, this, [this](NodeId tree) {
         if (!m_variations) {
             m_variations = new VariationsDialog(m_document, m_preferences, m_chooser, this);
+            for (const char* id : {"edit.undo", "edit.redo"}) // their keys work there, too
+                m_variations->addAction(m_actions->find(QLatin1String(id)));
             connect(m_variations, &VariationsDialog::presetKept, findChild<GalleryPanel*>(),
                     &GalleryPanel::refreshOwn);
         }

@@ -545,7 +545,7 @@ const FileFormat glbFormat = {
     .id = "glb",
     .ending = "glb",
     .name = RAMURE_NOOP("Binary glTF"),
-    .choice = RAMURE_NOOP("GLB (glTF), for games and the web"),
+    .choice = RAMURE_NOOP("GLB (glTF), with materials and motion"),
     .help = "glTF 2.0 with materials and pictures inside: nodes as in the scene, closed meshes told as such",
     .holds = holdsObjects | holdsTexture | holdsLines | holdsCopies | holdsClip | holdsLevels |
              holdsCompressed | holdsWind,

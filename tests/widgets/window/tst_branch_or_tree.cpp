@@ -10,6 +10,8 @@
 #include "widgets/window/main_window.h"
 #include "widgets/window/view_menu.h"
 #include <QStatusBar>
+#include <QUndoStack>
+#include <algorithm>
 
 namespace tst_branch_or_tree {
 
@@ -87,6 +89,37 @@ private slots:
         QVERIFY(m_document->scene().nodes().empty());
     }
 
+    void deleteCountsWhatGrowsOnABranchAndTakesNoMore()
+    {
+        const auto count = [this] { return m_document->result(tree())->tree.simplified->skeleton.size(); };
+        const Index all = count();
+        // A limb with others on it: those, too, are in the number.
+        const auto& parent = m_document->result(tree())->tree.simplified->skeleton.parent;
+        const auto child = std::ranges::find_if(parent, [](Index p) { return p != noIndex && p > 0; });
+        QVERIFY(child != parent.end());
+        select({tree()}, {*child});
+        const int said = text("edit.delete").section(u' ', 1, 1).toInt();
+        QVERIFY2(said > 1 && said < int(all), qPrintable(text("edit.delete")));
+        m_window->setFocus();
+        QTest::keyClick(m_window.get(), Qt::Key_Delete);
+        QVERIFY(m_recompute->waitForFull(20'000));
+        QVERIFY(count() <= all - Index(said));
+        QVERIFY(m_document->selection().nodes.empty() && m_document->selection().branches.empty());
+        QTest::keyClick(m_window.get(), Qt::Key_Delete);
+        QCOMPARE(m_document->scene().nodes().size(), std::size_t(1));
+        m_document->undoStack()->undo();
+        QVERIFY(m_recompute->waitForFull(20'000));
+        QCOMPARE(count(), all);
+    }
+    void aNewTreeHasNoBranchOfTheOneBefore()
+    {
+        select({tree()}, {1});
+        action("edit.newTree")->trigger();
+        QVERIFY(m_document->selection().branches.empty());
+        QCOMPARE(m_document->selection().nodes, std::vector{tree()});
+        QVERIFY(m_recompute->waitForFull(20'000));
+        QVERIFY(m_document->selection().branches.empty());
+    }
     void whatActsOnTheTreeSaysTree()
     {
         select({tree()}, {1});

@@ -79,8 +79,8 @@ Camera levelCamera(const TreeLevels& of, const LevelShot& shot, const glm::ivec2
     double tangent = screenTan() * double(size.y) / levelScreenHeight;
     if (shot.enlarged) {
         const glm::dvec3 half = 0.5 * of.box.size();
-        const double around = std::max(half.x, half.z),
-                     aspect = double(size.x) / double(size.y); // as a crown is
+        const double around = std::max(half.x, half.z); // crowns are round
+        const double aspect = double(size.x) / double(size.y);
         const double away =
             camera.distance * std::sqrt(std::max(1.0 - std::pow(around / camera.distance, 2), 0.01));
         tangent = Camera::usualMargin *

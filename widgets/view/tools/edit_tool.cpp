@@ -81,18 +81,19 @@ std::optional<LimbHit> EditTool::limbAt(const ToolPoint& point)
 /// Under the mouse, or, as thin as twigs are, a few pixels beside it.
 std::optional<LimbHit> EditTool::limbNear(const PickScene& scene, const ToolPoint& point)
 {
-    constexpr double reaches[] = {0.0, 3.0, 6.0}; // logical pixels
+    constexpr double reaches[] = {3.0, 6.0}; // logical pixels
     constexpr glm::dvec2 ways[] = {{1, 0},     {0, 1},      {-1, 0},     {0, -1},
                                    {0.7, 0.7}, {-0.7, 0.7}, {0.7, -0.7}, {-0.7, -0.7}};
+    const auto at = [&](const glm::dvec2& aside) {
+        const auto hit = scene.pick(point.view, point.pixel() + aside);
+        return hit ? m_context.limbs.at(m_context.document, *hit) : std::nullopt;
+    };
+    auto limb = at({0.0, 0.0});
     for (const double reach : reaches)
-        for (const glm::dvec2& way : ways) {
-            if (const auto hit = scene.pick(point.view, point.pixel() + reach * way))
-                if (auto limb = m_context.limbs.at(m_context.document, *hit))
-                    return limb;
-            if (reach == 0.0)
-                break;
-        }
-    return std::nullopt;
+        for (const glm::dvec2& way : ways)
+            if (!limb)
+                limb = at(reach * way);
+    return limb;
 }
 
 bool EditTool::press(const ToolPoint& point)
