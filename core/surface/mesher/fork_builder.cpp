@@ -269,7 +269,7 @@ void ForkBuilder::findBetterWay(const Before& before, std::vector<TubeEnd>& ends
     const auto hopeless = static_cast<std::size_t>(hopelessShare * static_cast<double>(m_check.faceCount()));
     std::size_t least = m_check.count(m_context.sink, hopeless + 1);
     if (least > hopeless)
-        return;
+        return m_untangler.untangle(m_check, m_context.sink, static_cast<Index>(before.vertices));
     for (std::size_t way = 1; way < ways.size() && least > 0; ++way) {
         takeBack(before, ends);
         attempt(ways[way], ends);
@@ -280,10 +280,12 @@ void ForkBuilder::findBetterWay(const Before& before, std::vector<TubeEnd>& ends
         least = found;
         best = way;
     }
-    if (built == best)
-        return;
-    takeBack(before, ends);
-    attempt(ways[best], ends);
+    if (built != best) {
+        takeBack(before, ends);
+        attempt(ways[best], ends);
+    }
+    if (least > 0)
+        m_untangler.untangle(m_check, m_context.sink, static_cast<Index>(before.vertices));
 }
 
 void ForkBuilder::build(const TubeEnd& parent, std::vector<TubeEnd>& ends)

@@ -5,6 +5,7 @@
 #include "core/surface/mesher/cell_unroll.h"
 #include "core/surface/mesher/fork_check.h"
 #include "core/surface/mesher/fork_softening.h"
+#include "core/surface/mesher/fork_untangle.h"
 #include "core/surface/mesher/fork_walls.h"
 #include "core/surface/mesher/strip_patch.h"
 #include "core/surface/mesher/tube_builder.h"
@@ -65,7 +66,8 @@ private:
     ForkRing m_ring;
     CellUnroller m_unroller;
     StripPatch m_patch;
-    ForkCheck m_check;                 ///< knows the strips that close the fork
+    ForkCheck m_check; ///< knows the strips that close the fork
+    ForkUntangler m_untangler;
     bool m_isChecked = false;          ///< the fork at hand
     std::vector<ForkChild> m_children; ///< never shrinks: the first m_count are in use
     std::size_t m_count = 0;

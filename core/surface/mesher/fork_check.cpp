@@ -62,7 +62,8 @@ bool ForkCheck::meet(const MeshSink& sink, Index i, Index j) const
     return facesMeet(sink.positions, s, t);
 }
 
-std::size_t ForkCheck::count(const MeshSink& sink, std::size_t most) const
+/// Calls take(i, j) for each pair, until that returns false.
+template <class Take> void ForkCheck::visit(const MeshSink& sink, const Take& take) const
 {
     std::vector<PrimitiveBounds> boxes;
     boxes.reserve(m_faces.size());
@@ -73,12 +74,31 @@ std::size_t ForkCheck::count(const MeshSink& sink, std::size_t most) const
             boxes.push_back({glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c)), i});
     }
     if (boxes.empty())
-        return 0;
+        return;
     const BoxPairs pairs(std::move(boxes));
+    bool going = true;
+    for (std::size_t chunk = 0; chunk < pairs.chunkCount() && going; ++chunk)
+        pairs.inChunk(chunk, [&](Index i, Index j) {
+            if (going && meet(sink, i, j))
+                going = take(i, j);
+        });
+}
+
+std::size_t ForkCheck::count(const MeshSink& sink, std::size_t most) const
+{
     std::size_t found = 0;
-    for (std::size_t chunk = 0; chunk < pairs.chunkCount() && found < most; ++chunk)
-        pairs.inChunk(chunk, [&](Index i, Index j) { found += found < most && meet(sink, i, j) ? 1 : 0; });
+    if (most > 0)
+        visit(sink, [&](Index, Index) { return ++found < most; });
     return found;
+}
+
+void ForkCheck::find(const MeshSink& sink, std::vector<Index>& faces) const
+{
+    visit(sink, [&](Index i, Index j) {
+        faces.push_back(m_faces[i]);
+        faces.push_back(m_faces[j]);
+        return true;
+    });
 }
 
 } // namespace ramure

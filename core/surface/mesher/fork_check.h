@@ -17,11 +17,15 @@ public:
     /// Is a strip folded, or a band? Only then it is worth to count.
     [[nodiscard]] bool isFolded() const { return m_isFolded; }
     [[nodiscard]] std::size_t faceCount() const { return m_faces.size(); }
+    [[nodiscard]] const std::vector<Index>& faces() const { return m_faces; }
+    /// Appends both triangles of each pair that runs through each other.
+    void find(const MeshSink& sink, std::vector<Index>& faces) const;
     /// How many pairs of the strips' triangles run through each other. Stops counting at \p most. Triangles
     /// without an area are left out.
     [[nodiscard]] std::size_t count(const MeshSink& sink, std::size_t most) const;
 
 private:
+    template <class Take> void visit(const MeshSink& sink, const Take& take) const;
     [[nodiscard]] bool meet(const MeshSink& sink, Index i, Index j) const;
 
     std::vector<Index> m_faces;
