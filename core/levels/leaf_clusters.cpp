@@ -9,6 +9,25 @@
 namespace ramure {
 namespace {
 
+double squaresOf(std::span<const FoliageItem> items, const LeafCluster& cluster)
+{
+    double squares = 0.0;
+    for (const Index m : cluster.members)
+        squares += double(items[m].size) * double(items[m].size);
+    return squares;
+}
+
+/// Of the surface of all members. \param middle of a leaf of size 1.
+glm::dvec3 middleOf(std::span<const FoliageItem> items, const LeafCluster& cluster, const glm::dvec3& middle)
+{
+    glm::dvec3 sum(0.0);
+    for (const Index m : cluster.members) {
+        const double size = double(items[m].size);
+        sum += size * size * (items[m].position + items[m].orientation * (size * middle));
+    }
+    return sum / std::max(squaresOf(items, cluster), 1e-300);
+}
+
 /// Halves clusters by their number along the longest side of their box.
 struct Joiner
 {
@@ -19,6 +38,7 @@ struct Joiner
     };
     std::span<const FoliageItem> items;
     std::span<const Index> branchOf;
+    const glm::dvec3& middle; ///< of a leaf of size 1
     const std::vector<LeafCluster>& clusters;
     std::vector<LeafCluster> out{};
 
@@ -34,17 +54,10 @@ void Joiner::join(std::span<const Point> points)
         joined.members.insert(joined.members.end(), members.begin(), members.end());
     }
     std::ranges::sort(joined.members); // the order of the sum, too
-    glm::dvec3 middle(0.0);
-    double weight = 0.0;
-    for (const Index member : joined.members) {
-        const double square = double(items[member].size) * double(items[member].size);
-        middle += square * items[member].position;
-        weight += square;
-    }
-    middle /= std::max(weight, 1e-300);
+    const glm::dvec3 centre = middleOf(items, joined, middle);
     const auto turn = [&](const Point& p) {
         return std::tuple(branchOf[items[p.leaf].branch] == noIndex,
-                          glm::dot(p.place - middle, p.place - middle), p.leaf);
+                          glm::dot(p.place - centre, p.place - centre), p.leaf);
     };
     joined.leaf = std::ranges::min(points, {}, turn).leaf;
     out.push_back(std::move(joined));
@@ -78,15 +91,16 @@ std::vector<LeafCluster> singleClusters(std::span<const Index> leaves)
 }
 
 std::vector<LeafCluster> joinedClusters(std::span<const FoliageItem> items, std::vector<LeafCluster> clusters,
-                                        std::span<const Index> branchOf, std::size_t count)
+                                        std::span<const Index> branchOf, const glm::dvec3& middle,
+                                        std::size_t count)
 {
     if (count >= clusters.size())
         return clusters;
     std::vector<Joiner::Point> points;
     points.reserve(clusters.size());
     for (const LeafCluster& cluster : clusters)
-        points.push_back({items[cluster.leaf].position, cluster.leaf, static_cast<Index>(points.size())});
-    Joiner joiner{items, branchOf, clusters};
+        points.push_back({middleOf(items, cluster, middle), cluster.leaf, static_cast<Index>(points.size())});
+    Joiner joiner{items, branchOf, middle, clusters};
     joiner.split(points, std::max<std::size_t>(count, 1));
     std::ranges::sort(joiner.out, {}, &LeafCluster::leaf);
     return std::move(joiner.out);
@@ -96,18 +110,10 @@ FoliageItem leafOfCluster(std::span<const FoliageItem> items, const LeafCluster&
                           const LeafShapeOfLevel& whole, const LeafShapeOfLevel& shape)
 {
     FoliageItem out = items[cluster.leaf];
-    glm::dvec3 middle(0.0);
-    double squares = 0.0;
-    for (const Index m : cluster.members) {
-        const double size = double(items[m].size);
-        middle += size * size * (items[m].position + items[m].orientation * (size * whole.middle));
-        squares += size * size;
-    }
-    middle /= std::max(squares, 1e-300);
-    const double size = std::sqrt(squares * whole.area / shape.area);
+    const double size = std::sqrt(squaresOf(items, cluster) * whole.area / shape.area);
     out.size = static_cast<float>(size);
     if (cluster.members.size() > 1)
-        out.position = middle - out.orientation * (size * shape.middle);
+        out.position = middleOf(items, cluster, whole.middle) - out.orientation * (size * shape.middle);
     return out;
 }
 

@@ -1,6 +1,7 @@
 #include "core/levels/level_leaves.h"
 
 #include "core/math/box.h"
+#include "core/surface/foliage/leaf_table.h"
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -12,6 +13,8 @@ namespace {
 
 /// How much sooner a leaf goes whose twig has gone.
 constexpr double looseness = 2.0;
+/// Of its length: no blade becomes broader.
+constexpr double broadest = 0.6;
 
 /// The bits of three numbers of 21 bits, one after the other.
 std::uint64_t mortonOf(const glm::dvec3& place)
@@ -66,6 +69,14 @@ glm::dvec3 middleOf(const TriangleMesh& shape)
     return area > 0.0 ? sum / area : sum;
 }
 
+LeafShapeOfLevel shapeOf(const LeafForm& form, FoliageModel model, double alpha)
+{
+    LeafShapeOfLevel shape{form, model, oneLeaf(form, alpha, model)};
+    shape.area = areaOf(shape.mesh);
+    shape.middle = middleOf(shape.mesh);
+    return shape;
+}
+
 } // namespace
 
 double areaOf(const TriangleMesh& mesh)
@@ -89,9 +100,7 @@ std::vector<LeafShapeOfLevel> leafShapesOfLevels(const LeafForm& form, const Pic
 {
     std::vector<LeafShapeOfLevel> out;
     const auto add = [&](const LeafForm& simpler, FoliageModel model) {
-        LeafShapeOfLevel shape{simpler, model, oneLeaf(simpler, alpha, model)};
-        shape.area = areaOf(shape.mesh);
-        shape.middle = middleOf(shape.mesh);
+        LeafShapeOfLevel shape = shapeOf(simpler, model, alpha);
         const bool isSimpler = out.empty() || shape.mesh.faceCount() < out.back().mesh.faceCount();
         if (isSimpler && shape.area > 0.0)
             out.push_back(std::move(shape));
@@ -104,6 +113,16 @@ std::vector<LeafShapeOfLevel> leafShapesOfLevels(const LeafForm& form, const Pic
         add(simpler, FoliageModel::Fine);
     add(form, simplestLeaf(pictures));
     return out;
+}
+
+LeafShapeOfLevel broadened(const LeafShapeOfLevel& shape, double growth, double alpha)
+{
+    if (shape.form.shape == LeafShape::Faithful)
+        return shape;
+    const double most = broadest / leafRow(shape.form.shape).width;
+    LeafForm form = shape.form;
+    form.width = std::max(form.width, std::min(form.width * growth, most));
+    return form.width > shape.form.width ? shapeOf(form, shape.model, alpha) : shape;
 }
 
 std::vector<double> itemChances(std::span<const FoliageItem> items)

@@ -1,5 +1,6 @@
 #include "core/levels/level_twigs.h"
 
+#include "core/math/box.h"
 #include "core/math/random.h"
 #include "core/math/reproducible.h"
 #include "core/skeleton/axes.h"
@@ -20,6 +21,9 @@ constexpr double trianglesOfTwig = 26.0, trianglesOfBend = 8.0;
 /// A change of the taper, m per m, is as easily seen as a bend of so many times as many rad: a trunk's foot
 /// is its outline.
 constexpr double bendsOfTaper = 4.0;
+/// OutlineLimits::aside as a share of the tree's height, for each rad that bends may have: slight bends of a
+/// long trunk are its outline, too.
+constexpr double asideOfBends = 0.02;
 
 double hashUnit(std::uint64_t address)
 {
@@ -78,6 +82,10 @@ TwigOrder::TwigOrder(const Skeleton& grown, const SimplifiedSkeleton& tree)
     std::vector<double> area(m_parent.size(), 0.0);
     findAreas(area);
     sort(addresses, area);
+    Box box;
+    for (const glm::dvec3& end : m_tree.p1)
+        box.add(end);
+    m_height = box.size().y;
 }
 
 /// Of each axis what is to be seen of it and of all that grows on it.
@@ -144,7 +152,8 @@ PrunedTree TwigOrder::pruned(Index count, double mergeRad) const
         stays[i] = m_rank[m_axisOf[i]] < count;
     std::vector<Index> number;
     Skeleton left = subset(m_tree, stays, number);
-    SimplifiedSkeleton merged = *simplify(left, mergeRad, {}, mergeRad / bendsOfTaper);
+    SimplifiedSkeleton merged =
+        *simplify(left, mergeRad, {}, {mergeRad / bendsOfTaper, asideOfBends * mergeRad * m_height});
     PrunedTree out;
     out.skeleton = std::move(merged.skeleton);
     out.branchOf.assign(m_tree.size(), noIndex);

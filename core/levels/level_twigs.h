@@ -54,6 +54,7 @@ private:
     std::vector<Index> m_order;   ///< axes, what stays longest first
     std::vector<Index> m_rank;    ///< per axis its place there
     Index m_roots = 0;
+    double m_height = 0.0; ///< m
 };
 
 } // namespace ramure

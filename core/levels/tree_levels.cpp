@@ -339,16 +339,20 @@ void LevelMaker::stand(const TreeLevel& level)
 
 void LevelMaker::addLeaves(TreeLevel& level, const Split& split, Foliage& foliage)
 {
-    const LeafShapeOfLevel& shape = m_shapes[split.leafShape];
-    m_clusters = joinedClusters(m_foliage.leaves, std::move(m_clusters), level.wood.branchOf, split.leaves);
+    const LeafShapeOfLevel& whole = m_shapes.front();
+    const LeafShapeOfLevel& own = m_shapes[split.leafShape];
+    const double each = double(m_foliage.leaves.size()) / double(split.leaves) * whole.area / own.area;
+    const LeafShapeOfLevel shape = broadened(own, each, m_alpha);
+    m_clusters = joinedClusters(m_foliage.leaves, std::move(m_clusters), level.wood.branchOf, whole.middle,
+                                split.leaves);
     m_leaves.clear();
     for (const LeafCluster& cluster : m_clusters) {
         m_leaves.push_back(cluster.leaf);
-        foliage.leaves.push_back(leafOfCluster(m_foliage.leaves, cluster, m_shapes.front(), shape));
+        foliage.leaves.push_back(leafOfCluster(m_foliage.leaves, cluster, whole, shape));
     }
     level.leafOf = m_leaves;
-    level.leafScale = std::sqrt(double(m_foliage.leaves.size()) / double(m_leaves.size()) *
-                                m_shapes.front().area / shape.area);
+    level.leafScale =
+        std::sqrt(double(m_foliage.leaves.size()) / double(m_leaves.size()) * whole.area / shape.area);
     foliage.form = shape.form;
     TriangleMesh leaves = buildLeaves(m_skeleton, foliage, m_alpha, shape.model);
     level.leafArea = areaOf(leaves);

@@ -83,12 +83,21 @@ std::vector<bool> bareBranches(const Skeleton& skeleton)
 struct MostBend
 {
     AngleTest angle;
-    double taper; ///< m per m
+    OutlineLimits limits;
 
     [[nodiscard]] bool allows(const Skeleton& merged, Index into, const Skeleton& skeleton, Index i) const
     {
-        return angle.isBelow(merged.p1[into] - merged.p0[into], skeleton.p1[i] - skeleton.p0[i]) &&
-               (std::isinf(taper) || std::abs(taperOf(merged, into) - taperOf(skeleton, i)) < taper);
+        const glm::dvec3 before = merged.p1[into] - merged.p0[into], way = skeleton.p1[i] - skeleton.p0[i];
+        return angle.isBelow(before, way) &&
+               (std::isinf(limits.taper) ||
+                std::abs(taperOf(merged, into) - taperOf(skeleton, i)) < limits.taper) &&
+               (std::isinf(limits.aside) || isArcFlat(before, way, 2.0 * merged.a0[into]));
+    }
+    /// An arc that ends an angle a from its chord, of length c, is about c sin(a) / 4 high.
+    [[nodiscard]] bool isArcFlat(const glm::dvec3& chord, const glm::dvec3& way, double thick) const
+    {
+        return 0.25 * thick * glm::length(glm::cross(chord, way)) <
+               limits.aside * limits.aside * glm::length(way);
     }
 };
 
@@ -147,11 +156,11 @@ SimplifiedSkeleton simplify(const Skeleton& skeleton, double rotationThresholdRa
 }
 
 Expected<SimplifiedSkeleton> simplify(const Skeleton& skeleton, double rotationThresholdRad,
-                                      const Progress& progress, double taperThreshold)
+                                      const Progress& progress, const OutlineLimits& limits)
 {
     SimplifiedSkeleton result;
     result.mergedInto.resize(skeleton.size());
-    const MostBend most{AngleTest(rotationThresholdRad), taperThreshold};
+    const MostBend most{AngleTest(rotationThresholdRad), limits};
     const std::vector<Index> children = countChildren(skeleton);
     const std::vector<bool> bare = bareBranches(skeleton);
     result.skeleton.reserve(skeleton.size());

@@ -24,10 +24,18 @@ double taperOf(const Skeleton& skeleton, Index branch);
 /// the direction of the branch merged so far. Never merges across a fork. Level and key are those of the
 /// first.
 SimplifiedSkeleton simplify(const Skeleton& skeleton, double rotationThresholdRad);
-/// The same, for millions of branches. \param taperThreshold nor is a branch merged whose radius changes by
-/// so much more or less for each metre than that of the branch merged so far. Error: Cancelled.
+
+/// What else is not merged.
+struct OutlineLimits
+{
+    /// m per m: a branch whose radius changes by so much more or less than that of the branch merged so far.
+    double taper = std::numeric_limits<double>::infinity();
+    /// m: one that would take the run too far beside its new axis, as if it were an arc of a circle: so far
+    /// that this, times how thick the run is, is the square of this length or more.
+    double aside = std::numeric_limits<double>::infinity();
+};
+/// The same, for millions of branches. Error: Cancelled.
 Expected<SimplifiedSkeleton> simplify(const Skeleton& skeleton, double rotationThresholdRad,
-                                      const Progress& progress,
-                                      double taperThreshold = std::numeric_limits<double>::infinity());
+                                      const Progress& progress, const OutlineLimits& limits = {});
 
 } // namespace ramure

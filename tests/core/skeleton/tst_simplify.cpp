@@ -198,12 +198,12 @@ void TestSimplify::footsThatFlareStay()
     for (std::size_t i = 0; i + 1 < heights.size(); ++i)
         stem.add(i == 0 ? noIndex : Index(i - 1), glm::dvec3(0.0, heights[i], 0.0),
                  glm::dvec3(0.0, heights[i + 1], 0.0), radii[i], radii[i + 1]);
-    const auto branches = [&](double taper) { return simplify(stem, 0.1, {}, taper)->skeleton.size(); };
+    const auto branches = [&](double taper) { return simplify(stem, 0.1, {}, {taper})->skeleton.size(); };
     QCOMPARE(simplify(stem, 0.1).skeleton.size(), Index(1));
     QCOMPARE(branches(0.5), Index(1));
     QCOMPARE(branches(0.3), Index(2));
     QCOMPARE(branches(0.05), Index(3));
-    const auto three = simplify(stem, 0.1, {}, 0.05);
+    const auto three = simplify(stem, 0.1, {}, {0.05});
     QCOMPARE(three->skeleton.a1, (std::vector<double>{0.5, 0.4, 0.34}));
     checkInvariants(stem, *three);
 }
