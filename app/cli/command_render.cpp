@@ -123,9 +123,10 @@ Expected<Sight> sceneOf(const Input& input, const CommandLine& line, const Rende
 }
 
 Expected<void> draw(Painter& painter, const RenderScene& scene, const NodeView& view,
-                    const RenderRequest& request, const QString& file)
+                    const RenderRequest& request, const QString& file, const Progress& progress)
 {
-    const auto image = painter.draw(scene, view.camera, request.size, optionsFor(request.picture, view));
+    const auto image =
+        painter.draw(scene, view.camera, request.size, optionsFor(request.picture, view), progress);
     if (!image)
         return fail(image.error());
     return savePicture(*image, systemPath(file));
@@ -139,9 +140,11 @@ Expected<void> drawTurntable(Painter& painter, const RenderScene& scene, Camera 
     const double start = camera.yawRad;
     for (int i = 0; i < request.turntable; ++i) {
         camera.yawRad = start + 2.0 * std::numbers::pi * i / request.turntable;
-        if (auto drawn = draw(painter, scene, {camera, {}}, request, numberedFile(request.file, i)); !drawn)
+        const Progress part = progress.part(double(i) / request.turntable, double(i + 1) / request.turntable);
+        if (auto drawn = draw(painter, scene, {camera, {}}, request, numberedFile(request.file, i), part);
+            !drawn)
             return drawn;
-        progress.report(double(i + 1) / request.turntable);
+        part.report(1.0);
         if (progress.cancelled())
             return fail(ErrorCode::Cancelled, "cancelled");
     }
@@ -176,9 +179,11 @@ Expected<void> drawAll(const Input& input, const CommandLine& line, const Render
             return drawTurntable(painter, shown->scene, *camera, request, progress);
         const QString file = moments.isSequence() ? numberedFile(request.file, frames[i]) : request.file;
         const NodeView view = shown->through.value_or(NodeView{*camera, {}});
-        if (auto drawn = draw(painter, shown->scene, view, request, file); !drawn)
+        const auto count = double(frames.size());
+        const Progress part = progress.part(double(i) / count, double(i + 1) / count);
+        if (auto drawn = draw(painter, shown->scene, view, request, file, part); !drawn)
             return drawn;
-        progress.report(double(i + 1) / double(frames.size()));
+        part.report(1.0);
         if (progress.cancelled())
             return fail(ErrorCode::Cancelled, "cancelled");
     }

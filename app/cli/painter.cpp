@@ -16,9 +16,9 @@ Expected<void> Painter::begin()
 }
 
 Expected<QImage> Painter::draw(const RenderScene& scene, const Camera& camera, QSize size,
-                               const RenderOptions& options)
+                               const RenderOptions& options, const Progress& progress)
 {
-    return m_renderer->draw(scene, camera, size, options);
+    return m_renderer->draw(scene, camera, size, options, progress);
 }
 
 Expected<SurfacePictures> Painter::drawSurfaces(const RenderScene& scene, const Camera& camera, QSize size,

@@ -19,7 +19,7 @@ public:
     Expected<void> begin();
     /// \pre begin() went well
     Expected<QImage> draw(const RenderScene& scene, const Camera& camera, QSize size,
-                          const RenderOptions& options);
+                          const RenderOptions& options, const Progress& progress = {});
     /// The same for what surfaces are: see OffscreenRenderer::drawSurfaces.
     Expected<SurfacePictures> drawSurfaces(const RenderScene& scene, const Camera& camera, QSize size,
                                            double reach, bool sparing);

@@ -146,7 +146,11 @@ void main()
 #ifndef LEVEL
     gl_FragDepth = depth;
 #endif
+#ifdef DEPTH_ONLY // what makes the colour falls away
+    fragment = vec4(0.0);
+#else
     if (uStudio.r < 0.0)
         colour = uSky ? exposed(colour) : uGain * colour;
     fragment = vec4(dithered(toSrgb(colour)), 1.0);
+#endif
 }

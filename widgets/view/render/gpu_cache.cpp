@@ -271,7 +271,6 @@ void GpuCache::bindColours(ShaderProgram& program, const GpuBlock& mesh)
     m_gl.glActiveTexture(GL_TEXTURE0 + coloursUnit);
     m_gl.glBindTexture(GL_TEXTURE_2D, mesh.texture != 0 ? mesh.texture : restTexture());
     m_gl.glActiveTexture(GL_TEXTURE0);
-    program.set("uColours", int(coloursUnit));
     program.set("uHasColours", mesh.texture != 0);
 }
 
@@ -346,8 +345,6 @@ void GpuCache::bindPictures(ShaderProgram& program, const MeshItem& item)
     m_gl.glActiveTexture(GL_TEXTURE0 + barkNormalsUnit);
     m_gl.glBindTexture(GL_TEXTURE_2D, block ? block->normals : restTexture());
     m_gl.glActiveTexture(GL_TEXTURE0);
-    program.set("uBark", int(barkUnit));
-    program.set("uBarkNormals", int(barkNormalsUnit));
     program.set("uHasBark", !item.images && item.bark);
     const bool isLeaf = !item.images && !item.bark && item.leaf;
     program.set("uVeins", isLeaf);
@@ -386,7 +383,6 @@ void GpuCache::bindCrown(ShaderProgram& program, const std::shared_ptr<const Cro
     }
     m_gl.glBindTexture(GL_TEXTURE_3D, texture);
     m_gl.glActiveTexture(GL_TEXTURE0);
-    program.set("uCrown", int(crownUnit));
     program.set("uHasCrown", crown != nullptr);
 }
 
@@ -554,7 +550,6 @@ void GpuCache::bindBones(ShaderProgram& program, const ItemMotion& motion)
     const GpuBlock* block = motion.moves() ? &bones(motion.bones) : nullptr;
     m_gl.glBindTexture(GL_TEXTURE_2D, block && block->texture != 0 ? block->texture : restTexture());
     m_gl.glActiveTexture(GL_TEXTURE0);
-    program.set("uBones", int(bonesUnit));
     program.set("uBoneCount", block ? block->count : 0);
     program.set("uSkinMethod", int(motion.method));
 }

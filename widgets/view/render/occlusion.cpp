@@ -83,6 +83,7 @@ void Occlusion::end(const Camera& camera, const glm::dmat4& clip, double radius,
         program.set("uParallel", camera.orthographic);
         m_gl.glDrawArrays(GL_TRIANGLES, 0, 3);
     }
+    m_gl.glUseProgram(0); // its samplers do not suit what is bound when the next target is cleared
     m_gl.glEnable(GL_DEPTH_TEST);
 }
 

@@ -260,7 +260,7 @@ Renderer::Picture Renderer::arrange(const RenderScene& scene, const Camera& came
     return picture;
 }
 
-/// In pictures at rest. Before the shadows: the ground is drawn without, which is quicker.
+/// In pictures at rest.
 void Renderer::occlude(Picture& picture, QSize size)
 {
     constexpr double ofScene = 0.06, ofView = 0.08; // how far what counts as close is away
@@ -274,7 +274,7 @@ void Renderer::occlude(Picture& picture, QSize size)
     m_gl.glEnable(GL_DEPTH_TEST);
     m_gl.glDepthMask(GL_TRUE);
     if (options.world && options.ground)
-        drawWorld(picture);
+        drawWorld(picture, true);
     m_gl.glDepthFunc(GL_LEQUAL);
     const DepthPrograms programs{*m_shadow, *m_shadowCut};
     for (const MeshItem& item : picture.scene.meshes) {
@@ -363,16 +363,11 @@ void Renderer::setLight(ShaderProgram& program, const Picture& picture)
     program.set("uShadowTaps", picture.shadowTaps);
     program.set("uShadow", picture.shadow.place);
     program.set("uShadowScale", picture.shadow.scale);
-    program.set("uShadowMap", int(shadowUnit));
-    program.set("uShadowDepth", int(shadowDepthUnit));
     program.set("uHasNear", picture.near.has_value());
     if (picture.near) {
         program.set("uNear", picture.near->place);
         program.set("uNearScale", picture.near->scale);
     }
-    program.set("uNearMap", int(nearUnit));
-    program.set("uNearDepth", int(nearDepthUnit));
-    program.set("uOcclusion", int(occlusionUnit));
     program.set("uOcclusionScale", picture.occluded ? 1.0f / picture.viewport : glm::vec2(0.0f));
 }
 
@@ -390,11 +385,10 @@ void Renderer::setStates(ShaderProgram& program, const RenderScene& scene, NodeI
     }
     m_gl.glBindTexture(GL_TEXTURE_2D, texture);
     m_gl.glActiveTexture(GL_TEXTURE0);
-    program.set("uStates", int(statesUnit));
     program.set("uStateCount", count);
 }
 
-void Renderer::drawWorld(const Picture& picture)
+void Renderer::drawWorld(const Picture& picture, bool depthOnly)
 {
     const Camera& camera = picture.camera;
     const Box& box = picture.scene.box;
@@ -405,7 +399,8 @@ void Renderer::drawWorld(const Picture& picture)
     const bool meadow = picture.light.studio.r < 0.0f && !picture.light.sky;
     ShaderProgram& world = m_world->with(meadow, switches::meadow)
                                .with(picture.isLevel(), switches::level)
-                               .with(!picture.near, switches::one);
+                               .with(!picture.near, switches::one)
+                               .with(depthOnly, switches::depthOnly);
     world.bind();
     setLight(world, picture);
     const glm::dvec3 across = half * picture.aspect * perDistance * camera.right();

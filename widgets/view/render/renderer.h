@@ -81,7 +81,7 @@ private:
     void occlude(Picture& picture, QSize size);
     void castShadows(Picture& picture);
     void castNear(Picture& picture, double side);
-    void drawWorld(const Picture& picture);
+    void drawWorld(const Picture& picture, bool depthOnly = false);
     void drawDepth(const Picture& picture);
     void drawMeshes(const Picture& picture, ShadingMode shading, bool faded);
     void beginMeshes(ShaderProgram& program, const Picture& picture, ShadingMode shading);

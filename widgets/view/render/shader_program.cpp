@@ -23,6 +23,13 @@ QByteArray source(const std::vector<const char*>& names, const char* defines)
     return text;
 }
 
+/// Where a program's pictures are from the start: two kinds of samplers must not share a unit, not even in a
+/// program that is bound and draws nothing.
+constexpr std::pair<const char*, int> units[] = {{"uShadowMap", 0},   {"uShadowDepth", 1}, {"uStates", 2},
+                                                 {"uBones", 3},       {"uColours", 4},     {"uBark", 5},
+                                                 {"uBarkNormals", 6}, {"uCrown", 7},       {"uNearMap", 8},
+                                                 {"uNearDepth", 9},   {"uOcclusion", 10}};
+
 } // namespace
 
 ShaderTexts composed(const ShaderSources& sources)
@@ -54,6 +61,10 @@ Expected<std::unique_ptr<ShaderProgram>> ShaderProgram::make(Gl& gl, const Shade
     if (!good)
         return fail(ErrorCode::Unknown, RAMURE_NOOP("The graphics driver refuses a shader: %1"),
                     {program.log().toStdString()});
+    made->bind();
+    for (const auto& [name, unit] : units)
+        made->set(name, unit);
+    gl.glUseProgram(0);
     return made;
 }
 

@@ -27,9 +27,10 @@ inline constexpr const char* unmarked = "#define UNMARKED\n"; ///< nothing is se
 inline constexpr const char* one = "#define ONE_SHADOW\n";    ///< no map of what is near
 inline constexpr const char* meadow = "#define MEADOW\n";     ///< the plain sky and ground
 inline constexpr const char* level = "#define LEVEL\n"; ///< a ground in perspective: its depth is linear
+inline constexpr const char* depthOnly = "#define DEPTH_ONLY\n"; ///< of the ground
 inline constexpr const char* surfaces =
     "#define SURFACES\n"; ///< what they are, not how they look in the light
-inline constexpr std::array all{still, unmarked, one, meadow, level, surfaces};
+inline constexpr std::array all{still, unmarked, one, meadow, level, depthOnly, surfaces};
 } // namespace switches
 
 /// Names of files in resources/shaders; several vertex or fragment parts are joined in their order.
