@@ -315,6 +315,26 @@ private slots:
         QVERIFY(process.waitForFinished());
         QTRY_VERIFY_WITH_TIMEOUT(test::bytesOf(command).isEmpty(), 30'000);
     }
+    /// Not only between two of them: one with so many samples takes minutes here.
+    void stopsWithinAPicture()
+    {
+        QProcess process;
+        process.start(QStringLiteral(RAMURE_CLI), {"render", "preset:SmallTree", "-o", path("stopped.png"),
+                                                   "--size", "4000x3000", "--samples", "256"});
+        const auto isDrawing = [&process] { // the driver's threads
+            const auto children = QDir(QStringLiteral("/proc/%1/task").arg(process.processId()));
+            for (const QString& task : children.entryList(QDir::Dirs | QDir::NoDotAndDotDot))
+                if (test::bytesOf(children.filePath(task + QStringLiteral("/comm"))).startsWith("llvmpipe"))
+                    return true;
+            return false;
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(isDrawing(), 60'000);
+        QCOMPARE(::kill(pid_t(process.processId()), SIGINT), 0);
+        QVERIFY(process.waitForFinished(60'000));
+        QCOMPARE(process.exitCode(), 2);
+        QVERIFY(process.readAllStandardError().endsWith("ancelled\n"));
+        QVERIFY(!QFile::exists(path("stopped.png")));
+    }
 };
 
 RAMURE_SUITE(TestRamureCliPictures)
