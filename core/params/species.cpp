@@ -35,7 +35,7 @@ const std::array mixedSpecies{
     Species{"WeepingWillow", "Salix babylonica", RAMURE_NOOP("A short trunk below curtains of hanging shoots"), false,
         {.shape = S::Cylindrical, .baseSize = 0.05, .scale = 15, .scaleV = 5, .levels = 4, .ratio = 0.03, .ratioPower = 2,
          .lobes = 9, .lobeDepth = 0.03, .flare = 0.75, .attractionUp = -3,
-         .pruneRatio = 1, .pruneWidth = 0.4, .pruneWidthPeak = 0.6, .prunePowerLow = 0.001, .prunePowerHigh = 0.5,
+         .pruneRatio = 1, .pruneWidth = 0.48, .pruneWidthPeak = 0.6, .prunePowerLow = 0.001, .prunePowerHigh = 0.25,
          .level = {{{.length = 0.8, .baseSplits = 2, .segSplits = 0.1, .splitAngle = 3, .curveRes = 8, .curveBack = 20, .curveV = 120},
                     {.length = 0.5, .lengthV = 0.1, .segSplits = 0.2, .splitAngle = 30, .splitAngleV = 10, .curveRes = 16, .curve = 40, .curveBack = 80, .curveV = 90, .downAngle = 20, .downAngleV = 10, .rotate = -120, .rotateV = 30, .branches = 25},
                     {.length = 1.5, .segSplits = 0.2, .splitAngle = 45, .splitAngleV = 20, .curveRes = 12, .downAngle = 30, .downAngleV = 10, .rotate = -120, .rotateV = 30, .branches = 10},
