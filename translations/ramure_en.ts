@@ -252,10 +252,10 @@
 <context>
     <name>ramure::EditActions</name>
     <message numerus="yes">
-        <source>De&amp;lete %n branch(es)</source>
+        <source>De&amp;lete %Ln branch(es)</source>
         <translation>
-            <numerusform>De&amp;lete %n branch</numerusform>
-            <numerusform>De&amp;lete %n branches</numerusform>
+            <numerusform>De&amp;lete %Ln branch</numerusform>
+            <numerusform>De&amp;lete %Ln branches</numerusform>
         </translation>
     </message>
 </context>

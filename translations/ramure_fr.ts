@@ -8914,10 +8914,10 @@ OpenGL&#xa0;: %4
         <translation>En faire %1</translation>
     </message>
     <message numerus="yes">
-        <source>De&amp;lete %n branch(es)</source>
+        <source>De&amp;lete %Ln branch(es)</source>
         <translation>
-            <numerusform>Su&amp;pprimer %n branche</numerusform>
-            <numerusform>Su&amp;pprimer %n branches</numerusform>
+            <numerusform>Su&amp;pprimer %Ln branche</numerusform>
+            <numerusform>Su&amp;pprimer %Ln branches</numerusform>
         </translation>
     </message>
 </context>
@@ -13125,6 +13125,10 @@ OpenGL&#xa0;: %4
     <message>
         <source>Frame %1, %2</source>
         <translation>Image %1, %2</translation>
+    </message>
+    <message>
+        <source>a key</source>
+        <translation>une clé</translation>
     </message>
 </context>
 <context>

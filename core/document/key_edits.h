@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace ramure {
@@ -56,6 +57,8 @@ KeySelection existing(const Scene& scene, const KeySelection& selection);
 std::size_t count(const KeySelection& selection);
 /// First and last time; nothing where nothing is selected.
 std::optional<std::pair<Ticks, Ticks>> spanOf(const KeySelection& selection);
+/// Of all keys of these nodes, ascending, each time once.
+std::vector<Ticks> timesOf(const Scene& scene, std::span<const NodeId> nodes);
 /// The time of a frame, and the nearest whole step (a frame, a second) to a time.
 Ticks ticksOfFrame(const TimelineSettings& settings, double frame);
 Ticks snapped(Ticks time, double stepsPerSecond);

@@ -56,6 +56,24 @@ std::optional<std::pair<Ticks, Ticks>> keys::spanOf(const KeySelection& selectio
     return span;
 }
 
+std::vector<Ticks> keys::timesOf(const Scene& scene, std::span<const NodeId> nodes)
+{
+    std::vector<Ticks> times;
+    for (const NodeId id : nodes)
+        if (const Node* node = scene.find(id))
+            for (const auto& [channel, track] : node->animation.tracks())
+                std::visit(
+                    [&](const auto& held) {
+                        for (const auto& key : held.keys())
+                            times.push_back(key.time);
+                    },
+                    *track);
+    std::ranges::sort(times);
+    const auto rest = std::ranges::unique(times);
+    times.erase(rest.begin(), rest.end());
+    return times;
+}
+
 Ticks keys::ticksOfFrame(const TimelineSettings& settings, double frame)
 {
     return ticksOf(std::clamp(frame / settings.framesPerSecond, -1e6, 1e6));

@@ -193,7 +193,7 @@ void EditActions::updateTexts()
     say(m_visible, active && !active->visible ? tr("S&how %1") : tr("&Hide %1"));
     say(m_locked, active && active->locked ? tr("Unloc&k %1") : tr("Loc&k %1"));
     if (!selection.branches.empty())
-        m_set->setText(m_delete, tr("De&lete %n branch(es)", nullptr, goingBranches()));
+        m_set->setText(m_delete, tr("De&lete %Ln branch(es)", nullptr, goingBranches()));
     else
         say(m_delete, tr("De&lete %1"));
     emit targetNamed(what);

@@ -100,6 +100,20 @@ void TimelineRuler::setDisplay(TimeDisplay display)
     update();
 }
 
+void TimelineRuler::setKeys(std::vector<double> frames)
+{
+    if (frames == m_keys)
+        return;
+    m_keys = std::move(frames);
+    update();
+}
+
+bool TimelineRuler::hasKeyAt(qint64 frame) const
+{
+    const auto near = std::ranges::lower_bound(m_keys, double(frame) - 0.5);
+    return near != m_keys.end() && *near < double(frame) + 0.5;
+}
+
 void TimelineRuler::fit()
 {
     m_zoomed = false;
@@ -172,6 +186,7 @@ void TimelineRuler::paintEvent(QPaintEvent*)
     paintRange(painter);
     paintTicks(painter);
     paintBand(painter);
+    paintKeys(painter);
     paintPlayhead(painter);
     if (hasFocus()) {
         painter.setPen(QPen(palette().color(QPalette::Highlight), 1.0));
@@ -243,6 +258,27 @@ void TimelineRuler::paintBand(QPainter& painter) const
         else
             painter.fillRect(part,
                              QBrush(dark ? QColor(235, 175, 70) : QColor(200, 130, 20), Qt::BDiagPattern));
+    }
+}
+
+/// Where many stand in one place, one is drawn.
+void TimelineRuler::paintKeys(QPainter& painter) const
+{
+    constexpr double half = 4.0, least = 1.0;
+    const QColor base = palette().color(QPalette::Base);
+    painter.setPen(QPen(base, 1.0));
+    painter.setBrush(base.lightness() < 128 ? QColor(240, 200, 90) : QColor(190, 120, 0));
+    const double y = height() - bandHeight - half - 1.0;
+    double last = -half - least;
+    for (auto key = std::ranges::lower_bound(m_keys, framesAt(-half)); key != m_keys.end(); ++key) {
+        const double x = xOf(*key);
+        if (x > width() + half)
+            break;
+        if (x < last + least)
+            continue;
+        last = x;
+        const QPointF diamond[] = {{x, y - half}, {x + half, y}, {x, y + half}, {x - half, y}};
+        painter.drawConvexPolygon(diamond, 4);
     }
 }
 
@@ -408,8 +444,10 @@ bool TimelineRuler::event(QEvent* event)
             state = range.state == FrameState::Cached  ? tr("computed")
                     : range.state == FrameState::Stale ? tr("computed for other parameters")
                                                        : tr("not computed yet");
-    const QString place =
+    QString place =
         tr("Frame %1, %2").arg(frame).arg(timeText(frame, m_timeline.framesPerSecond, TimeDisplay::Seconds));
+    if (hasKeyAt(frame))
+        place += QStringLiteral(", ") + tr("a key");
     QToolTip::showText(help->globalPos(), state.isEmpty() ? place : place + QStringLiteral(": ") + state,
                        this);
     return true;

@@ -1,5 +1,5 @@
 /// \file
-/// The ruler of the timeline: ticks, the range with its two handles, the band of computed frames, the
+/// The ruler of the timeline: ticks, the range with its two handles, keys, the band of computed frames, the
 /// playhead.
 ///
 /// Left drag scrubs; dragging a handle changes the range; the wheel zooms to the cursor, middle drag or
@@ -26,6 +26,9 @@ public:
     void setFrame(qint64 frame);
     void setBand(std::vector<FrameRange> band);
     void setDisplay(TimeDisplay display);
+    /// Where diamonds stand, in frames, ascending; between whole ones, too.
+    void setKeys(std::vector<double> frames);
+    [[nodiscard]] const std::vector<double>& keys() const { return m_keys; }
 
     [[nodiscard]] double xOf(double frame) const;
     [[nodiscard]] qint64 frameAt(double x) const;
@@ -70,6 +73,8 @@ private:
     void dragTo(double x);
     void paintTicks(QPainter& painter) const;
     void paintBand(QPainter& painter) const;
+    void paintKeys(QPainter& painter) const;
+    [[nodiscard]] bool hasKeyAt(qint64 frame) const;
     void paintRange(QPainter& painter) const;
     void paintPlayhead(QPainter& painter) const;
     [[nodiscard]] Drag handleAt(const QPointF& position) const;
@@ -78,6 +83,7 @@ private:
 
     TimelineSettings m_timeline;
     std::vector<FrameRange> m_band;
+    std::vector<double> m_keys;
     TimeDisplay m_display = TimeDisplay::Frames;
     qint64 m_frame = 0;
     double m_from = 0.0, m_to = 100.0; ///< frames at the edges

@@ -1,5 +1,6 @@
 #include "widgets/panels/timeline/timeline_panel.h"
 
+#include "core/document/key_edits.h"
 #include "core/session/arm_reach.h"
 #include "core/session/player.h"
 #include "widgets/base/number_field.h"
@@ -239,6 +240,8 @@ void TimelinePanel::connectPlayer()
     connect(m_document, &Document::changed, this, [this](const Change& change) {
         if (change.has(changeTimeline | changeReset))
             showSettings();
+        if (change.has(changeReset | changeTracks | changeSelection | changeStructure | changeTimeline))
+            showKeys();
         if (change.has(changeReset))
             m_plot->clear();
         if (change.has(changeReset | changeStructure))
@@ -246,8 +249,23 @@ void TimelinePanel::connectPlayer()
         if (change.has(changeReset | changeStructure | changeParams | changeJoints | changeNodeState))
             showResiduals();
     });
+    showKeys();
     choosePlot();
     showResiduals();
+}
+
+/// Of what is selected; of everything where nothing is.
+void TimelinePanel::showKeys()
+{
+    const Scene& scene = m_document->scene();
+    std::vector<NodeId> nodes = m_document->selection().nodes;
+    if (nodes.empty())
+        for (const Node& node : scene.nodes())
+            nodes.push_back(node.id);
+    std::vector<double> frames;
+    for (const Ticks time : keys::timesOf(scene, nodes))
+        frames.push_back(secondsOf(time) * scene.timeline().framesPerSecond);
+    m_ruler->setKeys(std::move(frames));
 }
 
 void TimelinePanel::setReach(ArmReach* reach)

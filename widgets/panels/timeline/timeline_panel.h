@@ -58,6 +58,7 @@ private:
     void buildSettings();
     void connectPlayer();
     void showSettings();
+    void showKeys();
     void showFrame();
     [[nodiscard]] static QString droppedText(std::int64_t frames);
     void showBusy(bool busy);

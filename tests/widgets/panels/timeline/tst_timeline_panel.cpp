@@ -39,6 +39,7 @@ private slots:
     void scrubbingIsNoStepOfUndo();
     void keysStep();
     void handlesChangeTheRangeAsOneStep();
+    void theRulerShowsKeysOfWhatIsSelected();
     void wheelZoomsToTheCursor();
     void fieldsChangeTheTimeline();
     void theFrameFieldSeeks();
@@ -167,6 +168,36 @@ void TestTimelinePanel::handlesChangeTheRangeAsOneStep()
     m_document->undoStack()->undo();
     QVERIFY(timeline() == TimelineSettings{});
     QCOMPARE(m_player->frame(), std::int64_t(0)); // no scrubbing meanwhile
+}
+
+void TestTimelinePanel::theRulerShowsKeysOfWhatIsSelected()
+{
+    using Frames = std::vector<double>;
+    QCOMPARE(ruler()->keys(), Frames());
+    const NodeId first = edit::insertNodes(*m_document, {test::groupNode(1, "a")}, noNode, 0).value();
+    const NodeId second = edit::insertNodes(*m_document, {test::groupNode(1, "b")}, noNode, 1).value();
+    const std::vector<Channel> placed{{ChannelPart::GlobalTranslation, 0}};
+    QVERIFY(edit::insertKeys(*m_document, {first}, placed, 0));
+    QVERIFY(edit::insertKeys(*m_document, {first, second}, placed, ticksOf(1.0)));
+    const double rate = timeline().framesPerSecond;
+    m_document->setSelection({});
+    QCOMPARE(ruler()->keys(), (Frames{0.0, rate}));
+    const auto select = [&](NodeId node) {
+        Selection selection;
+        selection.nodes = {node};
+        m_document->setSelection(std::move(selection));
+    };
+    select(second);
+    QCOMPARE(ruler()->keys(), Frames{rate});
+    select(first);
+    QCOMPARE(ruler()->keys(), (Frames{0.0, rate}));
+    // Where the diamond is, something is drawn that was not.
+    const QImage with = ruler()->grab().toImage();
+    m_document->undoStack()->undo();
+    m_document->undoStack()->undo();
+    QCOMPARE(ruler()->keys(), Frames());
+    const QRect place(at(0, ruler()->height() - 15), QSize(2, 9));
+    QVERIFY(with.copy(place) != ruler()->grab().toImage().copy(place));
 }
 
 void TestTimelinePanel::wheelZoomsToTheCursor()
