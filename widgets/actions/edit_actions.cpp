@@ -6,6 +6,7 @@
 #include "core/params/presets.h"
 #include "core/scene/kinds/node_kinds.h"
 #include "core/session/planting.h"
+#include "widgets/actions/deleted_selection.h"
 #include "widgets/actions/preset_menu.h"
 #include "widgets/base/action_set.h"
 #include "widgets/base/core_text.h"
@@ -28,6 +29,7 @@ EditActions::EditActions(Document* document, Chooser* chooser, ActionSet* set, Q
     , m_document(document)
     , m_chooser(chooser)
     , m_set(set)
+    , m_deleted(new DeletedSelection(document, this))
     , m_undo(set->add({"edit.undo", QT_TRANSLATE_NOOP("Actions", "&Undo"), "undo", QKeySequence::Undo}))
     , m_redo(set->add({"edit.redo", QT_TRANSLATE_NOOP("Actions", "&Redo"), "redo",
                        QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z)}))
@@ -313,14 +315,16 @@ void EditActions::addPrimitive(const char* shape, const QString& label)
 
 void EditActions::removeSelected()
 {
-    if (!m_document->selection().branches.empty()) {
+    const Selection before = m_document->selection();
+    if (before.branches.empty()) {
+        if (auto done = edit::removeNodes(*m_document, selected()); !done)
+            return report(done.error());
+    } else {
         if (auto done = removeLimbs(*m_document, LimbFinder().selected(*m_document), false); !done)
-            emit messageRaised(errorText(done.error()));
-        else
-            m_document->setSelection({}); // else the same key would take the whole tree next
-        return;
+            return emit messageRaised(errorText(done.error()));
+        m_document->setSelection({}); // else the same key would take the whole tree next
     }
-    reportFailure(edit::removeNodes(*m_document, selected()));
+    m_deleted->remember(before);
 }
 
 void EditActions::duplicateSelected()

@@ -16,6 +16,7 @@ class QMenu;
 namespace ramure {
 
 class ActionSet;
+class DeletedSelection;
 struct NodeKindRow;
 
 class EditActions : public QObject
@@ -86,6 +87,7 @@ private:
     Document* m_document;
     Chooser* m_chooser;
     ActionSet* m_set;
+    DeletedSelection* m_deleted;
     std::function<Camera()> m_eye;
     QAction* m_undo;
     QAction* m_redo;

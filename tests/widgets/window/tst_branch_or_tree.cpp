@@ -1,3 +1,4 @@
+#include "core/document/commands.h"
 #include "core/scene/kinds/node_kinds.h"
 #include "core/session/recompute.h"
 #include "tests/widgets/base/fixture.h"
@@ -97,7 +98,8 @@ private slots:
         const auto& parent = m_document->result(tree())->tree.simplified->skeleton.parent;
         const auto child = std::ranges::find_if(parent, [](Index p) { return p != noIndex && p > 0; });
         QVERIFY(child != parent.end());
-        select({tree()}, {*child});
+        const Index limb = *child;
+        select({tree()}, {limb});
         const int said = text("edit.delete").section(u' ', 1, 1).toInt();
         QVERIFY2(said > 1 && said < int(all), qPrintable(text("edit.delete")));
         m_window->setFocus();
@@ -110,6 +112,25 @@ private slots:
         m_document->undoStack()->undo();
         QVERIFY(m_recompute->waitForFull(20'000));
         QCOMPARE(count(), all);
+        QCOMPARE(m_document->selection().branches, std::vector{limb});
+        QCOMPARE(m_document->selection().nodes, std::vector{tree()});
+    }
+    void whatWasDeletedIsSelectedAgainWhenItIsBack()
+    {
+        const NodeId node = tree();
+        select({node}, {});
+        action("edit.delete")->trigger();
+        QVERIFY(m_document->selection().nodes.empty());
+        m_document->undoStack()->undo();
+        QCOMPARE(m_document->selection().nodes, std::vector{node});
+        m_document->undoStack()->redo();
+        m_document->undoStack()->undo();
+        QCOMPARE(m_document->selection().nodes, std::vector{node});
+        // Not where another step has taken the place of that one.
+        select({}, {});
+        QVERIFY(edit::setNodeVisible(*m_document, {node}, false));
+        m_document->undoStack()->undo();
+        QVERIFY(m_document->selection().nodes.empty());
     }
     void aNewTreeHasNoBranchOfTheOneBefore()
     {
