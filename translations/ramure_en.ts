@@ -136,10 +136,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>The meshes of %Ln tree(s) are closed, but %1.</source>
+        <source>The meshes of %Ln tree(s) are closed. %1: that matters for a print alone.</source>
         <translation>
-            <numerusform>The mesh of %Ln tree is closed, but %1.</numerusform>
-            <numerusform>The meshes of %Ln trees are closed, but %1.</numerusform>
+            <numerusform>The mesh of %Ln tree is closed. %1: that matters for a print alone.</numerusform>
+            <numerusform>The meshes of %Ln trees are closed. %1: that matters for a print alone.</numerusform>
         </translation>
     </message>
 </context>

@@ -1480,8 +1480,8 @@
 <context>
     <name>FaultTexts</name>
     <message>
-        <source>The mesh of “%1” is closed, but %2.</source>
-        <translation>Le maillage de «&#xa0;%1&#xa0;» est fermé, mais %2.</translation>
+        <source>The mesh of “%1” is closed. %2: that matters for a print alone.</source>
+        <translation>Le maillage de «&#xa0;%1&#xa0;» est fermé. %2&#xa0;: cela ne compte que pour une impression.</translation>
     </message>
     <message numerus="yes">
         <source>%Ln defect(s)</source>
@@ -1520,10 +1520,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>The meshes of %Ln tree(s) are closed, but %1.</source>
+        <source>The meshes of %Ln tree(s) are closed. %1: that matters for a print alone.</source>
         <translation>
-            <numerusform>Le maillage de %Ln arbre est fermé, mais %1.</numerusform>
-            <numerusform>Les maillages de %Ln arbres sont fermés, mais %1.</numerusform>
+            <numerusform>Le maillage de %Ln arbre est fermé. %1&#xa0;: cela ne compte que pour une impression.</numerusform>
+            <numerusform>Les maillages de %Ln arbres sont fermés. %1&#xa0;: cela ne compte que pour une impression.</numerusform>
         </translation>
     </message>
 </context>

@@ -44,6 +44,8 @@ private slots:
 
     void tooMuchMemoryIsTheRowsError()
     {
+        if (test::isSanitized) // AddressSanitizer's own memory is more than any limit that a row could meet
+            return;
         const QByteArray text = "preset,seed\nTinyTree,1\nSmallTree,2\nTinyTree,3\n";
         const auto run = runCli(batchOf(table(text), path("out"), {"--memory", "40M"}));
         QCOMPARE(run.code, 4);

@@ -158,7 +158,7 @@ private slots:
         dialog.show();
         QVERIFY(analysis.waitForAll(10'000));
         const QString text = dialog.findChild<QLabel*>(QStringLiteral("meshFaults"))->text();
-        QVERIFY2(text.contains(QStringLiteral("is closed, but")), qPrintable(text));
+        QVERIFY2(text.contains(QStringLiteral("is closed. 5 pair")), qPrintable(text));
     }
     void meshesThatAreNotCleanAreTold()
     {
