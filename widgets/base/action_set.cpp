@@ -2,6 +2,7 @@
 
 #include "widgets/base/icons.h"
 #include <QCoreApplication>
+#include <QRegularExpression>
 #include <algorithm>
 
 namespace ramure {
@@ -95,14 +96,15 @@ void ActionSet::translate(const Entry& entry)
     };
     const QString shown = entry.text.isEmpty() ? text(entry.spec.text) : entry.text;
     entry.action->setText(shown);
-    QString tip = entry.spec.tip ? text(entry.spec.tip) : shown;
-    tip.remove(u'&').remove(QStringLiteral("…"));
-    if (!entry.tip.isEmpty())
-        tip = entry.tip;
-    entry.action->setStatusTip(entry.spec.tip ? tip : QString());
+    QString name = shown;
+    static const QRegularExpression mnemonic(QStringLiteral("&(.)"));
+    name.replace(mnemonic, QStringLiteral("\\1")).remove(QStringLiteral("…"));
     if (const QKeySequence keys = entry.action->shortcut(); !keys.isEmpty())
-        tip += QStringLiteral(" (%1)").arg(keys.toString(QKeySequence::NativeText));
-    entry.action->setToolTip(tip);
+        name += QStringLiteral(" (%1)").arg(keys.toString(QKeySequence::NativeText));
+    const QString tip = !entry.tip.isEmpty() ? entry.tip : entry.spec.tip ? text(entry.spec.tip) : QString();
+    entry.action->setStatusTip(tip);
+    // A button with an icon alone says what it is called before it says what that does.
+    entry.action->setToolTip(tip.isEmpty() ? name : name + u'\n' + tip);
 }
 
 } // namespace ramure
