@@ -125,11 +125,14 @@ private slots:
     void slurmsTasksAndTheMerge()
     {
         const QByteArray whole = wholeManifest();
-        QCOMPARE(job("--slurm", {"--shards", "3", "--memory", "1G"}).code, 0);
+        QStringList options{"--shards", "3"};
+        if (!test::isSanitized) // AddressSanitizer's own memory is more
+            options += {"--memory", "1G"};
+        QCOMPARE(job("--slurm", options).code, 0);
         QCOMPARE(runProgram("bash", {"-n", path("out/job.sbatch")}).code, 0);
         const QByteArray script = bytesOf(path("out/job.sbatch"));
         QVERIFY(script.contains("#SBATCH --requeue\n") && script.contains("--array=1-3 "));
-        QVERIFY(script.contains("#SBATCH --mem=1280M\n"));
+        QVERIFY(test::isSanitized || script.contains("#SBATCH --mem=1280M\n"));
         const auto task = [&](const char* index) {
             return inFolder(
                 {"bash", "job.sbatch"},
