@@ -1,4 +1,3 @@
-#include "app/cli/billboard_files.h"
 #include "app/cli/commands.h"
 #include "app/cli/input.h"
 #include "app/cli/moments.h"
@@ -6,6 +5,7 @@
 #include "app/cli/work.h"
 #include "core/evaluate/evaluator.h"
 #include "core/levels/billboard_view.h"
+#include "widgets/view/render/billboard_files.h"
 #include <QDir>
 #include <QFileInfo>
 #include <QJsonArray>
@@ -26,17 +26,13 @@ constexpr CommandText billboardText = {
     "atlas_colour.png (colour, coverage), atlas_normal.png (normal in the tree's axes, depth as alpha) and "
     "atlas.json, which says where each view looks from and how the numbers are read."};
 
-constexpr int leastSize = 64, mostSize = 8192, leastView = 16; ///< pixels
 constexpr int mostDirections = 10'000;
 
-struct BillboardRequest
+struct BillboardRequest : BillboardWish
 {
     QString output;
-    bool isAtlas = false;
-    int size = 0, cards = 0, views = 0;
-    bool lying = false;
     int compare = 0; ///< directions; 0: not
-    [[nodiscard]] bool isFile() const { return output.endsWith(QLatin1String(".glb"), Qt::CaseInsensitive); }
+    [[nodiscard]] bool isFile() const { return isCardFile(output); }
 };
 
 Expected<int> numberFrom(const CommandLine& line, const char* name, int least, int most, const char* unit)
@@ -90,7 +86,7 @@ Expected<BillboardRequest> billboardRequestOf(const CommandLine& line)
         return fail(std::move(checked.error()));
     if (auto taken = takeOutput(line, out); !taken)
         return fail(std::move(taken.error()));
-    const auto size = numberFrom(line, "size", leastSize, mostSize, " pixels");
+    const auto size = numberFrom(line, "size", leastBillboardSize, mostBillboardSize, " pixels");
     const auto cards = numberFrom(line, "cards", leastCards, mostCards, "");
     const auto views = numberFrom(line, "views", leastViews, mostViews, "");
     for (const auto* number : {&size, &cards, &views})
@@ -100,10 +96,10 @@ Expected<BillboardRequest> billboardRequestOf(const CommandLine& line)
     out.cards = *cards;
     out.views = *views;
     out.lying = line.has("lying");
-    if (out.isAtlas && (out.size % out.views != 0 || out.size / out.views < leastView))
+    if (out.isAtlas && !holdsViews(out.size, out.views))
         return fail(ErrorCode::Invalid,
                     "--size %1: a multiple of %2 views expected, at least %3 pixels for each",
-                    {std::to_string(out.size), std::to_string(out.views), std::to_string(leastView)});
+                    {std::to_string(out.size), std::to_string(out.views), std::to_string(leastViewSize)});
     if (line.has("compare")) {
         const auto directions = numberFrom(line, "compare", 1, mostDirections, " directions");
         if (!directions)
@@ -164,10 +160,7 @@ Expected<QJsonObject> bake(const DrawSurfaces& draw, const SceneBall& ball, cons
         const auto cards = bakeCards(draw, ball, request.size, request.cards, request.lying, progress);
         if (!cards)
             return fail(cards.error());
-        const auto names = request.isFile() ? writeCards(*cards, request.output).map([&] {
-            return QStringList{QFileInfo(request.output).fileName()};
-        })
-                                            : writeCardFiles(*cards, request.output);
+        const auto names = writeCards(*cards, request.output);
         if (!names)
             return fail(names.error());
         QJsonObject said = listed(*names);

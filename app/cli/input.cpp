@@ -7,6 +7,7 @@
 #include "core/scene/growth_spaces.h"
 #include "core/scene/object_mesh.h"
 #include "core/scene/preset_scene.h"
+#include "core/scene/shown_nodes.h"
 #include <QFileInfo>
 #include <QLocale>
 #include <algorithm>
@@ -162,21 +163,7 @@ Expected<void> keepNodes(Input& input, const QStringList& names)
                         "--node \"%1\": no node has this name: `ramure-cli info INPUT --json` lists them",
                         {name.toStdString()});
     }
-    const Scene whole = *scene;
-    for (const Node& from : whole.nodes()) {
-        const auto isAbove = [&](NodeId id) { return whole.isAncestor(from.id, id); };
-        const auto isBelow = [&](NodeId id) { return whole.isAncestor(id, from.id); };
-        Node& node = *scene->find(from.id);
-        if (chosen.contains(from.id))
-            node.visible = true;
-        else if (std::any_of(chosen.begin(), chosen.end(), isBelow))
-            continue;
-        else if (std::any_of(chosen.begin(), chosen.end(), isAbove)) {
-            node.kind = NodeKind::Group; // a place for what was chosen, nothing to see
-            node.visible = true;
-        } else
-            node.visible = false;
-    }
+    showOnly(*scene, std::vector<NodeId>(chosen.begin(), chosen.end()));
     return {};
 }
 

@@ -10,7 +10,6 @@
 #include "widgets/view/tools/hand_settings.h"
 #include "widgets/view/viewport.h"
 #include "widgets/view/viewport_host.h"
-#include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
 #include <QOpenGLContext>
@@ -96,10 +95,7 @@ void PictureActions::save(const ViewPicture& wish)
     Viewport* view = m_host->viewport();
     if (!QOpenGLContext::supportsThreadedOpenGL())
         return taken(view->saveScreenshot(path, wish), path);
-    m_renderer = std::shared_ptr<OffscreenRenderer>(
-        new OffscreenRenderer, [](OffscreenRenderer* last) { // a work left to itself ends on another thread
-            QMetaObject::invokeMethod(QCoreApplication::instance(), [last] { delete last; });
-        });
+    m_renderer = rendererForJob();
     m_job.start(
         [shot = view->shot(wish), renderer = m_renderer,
          file = QFile::encodeName(path).toStdString()](const Progress& progress) -> Expected<void> {

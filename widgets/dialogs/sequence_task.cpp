@@ -5,10 +5,9 @@
 #include "widgets/view/render/camera_items.h"
 #include "widgets/view/render/offscreen_renderer.h"
 #include "widgets/view/render/picture_file.h"
-#include <QCoreApplication>
+#include "widgets/view/render/scene_at.h"
 #include <QFile>
 #include <cmath>
-#include <map>
 #include <numbers>
 
 namespace ramure {
@@ -33,23 +32,10 @@ Expected<Shown> sceneAt(const Pictures& pictures, double timeSeconds, Evaluator&
                         const Progress& progress)
 {
     EvaluatedScene now = evaluator.at(pictures.scene, timeSeconds);
-    if (auto posed = now.poseArms(progress); !posed)
-        return fail(std::move(posed.error()));
-    std::map<NodeId, TreeResult> results;
-    for (const Node& node : pictures.scene.nodes()) {
-        if (node.kind != NodeKind::Tree || !pictures.scene.isShown(node.id))
-            continue;
-        auto result = now.tree(node, Stage::Foliage, progress);
-        if (!result)
-            return fail(std::move(result.error()));
-        results.emplace(node.id, std::move(*result));
-    }
-    const auto resultOf = [&](NodeId id) {
-        const auto found = results.find(id);
-        return found == results.end() ? nullptr : &found->second;
-    };
-    return Shown{SceneBuilder().build(now, resultOf, pictures.look.view),
-                 viewThrough(now, pictures.look.through)};
+    auto scene = renderSceneAt(now, pictures.look.view, progress);
+    if (!scene)
+        return fail(std::move(scene.error()));
+    return Shown{std::move(*scene), viewThrough(now, pictures.look.through)};
 }
 
 Expected<void> drawAll(const Pictures& pictures, OffscreenRenderer& renderer, const Progress& progress)
@@ -130,10 +116,7 @@ void SequenceTask::startPictures(const Document& document, const PictureLook& lo
         return;
     m_files = static_cast<std::int64_t>(shots.size());
     m_path = QFile::decodeName(shots.front().file.c_str());
-    m_renderer = std::shared_ptr<OffscreenRenderer>(
-        new OffscreenRenderer, [](OffscreenRenderer* last) { // a work left to itself ends on another thread
-            QMetaObject::invokeMethod(QCoreApplication::instance(), [last] { delete last; });
-        });
+    m_renderer = rendererForJob();
     const Pictures pictures{document.scene(), snapshotOf(document), look, std::move(shots)};
     start([pictures, renderer = m_renderer](const Progress& progress) -> Expected<void> {
         if (auto begun = renderer->begin(); !begun)

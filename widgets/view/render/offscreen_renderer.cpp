@@ -219,6 +219,13 @@ void OffscreenRenderer::end()
     d->context.reset();
 }
 
+std::shared_ptr<OffscreenRenderer> rendererForJob()
+{
+    return {new OffscreenRenderer, [](OffscreenRenderer* last) {
+                QMetaObject::invokeMethod(QCoreApplication::instance(), [last] { delete last; });
+            }};
+}
+
 Expected<QImage> renderImage(const RenderScene& scene, const Camera& camera, QSize size,
                              const RenderOptions& options)
 {

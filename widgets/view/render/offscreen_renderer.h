@@ -53,6 +53,10 @@ private:
     std::unique_ptr<Private> d;
 };
 
+/// For a job's thread: wherever its last owner is, it ends on the thread of the QGuiApplication, on which it
+/// has to be made. A work that is left to itself may be that owner.
+std::shared_ptr<OffscreenRenderer> rendererForJob();
+
 /// One picture, on the thread of the QGuiApplication. Errors: those of begin() and draw().
 Expected<QImage> renderImage(const RenderScene& scene, const Camera& camera, QSize size,
                              const RenderOptions& options = {});

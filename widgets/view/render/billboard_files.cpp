@@ -1,17 +1,23 @@
-#include "app/cli/billboard_files.h"
-#include "app/cli/command_line.h"
+#include "widgets/view/render/billboard_files.h"
+
 #include "core/base/file_writer.h"
 #include "core/io/export_scene.h"
 #include "core/io/formats/file_format.h"
 #include "core/io/picture_file.h"
 #include <QDir>
+#include <QFile>
+#include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QTemporaryDir>
 
-namespace ramure::cli {
-
+namespace ramure {
 namespace {
+
+std::string systemPath(const QString& file)
+{
+    return QFile::encodeName(file).toStdString();
+}
 
 /// \param channels the first ones; 1: the alpha alone
 Expected<void> writePng(const QString& file, const BillboardPicture& picture,
@@ -37,7 +43,59 @@ QString beside(const QString& folder, const char* name)
     return QDir(folder).filePath(QLatin1String(name));
 }
 
+/// One GLB with its pictures inside.
+Expected<void> writeCardFile(const BillboardCards& cards, const QString& file)
+{
+    const QTemporaryDir pictures;
+    if (!pictures.isValid())
+        return fail(ErrorCode::Io, RAMURE_NOOP("no temporary folder can be made: %1"),
+                    {pictures.errorString().toStdString()});
+    const BillboardPicture& picture = cards.picture;
+    const QString colour = pictures.filePath(QStringLiteral("colour.png")),
+                  normal = pictures.filePath(QStringLiteral("normal.png")),
+                  opacity = pictures.filePath(QStringLiteral("opacity.png"));
+    if (auto done = writePng(colour, picture, picture.colour, 3, true); !done)
+        return done;
+    if (auto done = writePng(normal, picture, picture.normal, 3, false); !done)
+        return done;
+    if (auto done = writePng(opacity, picture, picture.colour, 1, true); !done)
+        return done;
+    Material material;
+    material.name = "billboard";
+    material.twoSided = true;
+    material.pictures.colour = systemPath(colour);
+    material.pictures.normal = systemPath(normal);
+    material.pictures.opacity = systemPath(opacity);
+    std::vector<ReadObject> objects(1);
+    objects[0].name = "billboard";
+    objects[0].mesh = cards.mesh;
+    const std::string path = systemPath(file);
+    const auto format = findFormat(path, FormatUse::Write);
+    if (!format)
+        return fail(format.error());
+    return (*format)->write(path, sceneOfMeshes(std::move(objects), material), {}, {});
+}
+
 } // namespace
+
+bool holdsViews(int size, int views)
+{
+    return size % views == 0 && size / views >= leastViewSize;
+}
+
+bool isCardFile(const QString& place)
+{
+    return place.endsWith(QLatin1String(".glb"), Qt::CaseInsensitive);
+}
+
+QStringList billboardFiles(bool isAtlas)
+{
+    if (isAtlas)
+        return {QStringLiteral("atlas_colour.png"), QStringLiteral("atlas_normal.png"),
+                QStringLiteral("atlas.json")};
+    return {QStringLiteral("cards.glb"), QStringLiteral("cards_colour.png"),
+            QStringLiteral("cards_normal.png")};
+}
 
 QJsonObject atlasJson(const BillboardAtlas& atlas)
 {
@@ -82,53 +140,21 @@ Expected<QStringList> writeAtlas(const BillboardAtlas& atlas, const QString& fol
     const std::string json = QJsonDocument(atlasJson(atlas)).toJson().toStdString();
     if (auto done = writeFile(systemPath(beside(folder, "atlas.json")), json); !done)
         return fail(std::move(done.error()));
-    return QStringList{QStringLiteral("atlas_colour.png"), QStringLiteral("atlas_normal.png"),
-                       QStringLiteral("atlas.json")};
+    return billboardFiles(true);
 }
 
-Expected<void> writeCards(const BillboardCards& cards, const QString& file)
+Expected<QStringList> writeCards(const BillboardCards& cards, const QString& place)
 {
-    const QTemporaryDir pictures;
-    if (!pictures.isValid())
-        return fail(ErrorCode::Io, "no temporary folder can be made: %1",
-                    {pictures.errorString().toStdString()});
+    if (isCardFile(place))
+        return writeCardFile(cards, place).map([&] { return QStringList{QFileInfo(place).fileName()}; });
     const BillboardPicture& picture = cards.picture;
-    const QString colour = pictures.filePath(QStringLiteral("colour.png")),
-                  normal = pictures.filePath(QStringLiteral("normal.png")),
-                  opacity = pictures.filePath(QStringLiteral("opacity.png"));
-    if (auto done = writePng(colour, picture, picture.colour, 3, true); !done)
-        return done;
-    if (auto done = writePng(normal, picture, picture.normal, 3, false); !done)
-        return done;
-    if (auto done = writePng(opacity, picture, picture.colour, 1, true); !done)
-        return done;
-    Material material;
-    material.name = "billboard";
-    material.twoSided = true;
-    material.pictures.colour = systemPath(colour);
-    material.pictures.normal = systemPath(normal);
-    material.pictures.opacity = systemPath(opacity);
-    std::vector<ReadObject> objects(1);
-    objects[0].name = "billboard";
-    objects[0].mesh = cards.mesh;
-    const std::string path = systemPath(file);
-    const auto format = findFormat(path, FormatUse::Write);
-    if (!format)
-        return fail(format.error());
-    return (*format)->write(path, sceneOfMeshes(std::move(objects), material), {}, {});
+    if (auto done = writeCardFile(cards, beside(place, "cards.glb")); !done)
+        return fail(std::move(done.error()));
+    if (auto done = writePng(beside(place, "cards_colour.png"), picture, picture.colour, 4, true); !done)
+        return fail(std::move(done.error()));
+    if (auto done = writePng(beside(place, "cards_normal.png"), picture, picture.normal, 3, false); !done)
+        return fail(std::move(done.error()));
+    return billboardFiles(false);
 }
 
-Expected<QStringList> writeCardFiles(const BillboardCards& cards, const QString& folder)
-{
-    const BillboardPicture& picture = cards.picture;
-    if (auto done = writeCards(cards, beside(folder, "cards.glb")); !done)
-        return fail(std::move(done.error()));
-    if (auto done = writePng(beside(folder, "cards_colour.png"), picture, picture.colour, 4, true); !done)
-        return fail(std::move(done.error()));
-    if (auto done = writePng(beside(folder, "cards_normal.png"), picture, picture.normal, 3, false); !done)
-        return fail(std::move(done.error()));
-    return QStringList{QStringLiteral("cards.glb"), QStringLiteral("cards_colour.png"),
-                       QStringLiteral("cards_normal.png")};
-}
-
-} // namespace ramure::cli
+} // namespace ramure
