@@ -1131,6 +1131,14 @@
         <source>Parameters without keys get one, too, where they are changed</source>
         <translation>Les paramètres sans clé en reçoivent une, eux aussi, là où on les modifie</translation>
     </message>
+    <message>
+        <source>&amp;Billboard…</source>
+        <translation>&amp;Billboard…</translation>
+    </message>
+    <message>
+        <source>Write crossed cards or an atlas of views, which stand for trees far away</source>
+        <translation>Écrire des cartes croisées ou un atlas de vues, qui tiennent lieu d’arbres lointains</translation>
+    </message>
 </context>
 <context>
     <name>ArmOverlay</name>
@@ -7453,6 +7461,10 @@
         <source>How many leaves grow on each branch that is thin enough. Leaves of a plant grow by their internode: of them 0 alone says something, that there are none.</source>
         <translation>Nombre de feuilles sur chaque branche assez fine. Les feuilles d’une plante suivent leur entre-nœud : pour elles, seul 0 a un effet, aucune feuille.</translation>
     </message>
+    <message>
+        <source>no temporary folder can be made: %1</source>
+        <translation>impossible de créer un dossier temporaire : %1</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>
@@ -8425,6 +8437,170 @@ OpenGL&#xa0;: %4
     <message>
         <source>Bend %1°</source>
         <translation>Flexion %1°</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::BillboardActions</name>
+    <message>
+        <source>Billboard: there is no OpenGL here to draw it</source>
+        <translation>Billboard : il n’y a pas ici d’OpenGL pour le dessiner</translation>
+    </message>
+    <message>
+        <source>Billboard: one is being drawn; the next can follow it</source>
+        <translation>Billboard : un dessin est en cours ; le suivant pourra venir après</translation>
+    </message>
+    <message>
+        <source>Billboard: nothing is visible in the scene</source>
+        <translation>Billboard : rien n’est visible dans la scène</translation>
+    </message>
+    <message>
+        <source>Billboard</source>
+        <translation>Billboard</translation>
+    </message>
+    <message>
+        <source>tree_cards</source>
+        <translation>arbre_cartes</translation>
+    </message>
+    <message>
+        <source>glTF binary (*.glb)</source>
+        <translation>glTF binaire (*.glb)</translation>
+    </message>
+    <message>
+        <source>%1: cards are written as a GLB file; the name has to end in .glb</source>
+        <translation>%1 : les cartes s’écrivent dans un fichier GLB ; le nom doit finir par .glb</translation>
+    </message>
+    <message>
+        <source>Folder for the billboard</source>
+        <translation>Dossier du billboard</translation>
+    </message>
+    <message>
+        <source>Replace the files of an earlier billboard?</source>
+        <translation>Remplacer les fichiers d’un billboard précédent ?</translation>
+    </message>
+    <message>
+        <source>In %1: %2</source>
+        <translation>Dans %1 : %2</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Remplacer</translation>
+    </message>
+    <message>
+        <source>No billboard was written</source>
+        <translation>Aucun billboard n’a été écrit</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::BillboardDialog</name>
+    <message>
+        <source>%1 triangles with one picture of their colours and one of their normals.</source>
+        <translation>%1 triangles, avec une image de leurs couleurs et une de leurs normales.</translation>
+    </message>
+    <message>
+        <source>%1 views of %2 px each: two PNG pictures and atlas.json, in a folder.</source>
+        <translation>%1 vues de %2 px chacune : deux images PNG et atlas.json, dans un dossier.</translation>
+    </message>
+    <message>
+        <source>%1 px are not a multiple of %2 views.</source>
+        <translation>%1 px ne sont pas un multiple de %2 vues.</translation>
+    </message>
+    <message>
+        <source>A view would have %1 px a side; at least %2 px are needed.</source>
+        <translation>Une vue aurait %1 px de côté ; il en faut au moins %2.</translation>
+    </message>
+    <message>
+        <source>Numbers of views that fit: %1.</source>
+        <translation>Nombres de vues possibles : %1.</translation>
+    </message>
+    <message>
+        <source>Billboard</source>
+        <translation>Billboard</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Sorte</translation>
+    </message>
+    <message>
+        <source>What stands for trees that are far away.
+Cards: upright rectangles through the middle, for any program. Atlas: pictures from all around and above, for impostors of game engines</source>
+        <translation>Ce qui tient lieu d’arbres lointains.
+Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vues prises de partout et d’en haut, pour les imposteurs des moteurs de jeu</translation>
+    </message>
+    <message>
+        <source>Cards</source>
+        <translation>Cartes</translation>
+    </message>
+    <message>
+        <source>How many stand, 1 to 16, evenly turned; two triangles each</source>
+        <translation>Combien sont debout, de 1 à 16, tournées régulièrement ; deux triangles chacune</translation>
+    </message>
+    <message>
+        <source>A card that is seen from above</source>
+        <translation>Une carte vue d’en haut</translation>
+    </message>
+    <message>
+        <source>Views each way</source>
+        <translation>Vues par côté</translation>
+    </message>
+    <message>
+        <source>Views in a row and in a column, 2 to 32. The size has to be a multiple of this number, with at least 16 px for each view</source>
+        <translation>Vues par ligne et par colonne, de 2 à 32. La taille doit être un multiple de ce nombre, avec au moins 16 px par vue</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>Width and height of the pictures in pixels</source>
+        <translation>Largeur et hauteur des images en pixels</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Fichiers</translation>
+    </message>
+    <message>
+        <source>A folder gets cards.glb, cards_colour.png and cards_normal.png</source>
+        <translation>Un dossier reçoit cards.glb, cards_colour.png et cards_normal.png</translation>
+    </message>
+    <message>
+        <source>Trees</source>
+        <translation>Arbres</translation>
+    </message>
+    <message>
+        <source>Draw the selected nodes and what is below them. Otherwise, everything visible is drawn, as it is at the time shown</source>
+        <translation>Dessiner les nœuds sélectionnés et ce qui est sous eux. Sinon, tout ce qui est visible est dessiné, tel qu’à l’instant montré</translation>
+    </message>
+    <message>
+        <source>Crossed cards</source>
+        <translation>Cartes croisées</translation>
+    </message>
+    <message>
+        <source>Atlas of views</source>
+        <translation>Atlas de vues</translation>
+    </message>
+    <message>
+        <source>One more lies</source>
+        <translation>Une de plus, couchée</translation>
+    </message>
+    <message>
+        <source>One GLB file</source>
+        <translation>Un fichier GLB</translation>
+    </message>
+    <message>
+        <source>A folder: GLB and PNG pictures</source>
+        <translation>Un dossier : GLB et images PNG</translation>
+    </message>
+    <message>
+        <source>Only what is selected</source>
+        <translation>Seulement la sélection</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Enregistrer…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
     </message>
 </context>
 <context>
@@ -10890,6 +11066,10 @@ OpenGL&#xa0;: %4
     <message>
         <source>Drawing a picture</source>
         <translation>Dessin d’une image</translation>
+    </message>
+    <message>
+        <source>Drawing a billboard</source>
+        <translation>Dessin d’un billboard</translation>
     </message>
 </context>
 <context>

@@ -4,6 +4,7 @@
 #include "core/session/arm_reach.h"
 #include "core/session/auto_key.h"
 #include "core/session/player.h"
+#include "widgets/actions/billboard_actions.h"
 #include "widgets/actions/edit_actions.h"
 #include "widgets/actions/file_actions.h"
 #include "widgets/actions/hand_actions.h"
@@ -124,6 +125,8 @@ void MainWindow::connectPanels()
 {
     const auto say = [this](const QString& text) { statusBar()->showMessage(text, messageMs); };
     connect(m_pictures, &PictureActions::messageRaised, this, say);
+    connect(m_billboards, &BillboardActions::messageRaised, this, say);
+    connect(m_billboards, &BillboardActions::exported, this, &MainWindow::tellExported);
     connect(m_welcome, &WelcomePanel::closed, this, [this] { m_host->setFocus(); });
     connect(m_scene, &ScenePanel::messageRaised, this, say);
     connect(m_scene, &ScenePanel::frameRequested, m_views->frameSelectionAction(), &QAction::trigger);

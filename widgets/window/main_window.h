@@ -15,6 +15,7 @@ class ActionSet;
 class Analysis;
 class AutoKey;
 class BakeActions;
+class BillboardActions;
 class BranchInspector;
 class Chooser;
 class EditActions;
@@ -177,6 +178,7 @@ private:
     PlayActions* m_plays = nullptr;
     BakeActions* m_bakes = nullptr;
     JobPanel* m_bakeProgress = nullptr;
+    JobPanel* m_billboardProgress = nullptr;
     JobPanel* m_armProgress = nullptr;
     JobPanel* m_wearProgress = nullptr;
     SequenceTask* m_sequences = nullptr;
@@ -201,6 +203,7 @@ private:
     HandActions* m_hands = nullptr;
     ImportActions* m_imports = nullptr;
     PictureActions* m_pictures = nullptr;
+    BillboardActions* m_billboards = nullptr;
     ProgramActions* m_program = nullptr;
     HelpActions* m_help = nullptr;
     WelcomePanel* m_welcome = nullptr;

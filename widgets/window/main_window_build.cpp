@@ -1,6 +1,7 @@
 #include "widgets/window/main_window.h"
 
 #include "core/session/auto_key.h"
+#include "widgets/actions/billboard_actions.h"
 #include "widgets/actions/edit_actions.h"
 #include "widgets/actions/file_actions.h"
 #include "widgets/actions/hand_actions.h"
@@ -243,6 +244,7 @@ void MainWindow::buildActions()
     });
     connect(m_imports, &ImportActions::imported, m_arm->meshRow(), &ArmMeshRow::takeImported);
     m_pictures = new PictureActions(m_host, m_preferences, m_chooser, m_actions, this);
+    m_billboards = new BillboardActions(m_document, m_host, m_preferences, m_chooser, m_actions, this);
     m_program = new ProgramActions(m_actions, m_preferences, m_host->settings(), this);
     m_help = new HelpActions(m_actions, m_document, m_preferences, this);
     m_welcome = new WelcomePanel(m_files, m_actions, m_preferences, this);
@@ -328,8 +330,8 @@ void MainWindow::buildBranchActions()
 void MainWindow::buildMenus()
 {
     m_fileMenu = menuBar()->addMenu(QString());
-    m_files->fillMenu(m_fileMenu, m_program->welcomeAction(), m_pictures->pictureActions(),
-                      m_imports->actions());
+    m_files->fillMenu(m_fileMenu, m_program->welcomeAction(),
+                      m_pictures->pictureActions() + QList{m_billboards->action()}, m_imports->actions());
     m_editMenu = menuBar()->addMenu(QString());
     m_edits->fillMenu(m_editMenu);
     m_editMenu->addSeparator();
@@ -430,6 +432,8 @@ void MainWindow::buildStatusBar()
     statusBar()->addPermanentWidget(picture);
     connect(m_pictures->job(), &Job::runningChanged, picture,
             [picture] { picture->setText(tr("Drawing a picture")); });
+    m_billboardProgress = new JobPanel(m_billboards->job(), QStringLiteral("billboardProgress"), this);
+    statusBar()->addPermanentWidget(m_billboardProgress);
     buildSequences();
     m_status->follow(m_player);
     connect(m_status, &StatusPanel::reportRequested, this, [this] { showPanel(m_validation); });
@@ -468,6 +472,8 @@ void MainWindow::retranslate()
 {
     m_actions->retranslate();
     m_files->retranslate();
+    m_billboards->retranslate();
+    m_billboardProgress->setText(tr("Drawing a billboard"));
     m_edits->retranslate();
     m_views->retranslate();
     m_transforms->retranslate();

@@ -83,12 +83,12 @@ void MainWindow::repeatExport()
 /// Where it went, and the way there.
 void MainWindow::tellExported(const QString& path)
 {
-    // Of levels and sequences the path itself is no file.
+    // Of levels and sequences the path itself is no file; of several files it may be their folder.
     const QFileInfo file(path);
     const QString place = QDir::toNativeSeparators(path);
     const QString size = QLocale().formattedDataSize(file.size(), 1, QLocale::DataSizeSIFormat);
     m_banner->showMessage(Severity::Info,
-                          file.exists() ? tr("Exported to %1 (%2)").arg(place, size)
+                          file.isFile() ? tr("Exported to %1 (%2)").arg(place, size)
                                         : tr("Exported to %1").arg(place),
                           tr("Show in folder"), [this, path] { showInFolder(path); });
 }
