@@ -7155,7 +7155,7 @@
     </message>
     <message>
         <source>nothing is visible: there is nothing to make a billboard of</source>
-        <translation>rien n’est visible : il n’y a rien dont faire un panneau</translation>
+        <translation>rien n’est visible : il n’y a rien dont faire un billboard</translation>
     </message>
     <message>
         <source>%1 joints: an arm has 1 to %2</source>

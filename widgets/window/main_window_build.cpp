@@ -331,7 +331,7 @@ void MainWindow::buildMenus()
 {
     m_fileMenu = menuBar()->addMenu(QString());
     m_files->fillMenu(m_fileMenu, m_program->welcomeAction(),
-                      m_pictures->pictureActions() + QList{m_billboards->action()}, m_imports->actions());
+                      QList{m_billboards->action()} + m_pictures->pictureActions(), m_imports->actions());
     m_editMenu = menuBar()->addMenu(QString());
     m_edits->fillMenu(m_editMenu);
     m_editMenu->addSeparator();

@@ -63,6 +63,7 @@ public:
         ++opens;
         return answer;
     }
+    QString openFolder(const QString&, const QString&) override { return folderAnswer; }
     QString saveFile(const QString&, const QString& suggestion, const QString&, const QString&) override
     {
         ++saves;
@@ -81,7 +82,7 @@ public:
     }
     void report(Severity, const QString& text) override { reports += text; }
 
-    QString answer;
+    QString answer, folderAnswer;
     Unsaved unsaved = Unsaved::Cancel;
     int opens = 0, saves = 0, questions = 0;
     QString lastSuggestion;
