@@ -114,10 +114,10 @@ private slots:
         };
         bench.chooser.answer = bench.path("tree.obj");
         isRefused({}, "tree.obj");
-        bench.chooser.answer = bench.path("none/tree.glb");
-        isRefused({}, "none/tree.glb");
+        bench.chooser.answer = bench.path("tree.glb");
+        isRefused({}, "tree.glb");
         bench.chooser.folderAnswer = bench.path("gone");
-        isRefused({{"atlas", true}, {"views", 2}}, "gone/atlas_colour.png");
+        isRefused({{"atlas", true}, {"views", 2}}, "atlas_colour.png");
         bench.chooser.folderAnswer = bench.path("there");
         isRefused({{"folder", true}}, "cards_colour.png");
         QVERIFY(bench.exported.isEmpty());
@@ -135,7 +135,7 @@ private slots:
         bench.document.reset(*presetScene("TinyTree"), {});
         QVERIFY(action->isEnabled());
         QCOMPARE(action->toolTip(), usual);
-        QVERIFY(edit::setNodesVisible(bench.document, {1}, false));
+        QVERIFY(edit::setNodeVisible(bench.document, {1}, false));
         QVERIFY(!action->isEnabled());
         bench.document.undoStack()->undo();
         QVERIFY(action->isEnabled());
@@ -232,7 +232,7 @@ private slots:
     {
         Bench& bench = *m_bench;
         Node small = test::treeNode(2, "Small");
-        small.params.placement.position = {20.0, 0.0, 0.0};
+        small.params.tree.translation = {20.0, 0.0, 0.0};
         test::openNodes(bench.document, {bench.document.scene().nodes().front(), small});
         const auto width = [&bench](const char* name, bool selectionOnly) {
             bench.chooser.answer = bench.path(name);
