@@ -114,7 +114,7 @@ private slots:
         };
         bench.chooser.answer = bench.path("tree.obj");
         isRefused({}, "tree.obj");
-        bench.chooser.answer = bench.path("tree.glb");
+        bench.chooser.answer = bench.path("none/tree.glb");
         isRefused({}, "tree.glb");
         bench.chooser.folderAnswer = bench.path("gone");
         isRefused({{"atlas", true}, {"views", 2}}, "atlas_colour.png");

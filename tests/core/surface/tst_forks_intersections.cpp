@@ -26,7 +26,7 @@ namespace {
 struct Counted
 {
     Expected<BranchMesh> built;
-    SelfIntersections found;
+    test::SelfIntersections found;
 };
 
 Counted count(const Skeleton& skeleton, int radial, int length, BranchMeshOptions options = {})
@@ -35,8 +35,8 @@ Counted count(const Skeleton& skeleton, int radial, int length, BranchMeshOption
     options.lengthDivisions = length;
     Counted counted{buildBranchMesh(skeleton, options), {}};
     if (counted.built)
-        counted.found =
-            findSelfIntersections(counted.built->mesh, repairedParents(skeleton, counted.built->repairs));
+        counted.found = test::findSelfIntersections(counted.built->mesh,
+                                                    test::repairedParents(skeleton, counted.built->repairs));
     return counted;
 }
 
@@ -73,7 +73,7 @@ void TestForksIntersections::aroundForks()
     QVERIFY2(skeleton, why(skeleton));
     const Counted counted = count(*skeleton, radial, length);
     QVERIFY2(counted.built, why(counted.built));
-    const SelfIntersections& found = counted.found;
+    const test::SelfIntersections& found = counted.found;
     qInfo("%s: %u triangles, same %u, siblings %u, parent-child %u, far %u", QTest::currentDataTag(),
           counted.built->mesh.faceCount(), found.same, found.siblings, found.parentChild, found.far);
     QVERIFY2(found.aroundForks() == 0, found.summary(counted.built->mesh).c_str());
