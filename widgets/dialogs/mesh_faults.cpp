@@ -59,7 +59,9 @@ QString FaultTexts::crossing(const Sums& sums)
                 tr("%Ln pair(s) of branches collide", nullptr, static_cast<int>(sums.collisions));
     return sums.trees == 1
                ? tr("The mesh of “%1” is closed. %2: that matters for a print alone.").arg(sums.name, text)
-               : tr("The meshes of %Ln tree(s) are closed. %1: that matters for a print alone.", nullptr, sums.trees).arg(text);
+               : tr("The meshes of %Ln tree(s) are closed. %1: that matters for a print alone.", nullptr,
+                    sums.trees)
+                     .arg(text);
 }
 
 } // namespace
