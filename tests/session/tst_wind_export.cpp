@@ -518,7 +518,7 @@ private slots:
                 const glm::dvec3 foot(pivot.x, pivot.z, pivot.y);
                 const int parent = unpackedIndex(float(pivot.a));
                 const bool isLeaf = mesh["name"].get<std::string>().starts_with("leaves") && parent > 0 &&
-                                    axes.at(at).a * 20.48 < 0.5;
+                                    axes.at(at).a * 20.48 < 1.0;
                 if (isLeaf) // of another tree, of another leaf
                     QVERIFY2(glm::distance(foot / 100.0, glm::dvec3(places[v])) < 2.0, "another pivot");
                 ownPivots += isLeaf ? 1 : 0;
