@@ -237,6 +237,11 @@ void TimelinePanel::connectPlayer()
     connect(m_player, &Player::busyChanged, this, &TimelinePanel::showBusy);
     connect(m_player, &Player::progress, this,
             [this](double fraction) { m_progress->setValue(int(1000.0 * fraction)); });
+    followDocument();
+}
+
+void TimelinePanel::followDocument()
+{
     connect(m_document, &Document::changed, this, [this](const Change& change) {
         if (change.has(changeTimeline | changeReset))
             showSettings();

@@ -57,6 +57,7 @@ private:
     void buildTransport();
     void buildSettings();
     void connectPlayer();
+    void followDocument();
     void showSettings();
     void showKeys();
     void showFrame();
