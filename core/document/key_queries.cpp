@@ -69,8 +69,7 @@ std::vector<Ticks> keys::timesOf(const Scene& scene, std::span<const NodeId> nod
                     },
                     *track);
     std::ranges::sort(times);
-    const auto rest = std::ranges::unique(times);
-    times.erase(rest.begin(), rest.end());
+    times.erase(std::unique(times.begin(), times.end()), times.end());
     return times;
 }
 
