@@ -1139,6 +1139,66 @@
         <source>Write crossed cards or an atlas of views, which stand for trees far away</source>
         <translation>Écrire des cartes croisées ou un atlas de vues, qui tiennent lieu d’arbres lointains</translation>
     </message>
+    <message>
+        <source>&amp;Off</source>
+        <translation>Aucu&amp;n</translation>
+    </message>
+    <message>
+        <source>&amp;Any shader (_WIND)</source>
+        <translation>T&amp;out shader (_WIND)</translation>
+    </message>
+    <message>
+        <source>Trees at rest move as a shader moves them that reads the attribute _WIND</source>
+        <translation>Les arbres au repos bougent comme un shader qui lit l’attribut _WIND les fait bouger</translation>
+    </message>
+    <message>
+        <source>&amp;CryEngine</source>
+        <translation>&amp;CryEngine</translation>
+    </message>
+    <message>
+        <source>Trees at rest move as CryEngine moves them by the colours of vertices</source>
+        <translation>Les arbres au repos bougent comme CryEngine les fait bouger par les couleurs des sommets</translation>
+    </message>
+    <message>
+        <source>&amp;Unity</source>
+        <translation>&amp;Unity</translation>
+    </message>
+    <message>
+        <source>Trees at rest move as the shader of Unity&apos;s Tree Creator moves them</source>
+        <translation>Les arbres au repos bougent comme le shader de Tree Creator d’Unity les fait bouger</translation>
+    </message>
+    <message>
+        <source>U&amp;nreal (Pivot Painter 2)</source>
+        <translation>Un&amp;real (Pivot Painter 2)</translation>
+    </message>
+    <message>
+        <source>Trees at rest move as the foliage shader of the Unreal Engine moves them</source>
+        <translation>Les arbres au repos bougent comme le shader de feuillage d’Unreal Engine les fait bouger</translation>
+    </message>
+    <message>
+        <source>&amp;Breeze (0.3)</source>
+        <translation>&amp;Brise (0,3)</translation>
+    </message>
+    <message>
+        <source>Three tenths of a strong wind</source>
+        <translation>Trois dixièmes d’un vent fort</translation>
+    </message>
+    <message>
+        <source>&amp;Wind (0.6)</source>
+        <translation>&amp;Vent (0,6)</translation>
+    </message>
+    <message>
+        <source>Six tenths of a strong wind</source>
+        <translation>Six dixièmes d’un vent fort</translation>
+    </message>
+    <message>
+        <source>&amp;Strong wind (1)</source>
+        <translation>Vent &amp;fort (1)</translation>
+    </message>
+    <message>
+        <source>The top of a tree leans by a tenth of its height</source>
+        <translation>La cime penche d’un dixième de la hauteur</translation>
+    </message>
 </context>
 <context>
     <name>ArmOverlay</name>
@@ -9514,10 +9574,6 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
         <translation>Articulations</translation>
     </message>
     <message>
-        <source>Numbers of each vertex by which the shaders of an engine move the tree in the wind: the phase of its branch, how far it goes, how its leaves flutter. Of a tree at rest; Unreal gets two textures beside the file. Files of the handbook has the formulas.</source>
-        <translation>Nombres de chaque sommet par lesquels les shaders d’un moteur font bouger l’arbre au vent : la phase de sa branche, l’ampleur, le frémissement des feuilles. D’un arbre au repos ; Unreal reçoit deux textures à côté du fichier. La page Fichiers du manuel donne les formules.</translation>
-    </message>
-    <message>
         <source>Wind for</source>
         <translation>Vent pour</translation>
     </message>
@@ -9532,6 +9588,10 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
     <message>
         <source>Where each corner lies on the bark, on the picture of a leaf or a fruit. The size of one repeat of the bark, in metres, is the tree&apos;s parameter &quot;Bark tile&quot;. Beside an .obj, the pictures of the bark are written too.</source>
         <translation>Où chaque coin se trouve sur l’écorce, sur l’image d’une feuille ou d’un fruit. La taille d’une répétition de l’écorce, en mètres, est le paramètre « Carreau d’écorce » de l’arbre. À côté d’un .obj, les images de l’écorce sont écrites aussi.</translation>
+    </message>
+    <message>
+        <source>Numbers of each vertex by which the shaders of an engine move the tree in the wind: the phase of its branch, how far it goes, how its leaves flutter. Of a tree at rest; Unreal gets two textures beside the file. View &gt; Wind of a game shows how it moves; Files of the handbook has the formulas.</source>
+        <translation>Nombres de chaque sommet par lesquels les shaders d’un moteur font bouger l’arbre au vent : la phase de sa branche, l’ampleur, le frémissement des feuilles. D’un arbre au repos ; Unreal reçoit deux textures à côté du fichier. Affichage &gt; Vent d’un jeu montre comment il bouge ; la page Fichiers du manuel donne les formules.</translation>
     </message>
 </context>
 <context>
@@ -13798,6 +13858,10 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
         <source>Pa&amp;nels</source>
         <translation>Pa&amp;nneaux</translation>
     </message>
+    <message>
+        <source>Wind of a ga&amp;me</source>
+        <translation>Vent d’un &amp;jeu</translation>
+    </message>
 </context>
 <context>
     <name>ramure::ViewMenu</name>
@@ -13831,6 +13895,14 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
     <message>
         <source>Through “%1”</source>
         <translation>À travers « %1 »</translation>
+    </message>
+    <message>
+        <source>Wind: %1</source>
+        <translation>Vent : %1</translation>
+    </message>
+    <message>
+        <source>Trees that the timeline moves do not stand in the wind of a game.</source>
+        <translation>Les arbres que la ligne de temps fait bouger ne sont pas pris dans le vent d’un jeu.</translation>
     </message>
 </context>
 <context>

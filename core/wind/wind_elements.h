@@ -31,6 +31,16 @@ struct WindElements
     bool leavesGoAlong = false;        ///< they are too many for pieces of their own
 };
 
+/// The parameters of the foliage shader; what the engine asks for in its four groups, by depth.
+struct PivotMotion
+{
+    double turns[mostElementDepth] = {0.01, 0.015, 0.02, 0.04}; ///< of a whole one, at a gust of 1
+    double gustOffset = 0.5;
+    double falloff = 0.25;             ///< of the extent: nearer to the pivot less of the turn
+    double speed = 0.25, across = 0.1; ///< of the texture of gusts, per second: with the wind, across it
+    double worldScale = 1024.0;        ///< cm: the texture comes again
+    double shelterBias = -1.25, shelterScale = -0.444;
+};
 /// \param leaves all that any mesh has, with their farthest vertex from their place, m, and where that is.
 struct WindLeaf
 {

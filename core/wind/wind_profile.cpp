@@ -33,6 +33,11 @@ std::span<const WindProfileFacts> windProfiles()
     return profiles;
 }
 
+const WindProfileFacts& factsOf(WindProfile profile)
+{
+    return *std::ranges::find(profiles, profile, &WindProfileFacts::profile);
+}
+
 Expected<WindProfile> windProfileNamed(const std::string& name)
 {
     std::string names = "none";

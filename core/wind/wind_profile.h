@@ -31,11 +31,13 @@ struct WindProfileFacts
 };
 /// All but None.
 std::span<const WindProfileFacts> windProfiles();
+/// \pre it is not None
+const WindProfileFacts& factsOf(WindProfile profile);
 /// Error: Unknown, with those there are. "none" is one of them.
 Expected<WindProfile> windProfileNamed(const std::string& name);
 
 /// What stands for the whole tree where an engine has parameters of a material. Formulas:
-/// core/wind/wind_preview.h.
+/// resources/shaders/wind.glsl.
 struct WindSettings
 {
     double bendScale = 0.0; ///< Crysis, 1/m: its top leans trunkSway of its height

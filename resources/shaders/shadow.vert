@@ -1,4 +1,5 @@
 layout(location = 0) in vec3 aPosition;
+layout(location = 1) in vec3 aNormal; // along which leaves flutter
 #ifdef CUT // out of a picture: what is not there throws no shadow
 layout(location = 3) in vec2 aTexture;
 out vec2 uv;
@@ -11,7 +12,7 @@ uniform mat4 uClip;
 void main()
 {
     vec3 position = aPosition;
-    vec3 normal = vec3(0.0);
+    vec3 normal = aNormal;
     copied(position, normal);
     skin(position, normal);
 #ifdef CUT

@@ -75,6 +75,10 @@ void mixScrews(inout vec3 position, inout vec3 normal)
 void skin(inout vec3 position, inout vec3 normal)
 {
 #ifndef STILL
+    if (uWindProfile != 0) {
+        position = inWind(position, normal);
+        return;
+    }
     if (uBoneCount == 0)
         return;
     if (uSkinMethod == 0 || aWeights.y <= 0.0) {

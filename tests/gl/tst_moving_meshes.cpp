@@ -163,7 +163,8 @@ GLuint feedbackProgram(Gl& gl)
     const QByteArray text =
         "#version 330 core\nlayout(location = 0) in vec3 aPosition;\n"
         "layout(location = 1) in vec3 aNormal;\nout vec3 oPosition;\nout vec3 oNormal;\n" +
-        shaderText("skin.glsl") + shaderText("skin_mesh.glsl") +
+        shaderText("skin.glsl") + shaderText("copy.glsl") + shaderText("wind.glsl") +
+        shaderText("skin_mesh.glsl") +
         "void main() { vec3 p = aPosition, n = aNormal; skin(p, n); oPosition = p; "
         "oNormal = normalize(n); gl_Position = vec4(p, 1.0); }\n";
     const GLuint shader = gl.glCreateShader(GL_VERTEX_SHADER);
@@ -239,7 +240,7 @@ void TestMovingMeshes::shaderMatchesTheProcessor()
     Gl& gl = current.gl();
     {
         GpuCache cache(gl);
-        cache.beginPicture();
+        cache.beginPicture({});
         const GLuint program = feedbackProgram(gl);
         gl.glUseProgram(program);
         const GpuBlock& block = cache.mesh(tree.mesh, tree.skin);

@@ -2,8 +2,8 @@
 #include "core/io/formats/glb_packed.h"
 #include "core/params/presets.h"
 #include "core/session/exporter.h"
-#include "core/wind/wind_preview.h"
 #include "tests/core/io/io_support.h"
+#include "tests/support/wind_preview.h"
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfInputFile.h>

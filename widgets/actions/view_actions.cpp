@@ -34,7 +34,7 @@ ViewActions::ViewActions(Document* document, ViewportHost* host, Preferences* pr
     // Without OpenGL there is nothing to frame and no mode to see.
     if (!host->viewport()) {
         QList<QAction*> dead = m_axes + m_moves + m_modes->actions() + m_shading->actions() + m_switches;
-        dead += m_qualities->actions();
+        dead += m_qualities->actions() + m_gameWinds->actions() + m_gameWindStrengths->actions();
         dead += {m_frameAll, m_frameSelection, m_light};
         for (QAction* action : dead)
             action->setEnabled(false);
@@ -141,6 +141,27 @@ void ViewActions::addMoves(ActionSet* set)
     }
 }
 
+static constexpr ModeRow<WindProfile> gameWinds[] = {
+    {WindProfile::None, "view.gameWind.off", nullptr, QT_TRANSLATE_NOOP("Actions", "&Off"), nullptr},
+    {WindProfile::Plain, "view.gameWind.plain", nullptr, QT_TRANSLATE_NOOP("Actions", "&Any shader (_WIND)"),
+     QT_TRANSLATE_NOOP("Actions",
+                       "Trees at rest move as a shader moves them that reads the attribute _WIND")},
+    {WindProfile::Crysis, "view.gameWind.crysis", nullptr, QT_TRANSLATE_NOOP("Actions", "&CryEngine"),
+     QT_TRANSLATE_NOOP("Actions", "Trees at rest move as CryEngine moves them by the colours of vertices")},
+    {WindProfile::Unity, "view.gameWind.unity", nullptr, QT_TRANSLATE_NOOP("Actions", "&Unity"),
+     QT_TRANSLATE_NOOP("Actions", "Trees at rest move as the shader of Unity's Tree Creator moves them")},
+    {WindProfile::PivotPainter, "view.gameWind.pivotPainter", nullptr,
+     QT_TRANSLATE_NOOP("Actions", "U&nreal (Pivot Painter 2)"),
+     QT_TRANSLATE_NOOP("Actions",
+                       "Trees at rest move as the foliage shader of the Unreal Engine moves them")}};
+static constexpr ModeRow<double> gameWindStrengths[] = {
+    {0.3, "view.gameWind.breeze", nullptr, QT_TRANSLATE_NOOP("Actions", "&Breeze (0.3)"),
+     QT_TRANSLATE_NOOP("Actions", "Three tenths of a strong wind")},
+    {0.6, "view.gameWind.wind", nullptr, QT_TRANSLATE_NOOP("Actions", "&Wind (0.6)"),
+     QT_TRANSLATE_NOOP("Actions", "Six tenths of a strong wind")},
+    {1.0, "view.gameWind.strong", nullptr, QT_TRANSLATE_NOOP("Actions", "&Strong wind (1)"),
+     QT_TRANSLATE_NOOP("Actions", "The top of a tree leans by a tenth of its height")}};
+
 /// One action for each row of a table of modes; the one of the present mode is checked.
 template <class Row, class Mode>
 static QActionGroup* addChoices(ActionSet* set, ViewSettings* settings, std::span<const Row> rows,
@@ -172,6 +193,13 @@ void ViewActions::addModes(ActionSet* set)
                            &ViewSettings::setShadingMode, &ViewSettings::shadingModeChanged);
     m_qualities = addChoices(set, m_host->settings(), qualities(), false, &ViewSettings::quality,
                              &ViewSettings::setQuality, &ViewSettings::qualityChanged);
+    m_gameWinds =
+        addChoices(set, m_host->settings(), std::span<const ModeRow<WindProfile>>(gameWinds), false,
+                   &ViewSettings::gameWind, &ViewSettings::setGameWind, &ViewSettings::gameWindChanged);
+    m_gameWindStrengths =
+        addChoices(set, m_host->settings(), std::span<const ModeRow<double>>(gameWindStrengths), false,
+                   &ViewSettings::gameWindStrength, &ViewSettings::setGameWindStrength,
+                   &ViewSettings::gameWindStrengthChanged);
 }
 
 void ViewActions::addSwitches(ActionSet* set)
@@ -317,6 +345,10 @@ void ViewActions::fillMenu(QMenu* menu, const QList<QAction*>& panels, QAction* 
     menu->addSeparator();
     menu->addActions(m_switches);
     menu->addActions(m_trail);
+    m_gameWindMenu = menu->addMenu(QString());
+    m_gameWindMenu->addActions(m_gameWinds->actions());
+    m_gameWindMenu->addSeparator();
+    m_gameWindMenu->addActions(m_gameWindStrengths->actions());
     menu->addAction(m_light);
     menu->addSeparator();
     m_panelMenu = menu->addMenu(QString());
@@ -340,6 +372,7 @@ void ViewActions::retranslate()
     m_moveMenu->setTitle(tr("M&ove the view"));
     m_bookmarks->retranslate();
     m_cameras->retranslate();
+    m_gameWindMenu->setTitle(tr("Wind of a ga&me"));
     m_panelMenu->setTitle(tr("Pa&nels"));
     m_themeMenu->setTitle(tr("&Theme"));
     m_unitMenu->setTitle(tr("&Angles in"));

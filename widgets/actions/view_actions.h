@@ -63,6 +63,8 @@ private:
     QActionGroup* m_modes = nullptr;
     QActionGroup* m_shading = nullptr;
     QActionGroup* m_qualities = nullptr;
+    QActionGroup* m_gameWinds = nullptr;
+    QActionGroup* m_gameWindStrengths = nullptr;
     QActionGroup* m_themes = nullptr;
     QActionGroup* m_units = nullptr;
     QActionGroup* m_languages = nullptr;
@@ -70,6 +72,7 @@ private:
     QList<QAction*> m_trail;
     QMenu* m_axisMenu = nullptr;
     QMenu* m_moveMenu = nullptr;
+    QMenu* m_gameWindMenu = nullptr;
     QMenu* m_panelMenu = nullptr;
     QMenu* m_themeMenu = nullptr;
     QMenu* m_unitMenu = nullptr;

@@ -290,7 +290,8 @@ void ExportDialog::retranslateMore()
     m_wind->setToolTip(
         tr("Numbers of each vertex by which the shaders of an engine move the tree in the wind: the phase of "
            "its branch, how far it goes, how its leaves flutter. Of a tree at rest; Unreal gets two textures "
-           "beside the file. Files of the handbook has the formulas."));
+           "beside the file. View > Wind of a game shows how it moves; Files of the handbook has the "
+           "formulas."));
     m_compressed->setText(tr("Compressed"));
     m_compressed->setToolTip(tr(
         "Numbers are rounded to what is still seen and packed (EXT_meshopt_compression): the file is about "

@@ -144,6 +144,7 @@ RenderScene MovingScene::moved(const RenderScene& rest, const MotionFrame& frame
         const NodeMotion* motion = frame.of(item.node);
         if (!motion || !motion->moves())
             continue;
+        item.motion.wind = nullptr;
         if (auto skin = skinOf(item, *motion)) {
             item.motion = {std::move(skin), motion->bones, motion->method};
             item.box = motion->box.grown(item.margin);

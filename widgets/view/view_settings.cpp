@@ -95,6 +95,16 @@ void ViewSettings::setLight(SceneLight light)
     set(m_light, light, &ViewSettings::lightChanged);
 }
 
+void ViewSettings::setGameWind(WindProfile game)
+{
+    set(m_gameWind, game, &ViewSettings::gameWindChanged);
+}
+
+void ViewSettings::setGameWindStrength(double strength)
+{
+    set(m_gameWindStrength, strength, &ViewSettings::gameWindStrengthChanged);
+}
+
 QVariantMap ViewSettings::savedLight() const
 {
     return {

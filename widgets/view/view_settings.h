@@ -2,6 +2,7 @@
 /// How the viewport shows the scene: what menus and toolbars switch. Exists also where OpenGL does not.
 #pragma once
 
+#include "core/wind/wind_profile.h"
 #include "widgets/base/navigation_style.h"
 #include "widgets/view/render/renderer_options.h"
 #include <QObject>
@@ -37,6 +38,9 @@ public:
     [[nodiscard]] bool outlineVisible() const { return m_outlineVisible; }
     [[nodiscard]] bool crownsVisible() const { return m_crownsVisible; }
     [[nodiscard]] SceneLight light() const { return m_light; }
+    /// In which trees at rest move; None: none blows.
+    [[nodiscard]] WindProfile gameWind() const { return m_gameWind; }
+    [[nodiscard]] double gameWindStrength() const { return m_gameWindStrength; } ///< 1: a strong wind
     /// With the quality, for the preferences; restoring leaves out what is no number or out of range.
     [[nodiscard]] QVariantMap savedLight() const;
     void restoreLight(const QVariantMap& saved);
@@ -56,6 +60,8 @@ public slots:
     void setOutlineVisible(bool on);
     void setCrownsVisible(bool on);
     void setLight(ramure::SceneLight light);
+    void setGameWind(ramure::WindProfile game);
+    void setGameWindStrength(double strength);
 
 signals:
     void displayModeChanged(ramure::DisplayMode mode);
@@ -72,6 +78,8 @@ signals:
     void outlineVisibleChanged(bool on);
     void crownsVisibleChanged(bool on);
     void lightChanged(ramure::SceneLight light);
+    void gameWindChanged(ramure::WindProfile game);
+    void gameWindStrengthChanged(double strength);
     /// After any of the above.
     void changed();
 
@@ -94,6 +102,8 @@ private:
     bool m_outlineVisible = true; ///< around what is selected
     bool m_crownsVisible = true;  ///< of selected trees that grow to fill one
     SceneLight m_light;
+    WindProfile m_gameWind = WindProfile::None;
+    double m_gameWindStrength = 0.6;
 };
 
 } // namespace ramure

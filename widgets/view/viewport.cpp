@@ -57,13 +57,15 @@ RenderOptions Viewport::Private::options(double pixelRatio) const
     RenderOptions options;
     options.shading = settings->shadingMode();
     options.quality = settings->quality();
-    options.hurried = software && settling.isActive();
+    options.hurried = software && (settling.isActive() || isWindy());
     options.grid = settings->gridVisible();
     options.ground = settings->groundVisible();
     options.outline = settings->outlineVisible();
     options.light = settings->light();
     options.pixelRatio = pixelRatio;
     options.smoothing = options.sparing = software;
+    options.wind = {settings->gameWindStrength(),
+                    1e-3 * double(windClock.isValid() ? windClock.elapsed() : 0)};
     return options;
 }
 
@@ -88,6 +90,7 @@ Viewport::Viewport(Document* document, ViewSettings* settings, QWidget* parent)
         emit menuRequested(mapToGlobal(at.toPoint()), node, branch);
     });
     connect(settings, &ViewSettings::windVisibleChanged, this, &Viewport::explainWind);
+    connect(settings, &ViewSettings::gameWindChanged, this, &Viewport::beginGameWind);
     d->picker.setDisposal([this](std::shared_ptr<const void> last) { d->builder.dispose(std::move(last)); });
     connect(&d->builder, &BackgroundBuilder::built, this, &Viewport::takeScene);
     const auto complain = [this](const Error& error) { emit messageRaised(errorText(error)); };
@@ -216,6 +219,8 @@ void Viewport::paintGL()
     d->times.rebuilt = std::exchange(d->sceneIsNew, false);
     ++d->times.frame;
     paintOverlay();
+    if (d->isWindy())
+        QTimer::singleShot(0, this, qOverload<>(&QWidget::update));
     emit frameDrawn(d->times);
 }
 
@@ -226,7 +231,7 @@ void Viewport::paintOverlay()
     paintTextureLegend(painter, size(), d->settings->displayMode(), d->scene->texture);
     d->defect.paintLabel(painter, view);
     painter.setRenderHint(QPainter::Antialiasing);
-    paintSeenThrough(painter);
+    paintLabels(painter);
     d->trail.paintPlayhead(painter, view, d->context.seconds());
     d->tools.paint(painter, view);
 }

@@ -193,9 +193,10 @@ private:
     void rebuildHighlights();
     void releaseRenderer();
     void paintOverlay();
-    void paintSeenThrough(QPainter& painter) const;
+    void paintLabels(QPainter& painter) const;
     void updateTrail();
     void explainWind(bool visible);
+    void beginGameWind(ramure::WindProfile game);
     void moveCamera(const Camera& to);
     void frameBox(const Box& box);
     void hoverAt(QPointF position);

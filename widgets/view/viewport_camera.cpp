@@ -1,5 +1,6 @@
 // The view of a camera node.
 #include "core/evaluate/evaluator.h"
+#include "widgets/base/core_text.h"
 #include "widgets/view/render/camera_items.h"
 #include "widgets/view/viewport_private.h"
 #include <QPainter>
@@ -52,8 +53,8 @@ void Viewport::Private::followCamera()
 void Viewport::Private::draw(QSize pixels, const RenderOptions& options)
 {
     const GLuint target = widget->defaultFramebufferObject();
-    const bool blurs =
-        through != noNode && lens.diameter > 0.0 && !settling.isActive() && !context.isPlaying();
+    const bool blurs = through != noNode && lens.diameter > 0.0 && !settling.isActive() &&
+                       !context.isPlaying() && !isWindy();
     if (!blurs) {
         lensPictures = {};
         return renderer->draw(shownScene(), camera(), pixels, target, options);
@@ -80,21 +81,27 @@ void Viewport::Private::leaveCamera()
     widget->wishScene();
 }
 
-/// Its name above the picture: moving the view leaves it.
-void Viewport::paintSeenThrough(QPainter& painter) const
+/// Above the picture: the camera whose view it is, which moving the view leaves, and the game whose wind
+/// blows.
+void Viewport::paintLabels(QPainter& painter) const
 {
-    const Node* node = d->document->scene().find(d->through);
-    if (!node)
-        return;
-    const QString text = tr("Through “%1”").arg(QString::fromStdString(node->name));
-    QRectF box = painter.fontMetrics().boundingRect(text);
-    box = box.adjusted(-10.0, -4.0, 10.0, 4.0);
-    box.moveCenter({0.5 * width(), 10.0 + 0.5 * box.height()});
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(QColor(0, 0, 0, 150));
-    painter.drawRoundedRect(box, 4.0, 4.0);
-    painter.setPen(Qt::white);
-    painter.drawText(box, Qt::AlignCenter, text);
+    QStringList texts;
+    if (const Node* node = d->document->scene().find(d->through))
+        texts += tr("Through “%1”").arg(QString::fromStdString(node->name));
+    if (d->isWindy())
+        texts += tr("Wind: %1").arg(coreText(factsOf(d->settings->gameWind()).choice));
+    double top = 10.0;
+    for (const QString& text : texts) {
+        QRectF box = painter.fontMetrics().boundingRect(text);
+        box = box.adjusted(-10.0, -4.0, 10.0, 4.0);
+        box.moveCenter({0.5 * width(), top + 0.5 * box.height()});
+        top = box.bottom() + 4.0;
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(QColor(0, 0, 0, 150));
+        painter.drawRoundedRect(box, 4.0, 4.0);
+        painter.setPen(Qt::white);
+        painter.drawText(box, Qt::AlignCenter, text);
+    }
 }
 
 } // namespace ramure

@@ -91,4 +91,26 @@ void Viewport::explainWind(bool visible)
             : tr("No wind blows in this scene: select a tree to set its wind with the arrow."));
 }
 
+/// Anything of what is shown: trees that the timeline moves do not.
+bool Viewport::Private::isWindy() const
+{
+    return settings->gameWind() != WindProfile::None &&
+           std::ranges::any_of(shownScene().meshes,
+                               [](const MeshItem& item) { return item.motion.wind != nullptr; });
+}
+
+/// It begins anew with each choice.
+void Viewport::beginGameWind(WindProfile game)
+{
+    if (game == WindProfile::None)
+        return d->windClock.invalidate();
+    if (!d->windClock.isValid())
+        d->windClock.start();
+    const auto& nodes = d->document->scene().nodes();
+    if (std::ranges::none_of(nodes, [](const Node& node) { return node.kind == NodeKind::Tree; }))
+        emit messageRaised(tr("There is no tree for a wind to blow on."));
+    else if (d->context.player && d->context.player->isPlaying())
+        emit messageRaised(tr("Trees that the timeline moves do not stand in the wind of a game."));
+}
+
 } // namespace ramure

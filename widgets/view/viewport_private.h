@@ -16,6 +16,7 @@
 #include "widgets/view/tools/gizmo_tool.h"
 #include "widgets/view/tools/tool_manager.h"
 #include "widgets/view/viewport.h"
+#include <QElapsedTimer>
 #include <QTimer>
 
 namespace ramure {
@@ -61,6 +62,7 @@ struct Viewport::Private final : ToolHost
     std::vector<const void*> wishedBlocks; ///< identities of what the last wish was made from
     std::optional<BuiltScene> next;        ///< on its way to the graphics card
     QTimer uploading;
+    QElapsedTimer windClock; ///< runs while trees stand in the wind of a game
     QTimer settling;         ///< runs while something moves: software rasterisers then do less for a picture
     double uploadedMs = 0.0; ///< of next
     std::shared_ptr<const RenderScene> scene = std::make_shared<const RenderScene>();
@@ -110,6 +112,7 @@ struct Viewport::Private final : ToolHost
     [[nodiscard]] const TreeResult* resultOf(NodeId id) const;
     void updateShown();
     void followCamera();
+    [[nodiscard]] bool isWindy() const;
     void draw(QSize pixels, const RenderOptions& options);
     void leaveCamera();
     [[nodiscard]] std::shared_ptr<const MotionFrame> motionOfNow();

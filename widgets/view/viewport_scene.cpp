@@ -55,6 +55,7 @@ SceneView Viewport::Private::sceneView() const
     view.selectedNodes = selection.nodes;
     view.crowns = settings->crownsVisible();
     view.cameras = true;
+    view.wind = settings->gameWind();
     view.seenThrough = through;
     view.branchNode = selection.branchNode;
     view.branches = selection.branches;

@@ -11,12 +11,8 @@
 namespace ramure {
 namespace {
 
-const void* offset(std::size_t bytes)
-{
-    return reinterpret_cast<const void*>(bytes);
-}
-
-constexpr int stateWidth = 2048; ///< of the textures of branch states, triangles' colours and bones
+using gpu::offset;
+using gpu::stateWidth;
 
 } // namespace
 
@@ -107,6 +103,7 @@ const GpuBlock& GpuCache::item(const MeshItem& item)
 {
     GpuBlock& block = itemBlock(item);
     attachSkin(block, item.motion.skin, item.copies.get());
+    attachWind(block, item.motion.wind, item.copies != nullptr);
     return drawn(block);
 }
 
@@ -386,94 +383,6 @@ void GpuCache::bindCrown(ShaderProgram& program, const std::shared_ptr<const Cro
     program.set("uHasCrown", crown != nullptr);
 }
 
-/// Per vertex, three bones and their weights.
-struct VertexInfluence
-{
-    std::array<Index, 3> bone;
-    std::array<float, 3> weight;
-    float slope;
-};
-
-/// One for each copy, where there are some: a copy's vertices all follow the same bones.
-static std::vector<VertexInfluence> influencesOf(const Skin& skin, const MeshCopies& copies)
-{
-    const std::size_t count = copies.copies.size();
-    const std::size_t vertices = std::max<std::size_t>(1, skin.vertices / std::max<std::size_t>(1, count));
-    std::vector<VertexInfluence> all(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        const SkinInfluence& influence = skin.of(static_cast<Index>(copies.pieceOf(i) * vertices));
-        all[i] = {influence.bone, influence.weight, 0.0f};
-    }
-    return all;
-}
-
-const GpuBlock& GpuCache::influences(const std::shared_ptr<const Skin>& skin, const MeshCopies* copies)
-{
-    const auto [block, isNew] = slot(skin);
-    if (!isNew)
-        return block;
-    std::vector<VertexInfluence> all(copies ? 0 : skin->vertices);
-    for (std::size_t r = 0; r < skin->runs.size() && !copies; ++r) {
-        const SkinRun& run = skin->runs[r];
-        const Index end = r + 1 < skin->runs.size() ? skin->runs[r + 1].firstVertex : skin->vertices;
-        std::fill(all.begin() + run.firstVertex, all.begin() + end,
-                  VertexInfluence{run.influence.bone, run.influence.weight, run.slope});
-    }
-    if (copies)
-        all = influencesOf(*skin, *copies);
-    addBuffer(block, GL_ARRAY_BUFFER, all.data(), all.size() * sizeof(VertexInfluence));
-    fill(block, std::numeric_limits<std::size_t>::max()); // the vector is gone afterwards
-    block.count = static_cast<GLsizei>(all.size());
-    return block;
-}
-
-/// The mesh's vertex array reads this skin from now on; without one, what it reads is not used.
-void GpuCache::attachSkin(GpuBlock& block, const std::shared_ptr<const Skin>& skin, const MeshCopies* copies)
-{
-    if (!skin)
-        return;
-    const GLuint buffer = influences(skin, copies).buffers.front().name;
-    if (block.skin == skin)
-        return;
-    m_gl.glBindVertexArray(block.vertexArray);
-    m_gl.glBindBuffer(GL_ARRAY_BUFFER, buffer);
-    constexpr GLsizei stride = sizeof(VertexInfluence);
-    m_gl.glVertexAttribIPointer(5, 3, GL_UNSIGNED_INT, stride, offset(offsetof(VertexInfluence, bone)));
-    m_gl.glVertexAttribPointer(6, 3, GL_FLOAT, GL_FALSE, stride, offset(offsetof(VertexInfluence, weight)));
-    m_gl.glVertexAttribPointer(7, 1, GL_FLOAT, GL_FALSE, stride, offset(offsetof(VertexInfluence, slope)));
-    for (const GLuint attribute : {5u, 6u, 7u}) {
-        m_gl.glEnableVertexAttribArray(attribute);
-        m_gl.glVertexAttribDivisor(attribute, copies ? 1 : 0);
-    }
-    m_gl.glBindVertexArray(0);
-    block.skin = skin;
-}
-
-const GpuBlock& GpuCache::bones(const std::shared_ptr<const std::vector<RigidTransform>>& bones)
-{
-    const auto [block, isNew] = slot(bones);
-    if (!isNew)
-        return block;
-    const std::size_t rows = textureRows(2 * bones->size(), m_largestTexture);
-    if (rows == 0)
-        return block;
-    m_boneRows.resize(rows * stateWidth);
-    for (std::size_t b = 0; b < bones->size(); ++b) {
-        const RigidTransform& bone = (*bones)[b];
-        m_boneRows[2 * b] = glm::vec4(bone.rotation.x, bone.rotation.y, bone.rotation.z, bone.rotation.w);
-        m_boneRows[2 * b + 1] = glm::vec4(glm::vec3(bone.translation), 0.0f);
-    }
-    m_gl.glGenTextures(1, &block.texture);
-    m_gl.glBindTexture(GL_TEXTURE_2D, block.texture);
-    m_gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, stateWidth, static_cast<GLsizei>(rows), 0, GL_RGBA,
-                      GL_FLOAT, m_boneRows.data());
-    m_gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    m_gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    block.count = static_cast<GLsizei>(bones->size());
-    m_stats.bytes += m_boneRows.size() * sizeof(glm::vec4);
-    return block;
-}
-
 GpuBlock& GpuCache::lineBlock(const std::shared_ptr<const LineSet>& lines)
 {
     const auto [block, isNew] = slot(lines);
@@ -542,16 +451,6 @@ const GpuBlock& GpuCache::states(const std::shared_ptr<const BranchStates>& stat
     block.count = static_cast<GLsizei>(states->size());
     m_stats.bytes += padded.size();
     return block;
-}
-
-void GpuCache::bindBones(ShaderProgram& program, const ItemMotion& motion)
-{
-    m_gl.glActiveTexture(GL_TEXTURE0 + bonesUnit);
-    const GpuBlock* block = motion.moves() ? &bones(motion.bones) : nullptr;
-    m_gl.glBindTexture(GL_TEXTURE_2D, block && block->texture != 0 ? block->texture : restTexture());
-    m_gl.glActiveTexture(GL_TEXTURE0);
-    program.set("uBoneCount", block ? block->count : 0);
-    program.set("uSkinMethod", int(motion.method));
 }
 
 void GpuCache::freeUnused()

@@ -7,12 +7,21 @@
 #include "widgets/view/render/buffer_pool.h"
 #include "widgets/view/render/mesh_copies.h"
 #include "widgets/view/render/render_scene.h"
+#include "widgets/view/render/renderer_options.h"
 #include "widgets/view/render/shader_program.h"
 #include <cstdint>
 #include <map>
 #include <vector>
 
 namespace ramure {
+
+namespace gpu {
+inline constexpr int stateWidth = 2048; ///< of the textures of branch states, triangles' colours and bones
+inline const void* offset(std::size_t bytes)
+{
+    return reinterpret_cast<const void*>(bytes);
+}
+} // namespace gpu
 
 /// Buffers and vertex array of one block.
 struct GpuBlock
@@ -26,6 +35,7 @@ struct GpuBlock
     GLsizei copies = 0;                        ///< of a mesh: how many are drawn; 0: it is drawn itself
     std::array<MeshCopies::Faces, 3> detail{}; ///< of copies, by LeafDetail
     std::shared_ptr<const void> skin;          ///< of a mesh: whose influences its vertex array reads
+    std::shared_ptr<const void> wind;          ///< likewise
     std::uint64_t usedIn = 0;
     bool prepared = false; ///< kept for a picture to come
 
@@ -59,7 +69,13 @@ public:
     GpuCache(const GpuCache&) = delete;
     GpuCache& operator=(const GpuCache&) = delete;
 
-    void beginPicture() { ++m_picture; }
+    /// \param wind on what stands in one
+    void beginPicture(const WindMoment& wind)
+    {
+        ++m_picture;
+        m_wind = wind;
+    }
+    [[nodiscard]] const WindMoment& wind() const { return m_wind; }
     /// Uploads at most some \p bytes of what a scene needs, to be called until it is true: then the scene can
     /// be drawn without a delay. What is prepared stays until it is drawn, or another scene is prepared.
     bool prepare(const RenderScene& scene, std::size_t bytes);
@@ -81,6 +97,8 @@ public:
     /// bound to its own unit from the first, as in those below: on the shadow's it would be read in the
     /// shadow's place.
     void bindBones(ShaderProgram& program, const ItemMotion& motion);
+    /// The same for meshes, which may stand in the wind of a game.
+    void bindMotion(ShaderProgram& program, const ItemMotion& motion);
     /// The same for the colours of a mesh's triangles.
     void bindColours(ShaderProgram& program, const GpuBlock& mesh);
     /// The same for its bark, which may be null.
@@ -91,7 +109,8 @@ public:
     /// cannot: then triangles have no colours, branches no states, bones rest.
     static std::size_t textureRows(std::size_t texels, int largest);
     /// The texture units that they use.
-    static constexpr GLenum bonesUnit = 3, coloursUnit = 4, barkUnit = 5, barkNormalsUnit = 6, crownUnit = 7;
+    static constexpr GLenum bonesUnit = 3, coloursUnit = 4, barkUnit = 5, barkNormalsUnit = 6, crownUnit = 7,
+                            elementsUnit = 11;
 
     /// Frees what was not asked for since beginPicture.
     void freeUnused();
@@ -114,6 +133,9 @@ private:
     GLuint restTexture();
     const GpuBlock& influences(const std::shared_ptr<const Skin>& skin, const MeshCopies* copies);
     void attachSkin(GpuBlock& block, const std::shared_ptr<const Skin>& skin, const MeshCopies* copies);
+    void attachWind(GpuBlock& block, const std::shared_ptr<const ItemWind>& wind, bool copies);
+    const GpuBlock& elements(const std::shared_ptr<const TreeWind>& wind);
+    void fillTexels(GpuBlock& block);
     GpuBlock& itemBlock(const MeshItem& item);
     GpuBlock& meshBlock(const std::shared_ptr<const TriangleMesh>& mesh);
     GpuBlock& lineBlock(const std::shared_ptr<const LineSet>& lines);
@@ -129,7 +151,8 @@ private:
     Gl& m_gl;
     BufferPool m_pool;
     std::map<const void*, GpuBlock> m_blocks;
-    std::vector<glm::vec4> m_boneRows; ///< kept between pictures
+    std::vector<glm::vec4> m_texels; ///< of bones, kept between pictures
+    WindMoment m_wind;
     std::vector<std::shared_ptr<const void>> m_released;
     GLint m_largestTexture = 0;
     GLuint m_restCrown = 0;

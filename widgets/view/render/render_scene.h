@@ -13,6 +13,7 @@
 #include "core/surface/foliage/leaf_maps.h"
 #include "core/surface/mesh/triangle_mesh.h"
 #include "widgets/view/render/crown_light.h"
+#include "widgets/view/render/item_wind.h"
 #include "widgets/view/render/mesh_copies.h"
 #include "widgets/view/render/surface_images.h"
 #include <glm/mat4x4.hpp>
@@ -56,7 +57,9 @@ struct ItemMotion
     std::shared_ptr<const Skin> skin; ///< of meshes: as many vertices as they have
     std::shared_ptr<const std::vector<RigidTransform>> bones;
     SkinMethod method = SkinMethod::Rigid;
+    std::shared_ptr<const ItemWind> wind{}; ///< of a game, in place of bones; null: none
     [[nodiscard]] bool moves() const { return bones && !bones->empty(); }
+    [[nodiscard]] bool isStill() const { return !moves() && !wind; }
     bool operator==(const ItemMotion&) const = default;
 };
 

@@ -91,13 +91,15 @@ Expected<std::unique_ptr<Renderer>> Renderer::make()
 
 std::vector<std::pair<Renderer::Program, ShaderSources>> Renderer::programs()
 {
-    const std::vector<const char*> mesh{"states.glsl", "skin.glsl", "skin_mesh.glsl", "copy.glsl",
-                                        "mesh.vert"};
+    const std::vector<const char*> mesh{"states.glsl", "skin.glsl",      "copy.glsl",
+                                        "wind.glsl",   "skin_mesh.glsl", "mesh.vert"};
+    const std::vector<const char*> depth{"skin.glsl", "copy.glsl", "wind.glsl", "skin_mesh.glsl",
+                                         "shadow.vert"};
     const std::vector<const char*> surface{"colour.glsl",  "pixel.glsl",  "lighting.glsl",
                                            "texture.glsl", "shaded.glsl", "mesh.frag"};
-    const std::vector<const char*> far{"states.glsl",   "skin.glsl",   "skin_mesh.glsl",
-                                       "copy.glsl",     "colour.glsl", "corner.glsl",
-                                       "lighting.glsl", "shaded.glsl", "mesh.vert"};
+    const std::vector<const char*> far{"states.glsl",    "skin.glsl",   "copy.glsl",   "wind.glsl",
+                                       "skin_mesh.glsl", "colour.glsl", "corner.glsl", "lighting.glsl",
+                                       "shaded.glsl",    "mesh.vert"};
     return {
         {&Renderer::m_mesh, {mesh, nullptr, surface}},
         {&Renderer::m_plain, {mesh, nullptr, surface, "#define BARK false\n#define VEINS false\n"}},
@@ -106,13 +108,8 @@ std::vector<std::pair<Renderer::Program, ShaderSources>> Renderer::programs()
         {&Renderer::m_far, {far, nullptr, {"pixel.glsl", "far.frag"}, "#define FAR\n"}},
         {&Renderer::m_meshColours, {mesh, nullptr, surface, "#define COLOURS\n"}},
         {&Renderer::m_meshWire, {mesh, "mesh.geom", surface, "#define COLOURS\n#define WIRE\n"}},
-        {&Renderer::m_shadow,
-         {{"skin.glsl", "skin_mesh.glsl", "copy.glsl", "shadow.vert"}, nullptr, {"shadow.frag"}}},
-        {&Renderer::m_shadowCut,
-         {{"skin.glsl", "skin_mesh.glsl", "copy.glsl", "shadow.vert"},
-          nullptr,
-          {"shadow.frag"},
-          "#define CUT\n"}},
+        {&Renderer::m_shadow, {depth, nullptr, {"shadow.frag"}}},
+        {&Renderer::m_shadowCut, {depth, nullptr, {"shadow.frag"}, "#define CUT\n"}},
         {&Renderer::m_world,
          {{"world.vert"}, nullptr, {"colour.glsl", "pixel.glsl", "lighting.glsl", "world.frag"}}},
         {&Renderer::m_line, {{"states.glsl", "skin.glsl", "line.vert"}, nullptr, {"line.frag"}}},
@@ -157,7 +154,7 @@ void Renderer::draw(const RenderScene& scene, const Camera& camera, QSize size, 
 {
     Stopwatch watch;
     m_drawn = 0;
-    m_cache.beginPicture();
+    m_cache.beginPicture(options.wind);
     m_cache.restAttributes();
     upload(scene);
     m_stats.uploadMs = watch.elapsed().wallMs;
@@ -284,7 +281,7 @@ void Renderer::occlude(Picture& picture, QSize size)
         program.bind();
         if (DepthPrograms::cuts(item))
             m_cache.bindPictures(program, item);
-        m_cache.bindBones(program, item.motion);
+        m_cache.bindMotion(program, item.motion);
         program.set("uClip", glm::mat4(picture.projectedView * picture.relative(item.world)));
         drawItem(picture, item, m_cache.item(item));
     }
@@ -448,9 +445,9 @@ void Renderer::drawItem(const Picture& picture, const MeshItem& item, const GpuB
 
 void Renderer::drawMeshDepth(const Picture& picture, const MeshItem& item)
 {
-    ShaderProgram& program = m_shadow->with(!item.motion.moves(), switches::still);
+    ShaderProgram& program = m_shadow->with(item.motion.isStill(), switches::still);
     program.bind();
-    m_cache.bindBones(program, item.motion);
+    m_cache.bindMotion(program, item.motion);
     program.set("uClip", glm::mat4(picture.projectedView * picture.relative(item.world)));
     drawItem(picture, item, m_cache.item(item));
 }
@@ -480,7 +477,7 @@ void Renderer::beginMeshes(ShaderProgram& program, const Picture& picture, Shadi
 void Renderer::drawMesh(ShaderProgram& program, const Picture& picture, const MeshItem& item)
 {
     const GpuBlock& block = m_cache.item(item);
-    m_cache.bindBones(program, item.motion);
+    m_cache.bindMotion(program, item.motion);
     m_cache.bindColours(program, block);
     m_cache.bindPictures(program, item);
     const glm::dmat4 relative = picture.relative(item.world);
@@ -523,7 +520,7 @@ ShaderProgram& Renderer::programOf(const Picture& picture, const MeshItem& item,
             : item.bark ? *m_bark
             : item.leaf ? *m_leaf
                         : *m_plain)
-        .with(!item.motion.moves(), switches::still)
+        .with(item.motion.isStill(), switches::still)
         .with(picture.scene.highlights.empty(), switches::unmarked)
         .with(!picture.near, switches::one);
 }
@@ -568,9 +565,9 @@ void Renderer::resetState()
     m_gl.glDepthFunc(GL_LESS);
     m_gl.glDisable(GL_DEPTH_TEST);
     m_gl.glDisable(GL_BLEND);
-    for (const GLenum unit :
-         {shadowUnit, shadowDepthUnit, nearUnit, nearDepthUnit, occlusionUnit, statesUnit,
-          GpuCache::bonesUnit, GpuCache::coloursUnit, GpuCache::barkUnit, GpuCache::barkNormalsUnit}) {
+    for (const GLenum unit : {shadowUnit, shadowDepthUnit, nearUnit, nearDepthUnit, occlusionUnit, statesUnit,
+                              GpuCache::bonesUnit, GpuCache::coloursUnit, GpuCache::barkUnit,
+                              GpuCache::barkNormalsUnit, GpuCache::elementsUnit}) {
         m_gl.glActiveTexture(GL_TEXTURE0 + unit);
         m_gl.glBindTexture(GL_TEXTURE_2D, 0);
         m_gl.glBindSampler(unit, 0);

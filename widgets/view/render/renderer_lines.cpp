@@ -90,9 +90,9 @@ void Renderer::drawOutline(const Picture& picture, GLuint target)
         if (!item.outlined)
             continue;
         const GpuBlock& block = m_cache.item(item);
-        ShaderProgram& program = m_shadow->with(!item.motion.moves(), switches::still);
+        ShaderProgram& program = m_shadow->with(item.motion.isStill(), switches::still);
         program.bind();
-        m_cache.bindBones(program, item.motion);
+        m_cache.bindMotion(program, item.motion);
         program.set("uClip", glm::mat4(picture.projectedView * picture.relative(item.world)));
         if (item.copies) {
             m_cache.drawTriangles(block, std::min(picture.detailOf(item), LeafDetail::Few));

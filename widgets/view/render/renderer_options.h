@@ -41,6 +41,14 @@ struct SceneLight
     bool operator==(const SceneLight&) const = default;
 };
 
+/// Of a game, on what stands in it (item_wind.h).
+struct WindMoment
+{
+    double strength = 0.0; ///< 1: a strong wind
+    double seconds = 0.0;
+    bool operator==(const WindMoment&) const = default;
+};
+
 struct RenderOptions
 {
     ShadingMode shading = ShadingMode::Solid;
@@ -60,6 +68,7 @@ struct RenderOptions
                              ///< shadow is equally sharp everywhere
     SceneLight light;
     Lens lens;
+    WindMoment wind;
 };
 
 } // namespace ramure

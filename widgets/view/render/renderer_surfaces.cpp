@@ -12,7 +12,7 @@ void Renderer::drawSurfaces(const RenderScene& scene, const Camera& camera, QSiz
     options.sparing = sparing;
     options.shadows = options.world = options.outline = false;
     options.samples = 0;
-    m_cache.beginPicture();
+    m_cache.beginPicture({});
     m_cache.restAttributes();
     upload(scene);
     const Picture picture = arrange(scene, camera, size, options);
@@ -29,7 +29,7 @@ void Renderer::drawSurfaces(const RenderScene& scene, const Camera& camera, QSiz
                               : item.bark                                    ? *m_bark
                               : item.leaf                                    ? *m_leaf
                                                                              : *m_plain;
-        ShaderProgram& program = base.with(!item.motion.moves(), switches::still)
+        ShaderProgram& program = base.with(item.motion.isStill(), switches::still)
                                      .with(true, switches::unmarked)
                                      .with(true, switches::surfaces);
         beginMeshes(program, picture, ShadingMode::Solid);

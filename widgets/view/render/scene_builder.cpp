@@ -11,7 +11,7 @@
 #include "widgets/view/render/ground_height.h"
 #include "widgets/view/render/isolated_parts.h"
 #include "widgets/view/render/line_art.h"
-#include "widgets/view/render/outline.h"
+#include "widgets/view/render/outlined_items.h"
 #include "widgets/view/render/scene_part_cache.h"
 #include <algorithm>
 #include <numeric>
@@ -19,11 +19,6 @@
 
 namespace ramure {
 namespace {
-
-std::vector<double> asNumbers(const std::vector<Index>& indices)
-{
-    return {indices.begin(), indices.end()};
-}
 
 /// Of cones and tubes without ends.
 Material openBark(const BarkParams& params = {}, const PictureParams& pictures = {})
@@ -82,6 +77,13 @@ struct TreeItems
     {
         return view.isolatedNode == node.id && !view.isolatedBranches.empty();
     }
+    /// Empty: all are.
+    [[nodiscard]] BranchFlags shownBranches() const
+    {
+        return isIsolated() && tree.simplified
+                   ? branchFlags(tree.simplified->skeleton.size(), view.isolatedBranches)
+                   : BranchFlags();
+    }
     /// The part of a mesh, of lines or marks that belongs to the branches shown alone, where there are such.
     template <class T> std::shared_ptr<const T> shown(std::shared_ptr<const T> block)
     {
@@ -125,9 +127,7 @@ struct TreeItems
                                              [&] { return leafMaps(shape, shownLeafSize).value(); });
         }
         const double alpha = trunkRadius(node.params);
-        const BranchFlags flags = isIsolated() && tree.simplified
-                                      ? branchFlags(tree.simplified->skeleton.size(), view.isolatedBranches)
-                                      : BranchFlags();
+        const BranchFlags flags = shownBranches();
         std::vector<double> numbers =
             flags.empty() ? std::vector<double>() : asNumbers(view.isolatedBranches);
         // A picture takes the place of a fruit's colours; those of leaves are tones of theirs.
@@ -185,6 +185,7 @@ struct TreeItems
             addFoliage(ScenePart::LeafCopies, tree.leaves, leaf(), FoliageModel::Fine);
         if (view.apples)
             addFoliage(ScenePart::AppleCopies, tree.apples, fruit(), FoliageModel::Fine);
+        blow(std::span(scene.meshes).subspan(first));
         if (!tree.foliage || !view.leaves || isIsolated())
             return;
         const double alpha = trunkRadius(node.params);
@@ -192,6 +193,35 @@ struct TreeItems
                                                  [&] { return crownLight(*tree.foliage, alpha); });
         for (std::size_t i = first; i < scene.meshes.size() && !crown->light.empty(); ++i)
             scene.meshes[i].crown = crown;
+    }
+    /// Parts that belong to no branch stay where they are.
+    void blow(std::span<MeshItem> items)
+    {
+        constexpr double reach = 0.25; // of the height: a strong wind takes nothing farther
+        if (view.wind == WindProfile::None || !tree.branches || !tree.skeleton || !tree.simplified)
+            return;
+        const double direction = node.params.physics.windDirection;
+        const auto wind = cache.get<TreeWind>(
+            ScenePart::Wind, tree.simplified, tree.leaves, {double(view.wind), direction}, [&] {
+                return treeWind(view.wind, direction, *tree.skeleton, *tree.simplified, tree.leaves.get(),
+                                tree.foliage.get());
+            });
+        for (MeshItem& item : items) {
+            const bool hasBranches = item.copies || item.mesh->branch.size() == item.mesh->positions.size();
+            if (wind->profile == WindProfile::None || !hasBranches)
+                continue;
+            item.motion.wind = cache.get<ItemWind>(ScenePart::WindOfItem, wind, item.mesh, {},
+                                                   [&] { return windOf(wind, item); });
+            item.box = item.box.grown(reach * wind->tree.height);
+        }
+    }
+    [[nodiscard]] ItemWind windOf(const std::shared_ptr<const TreeWind>& wind, const MeshItem& item) const
+    {
+        if (!item.copies)
+            return windOfMesh(wind, *item.mesh);
+        if (item.material.name != leaf().name)
+            return windOfFruit(wind, *item.copies);
+        return windOfLeaves(wind, *item.copies, tree.foliage->leaves, shownBranches());
     }
     /// The branches with their texture coordinates, which may be none.
     std::shared_ptr<const TexturedMesh> mapped()
@@ -428,67 +458,6 @@ struct ObjectItems
         scene.meshes.push_back(std::move(item));
     }
 };
-
-/// Faces of a tree's bark that its outline is found from: most of it stands inside the crown.
-constexpr Index mostBark = 20'000;
-
-/// The selected nodes and all below them.
-std::vector<NodeId> outlinedNodes(const Scene& scene, const std::vector<NodeId>& selected)
-{
-    std::vector<NodeId> nodes;
-    for (const Node& node : scene.nodes()) {
-        const auto isIn = [](const std::vector<NodeId>& list, NodeId id) {
-            return std::ranges::find(list, id) != list.end();
-        };
-        if (isIn(selected, node.id) || (node.parent != noNode && isIn(nodes, node.parent)))
-            nodes.push_back(node.id); // parents stand before their children
-    }
-    return nodes;
-}
-
-/// Nothing of the tree but its bark, and that is not too much to draw once more.
-bool isBare(const RenderScene& built, NodeId tree)
-{
-    constexpr Index most = 1'000'000; // faces
-    return std::ranges::all_of(built.meshes, [tree](const MeshItem& item) {
-        return item.node != tree || item.isMark || (!item.copies && item.mesh->faceCount() <= most);
-    });
-}
-
-/// What the outline goes around: selected branches, else selected nodes.
-void outlineSelected(RenderScene& built, ScenePartCache& cache, const Scene& scene,
-                     const SceneBuilder::ResultOf& resultOf, const SceneView& view)
-{
-    const TreeResult* tree = view.branches.empty() ? nullptr : resultOf(view.branchNode);
-    const NodeId branchNode = tree && tree->simplified ? view.branchNode : noNode;
-    std::vector<NodeId> whole = outlinedNodes(scene, view.selectedNodes);
-    std::erase(whole, branchNode);
-    const auto isWhole = [&whole](NodeId id) { return std::ranges::find(whole, id) != whole.end(); };
-    for (MeshItem& item : built.meshes) {
-        if (item.isMark || item.node == noNode)
-            continue;
-        if (isWhole(item.node)) {
-            const Node* node = scene.find(item.node);
-            const bool isTree = node && node->kind == NodeKind::Tree;
-            const Index most = isTree && !item.copies && !isBare(built, item.node) ? mostBark : 0;
-            item.outlined =
-                cache.get<OutlinedFaces>(ScenePart::Outlined, item.mesh, item.mesh, {double(most)},
-                                         [&] { return outlinedWhole(*item.mesh, item.box, most); });
-        } else if (item.node == branchNode && item.material.name == barkMaterial().name &&
-                   item.mesh->branch.size() == item.mesh->positions.size()) {
-            item.outlined = cache.get<OutlinedFaces>(
-                ScenePart::Outlined, item.mesh, tree->simplified, asNumbers(view.branches), [&] {
-                    return outlinedBranches(*item.mesh,
-                                            branchFlags(tree->simplified->skeleton.size(), view.branches));
-                });
-        }
-    }
-    for (LineItem& item : built.lines)
-        if (item.pickable || scene.isLocked(item.node))
-            item.outlined = isWhole(item.node)        ? OutlinedLines::All
-                            : item.node == branchNode ? OutlinedLines::Selected
-                                                      : item.outlined;
-}
 
 /// What these trees grow to fill. Nobody frames or picks it.
 void addCrowns(RenderScene& built, EvaluatedScene& now, const std::vector<NodeId>& selected)

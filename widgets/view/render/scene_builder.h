@@ -48,6 +48,7 @@ struct SceneView
     /// False: bark is in one colour as long as nobody has made its texture coordinates, which takes seconds
     /// for a large tree.
     bool waitsForBark = true;
+    WindProfile wind = WindProfile::None; ///< of a game: trees are ready to move in it
 };
 
 /// Whether a tree's bark can be shown with its picture without waiting.

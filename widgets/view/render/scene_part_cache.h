@@ -41,6 +41,8 @@ enum class ScenePart : std::uint8_t {
     Images,
     CameraBody,
     Outlined,
+    Wind,
+    WindOfItem,
 };
 
 /// What a part was made from: two blocks and some numbers.

@@ -1,5 +1,6 @@
 #include "widgets/view/render/shadow_map.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -115,7 +116,10 @@ std::optional<ShadowFit> ShadowMap::update(const RenderScene& scene, const glm::
     }
     if (casters.empty() || scene.casters.empty())
         return std::nullopt;
-    if (casters == m_drawn && sun == m_sun && focus == m_focus && detail == m_detail)
+    const bool isWindy =
+        std::ranges::any_of(casters, [](const Caster& c) { return c.motion.wind != nullptr; });
+    const WindMoment wind = isWindy ? cache.wind() : WindMoment();
+    if (casters == m_drawn && sun == m_sun && focus == m_focus && detail == m_detail && wind == m_wind)
         return m_fit;
     if (m_framebuffer == 0)
         create();
@@ -132,7 +136,7 @@ std::optional<ShadowFit> ShadowMap::update(const RenderScene& scene, const glm::
         program.bind();
         if (DepthPrograms::cuts(*caster.item))
             cache.bindPictures(program, *caster.item);
-        cache.bindBones(program, caster.motion);
+        cache.bindMotion(program, caster.motion);
         program.set("uClip", glm::mat4(m_fit.clip * caster.world));
         cache.drawTriangles(cache.item(*caster.item),
                             DepthPrograms::cuts(*caster.item) ? LeafDetail::All : detail);
@@ -140,6 +144,7 @@ std::optional<ShadowFit> ShadowMap::update(const RenderScene& scene, const glm::
     m_gl.glBindVertexArray(0);
     m_drawn = std::move(casters);
     m_sun = sun;
+    m_wind = wind;
     m_focus = focus;
     m_detail = detail;
     ++m_redraws;

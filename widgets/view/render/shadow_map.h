@@ -45,7 +45,7 @@ struct DepthPrograms
     static bool cuts(const MeshItem& item) { return item.images && item.images->isCut; }
     ShaderProgram& of(const MeshItem& item) const
     {
-        return (cuts(item) ? cut : whole).with(!item.motion.moves(), switches::still);
+        return (cuts(item) ? cut : whole).with(item.motion.isStill(), switches::still);
     }
 };
 
@@ -93,6 +93,7 @@ private:
     GLuint m_readSampler = 0;
     std::vector<Caster> m_drawn;
     glm::dvec3 m_sun{0.0};
+    WindMoment m_wind; ///< where something stands in it
     std::optional<ShadowFocus> m_focus;
     LeafDetail m_detail = LeafDetail::Few;
     std::uint64_t m_redraws = 0;

@@ -1,4 +1,4 @@
-#include "core/wind/wind_preview.h"
+#include "tests/support/wind_preview.h"
 
 #include "core/math/reproducible.h"
 
