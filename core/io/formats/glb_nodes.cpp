@@ -149,19 +149,21 @@ Expected<FileNodes> nodesOf(const File& file)
     return out;
 }
 
-Expected<std::vector<glm::dmat4>> copiesOf(File& file, const FileNode& node, const std::string& place)
+Expected<std::vector<FileCopy>> copiesOf(File& file, const FileNode& node, const std::string& place)
 {
     const Json* extensions = member(*node.json, "extensions");
     const Json* instancing = extensions ? member(*extensions, "EXT_mesh_gpu_instancing") : nullptr;
     const Json* attributes = instancing ? member(*instancing, "attributes") : nullptr;
     if (!attributes)
-        return std::vector<glm::dmat4>{glm::dmat4(1.0)};
-    std::vector<float> places, turns, sizes;
-    for (const auto& [name, to, size] : {std::tuple("TRANSLATION", &places, 3),
-                                         std::tuple("ROTATION", &turns, 4), std::tuple("SCALE", &sizes, 3)}) {
+        return std::vector<FileCopy>(1);
+    std::vector<float> places, turns, sizes, tints;
+    const std::size_t channels = file.components(numberOf(*attributes, "_COLOR_0")) == 4 ? 4 : 3;
+    for (const auto& [name, to, size] :
+         {std::tuple("TRANSLATION", &places, std::size_t(3)), std::tuple("ROTATION", &turns, std::size_t(4)),
+          std::tuple("SCALE", &sizes, std::size_t(3)), std::tuple("_COLOR_0", &tints, channels)}) {
         if (!member(*attributes, name))
             continue;
-        auto read = file.floats(numberOf(*attributes, name), static_cast<std::size_t>(size), place);
+        auto read = file.floats(numberOf(*attributes, name), size, place);
         if (!read)
             return fail(std::move(read.error()));
         *to = std::move(*read);
@@ -172,14 +174,16 @@ Expected<std::vector<glm::dmat4>> copiesOf(File& file, const FileNode& node, con
                      ErrorCode::Limit);
     places.resize(3 * count, 0.0F);
     sizes.resize(3 * count, 1.0F);
+    tints.resize(channels * count, 1.0F);
     for (std::size_t i = turns.size(); i < 4 * count; ++i)
         turns.push_back(i % 4 == 3 ? 1.0F : 0.0F);
-    std::vector<glm::dmat4> out;
+    std::vector<FileCopy> out;
     for (std::size_t i = 0; i < count; ++i) {
         const double turn[4] = {double(turns[4 * i]), double(turns[4 * i + 1]), double(turns[4 * i + 2]),
                                 double(turns[4 * i + 3])};
-        out.push_back(matrixOf({glm::dvec3(glm::make_vec3(&places[3 * i])), unit(turn),
-                                glm::dvec3(glm::make_vec3(&sizes[3 * i]))}));
+        out.push_back({matrixOf({glm::dvec3(glm::make_vec3(&places[3 * i])), unit(turn),
+                                 glm::dvec3(glm::make_vec3(&sizes[3 * i]))}),
+                       glm::make_vec3(&tints[channels * i])});
     }
     return out;
 }

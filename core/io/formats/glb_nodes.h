@@ -35,9 +35,14 @@ struct FileNodes
 /// Errors: Invalid (a node below two others or itself, a matrix that is none), with the place inside.
 Expected<FileNodes> nodesOf(const File& file);
 
-/// Where each copy of a node's mesh stands in it: what EXT_mesh_gpu_instancing says, else one in its place.
-/// Errors: those of File::floats; Limit.
-Expected<std::vector<glm::dmat4>> copiesOf(File& file, const FileNode& node, const std::string& place);
+struct FileCopy
+{
+    glm::dmat4 place{1.0}; ///< in its node
+    glm::vec3 tint{1.0F};  ///< linear, times the mesh's colour
+};
+/// The copies of a node's mesh: what EXT_mesh_gpu_instancing says, else one in its place. Their colours have
+/// no name in the extension; _COLOR_0 is what three.js takes. Errors: those of File::floats; Limit.
+Expected<std::vector<FileCopy>> copiesOf(File& file, const FileNode& node, const std::string& place);
 
 /// What moves a vertex from where it is bound to where its joint stands in the world, for each joint of a
 /// skin. Errors: those of File; Invalid (a joint that is no node).

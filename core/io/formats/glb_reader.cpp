@@ -3,6 +3,7 @@
 #include "core/io/formats/glb_arm_clip.h"
 #include "core/io/formats/glb_clip_reader.h"
 #include "core/io/formats/glb_nodes.h"
+#include "core/io/formats/glb_parts.h"
 #include "core/io/formats/glb_surfaces.h"
 #include "core/io/formats/import_parts.h"
 #include "core/math/finite.h"
@@ -35,6 +36,17 @@ Expected<TriangleMesh> placed(const TriangleMesh& mesh, const glm::dmat4& matrix
     if (!std::ranges::all_of(out.normals, &isFinite<3, float>))
         out.normals.clear();
     return out;
+}
+
+/// \param tint linear; what is no number tints nothing
+TriangleMesh tinted(TriangleMesh mesh, const glm::vec3& tint)
+{
+    if (tint == glm::vec3(1.0F) || !isFinite<3, float>(tint))
+        return mesh;
+    for (glm::u8vec3& colour : mesh.colours)
+        colour =
+            glb::srgb(tint * glm::vec3(glb::linear(colour.r), glb::linear(colour.g), glb::linear(colour.b)));
+    return mesh;
 }
 
 /// A GLB with its meshes, each read once.
@@ -115,10 +127,10 @@ public:
             return glb::wrong(place, RAMURE_NOOP("more than %1 triangles"),
                               {std::to_string(glb::mostTriangles)}, ErrorCode::Limit);
         if (copies->size() == 1)
-            return placed(one, copies->front(), node.name);
+            return placed(tinted(one, copies->front().tint), copies->front().place, node.name);
         ReadMesh out;
-        for (const glm::dmat4& copy : *copies)
-            if (auto there = placed(one, copy, node.name))
+        for (const glb::FileCopy& copy : *copies)
+            if (auto there = placed(tinted(one, copy.tint), copy.place, node.name))
                 out.objects.push_back({{}, std::move(*there), {}});
             else
                 return there;

@@ -278,6 +278,22 @@ private slots:
         QCOMPARE(scene->nodes[0].kind, NodeKind::Group);
     }
 
+    void copiesHaveTheirColours()
+    {
+        Triangle file;
+        file.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = {
+            {"TRANSLATION", 0}, {"_COLOR_0", 0}}; // (0 0 0), (1 0 0), (0 1 0)
+        const auto done = read(file.bytes());
+        QVERIFY2(done, test::why(done));
+        const TriangleMesh mesh = done->joined();
+        QCOMPARE(mesh.positions.size(), std::size_t(9));
+        QCOMPARE(mesh.colours, (std::vector<glm::u8vec3>{{0, 0, 0}, {255, 0, 0}, {0, 255, 0}}));
+        file.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["_COLOR_0"] =
+            1; // no colours
+        const auto refused = read(file.bytes());
+        QVERIFY(!refused && test::why(refused).contains("accessors[1]: 3 numbers"));
+    }
+
     void aMirroredNodeTurnsItsTriangles()
     {
         Triangle file;
