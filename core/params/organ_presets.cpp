@@ -9,11 +9,11 @@ constexpr const char* turns = "r = 137.5";
 constexpr const char* coconutRules = R"(T(n) : n < 12 -> &(2-n*0.35)F(0.86)!(0.4-0.012*n)&(1-n*0.2)F(0.86)!(0.394-0.012*n)T(n+1)
 K(n) : n < 7 -> [/(n*4*r)&(18+n*14)!(0.07)P(0)][/(n*4*r+r)&(22+n*14)!(0.07)P(0)][/(n*4*r+2*r)&(25+n*14)!(0.07)P(0)][/(n*4*r+3*r)&(29+n*14)!(0.07)P(0)]B(n)F(0.07)K(n+1)
 B(n) : n == 5 -> [/(40)&(110)~(fruit,0.26)][/(130)&(120)~(fruit,0.26)][/(210)&(115)~(fruit,0.26)][/(300)&(120)~(fruit,0.26)]
-P(m) : m < 8 -> F(0.19)!(0.06-0.005*m)[+(58)&(18)~(leaf,0.95-0.05*m)][-(58)&(18)~(leaf,0.95-0.05*m)]&(5)F(0.19)[+(55)&(18)~(leaf,0.93-0.05*m)][-(55)&(18)~(leaf,0.93-0.05*m)]&(5)P(m+1)
+P(m) : m < 10 -> F(0.1)!(0.06-0.004*m)[+(58)&(18)~(leaf,0.95-0.04*m)][-(58)&(18)~(leaf,0.95-0.04*m)]&(2.7)F(0.1)[+(56)&(20)~(leaf,0.94-0.04*m)][-(56)&(20)~(leaf,0.94-0.04*m)]&(2.7)F(0.1)[+(55)&(18)~(leaf,0.93-0.04*m)][-(55)&(18)~(leaf,0.93-0.04*m)]&(2.7)P(m+1)
 )";
 constexpr const char* datePalmRules = R"(T(n) : n < 12 -> F(0.54)!(0.59-0.002*n)F(0.54)!(0.59-0.002*n)T(n+1)
 K(n) : n < 9 -> [/(n*4*r)&(12+n*13)!(0.08)P(0)][/(n*4*r+r)&(15+n*13)!(0.08)P(0)][/(n*4*r+2*r)&(18+n*13)!(0.08)P(0)][/(n*4*r+3*r)&(21+n*13)!(0.08)P(0)]F(0.12)K(n+1)
-P(m) : m < 8 -> F(0.21)!(0.07-0.006*m)[+(48)^(12)~(leaf,0.8-0.04*m)][-(48)^(12)~(leaf,0.8-0.04*m)]&(2.6)F(0.21)[+(46)^(12)~(leaf,0.78-0.04*m)][-(46)^(12)~(leaf,0.78-0.04*m)]&(2.6)P(m+1)
+P(m) : m < 10 -> F(0.11)!(0.07-0.005*m)[+(48)^(12)~(leaf,0.8-0.032*m)][-(48)^(12)~(leaf,0.8-0.032*m)]&(1.4)F(0.11)[+(47)^(14)~(leaf,0.79-0.032*m)][-(47)^(14)~(leaf,0.79-0.032*m)]&(1.4)F(0.11)[+(46)^(12)~(leaf,0.78-0.032*m)][-(46)^(12)~(leaf,0.78-0.032*m)]&(1.4)P(m+1)
 )";
 constexpr const char* fanPalmRules = R"(T(n) : n < 10 -> F(0.52)!(0.82-0.012*n)F(0.52)!(0.816-0.012*n)T(n+1)
 K(n) : n < 9 -> [/(n*4*r)&(14+n*12)!(0.05)P(0)][/(n*4*r+r)&(17+n*12)!(0.05)P(0)][/(n*4*r+2*r)&(20+n*12)!(0.05)P(0)][/(n*4*r+3*r)&(23+n*12)!(0.05)P(0)]F(0.17)K(n+1)
@@ -96,11 +96,11 @@ std::vector<Preset> organPresets()
                    FruitKind::Faithful, true}),
          "Bambusa textilis", group},
         {"CoconutPalm", RAMURE_NOOP("A slim leaning trunk with a mop of feather fronds"),
-         paramsOf({"!(0.55)F(0.2)!(0.44)T(0)!(0.14)F(0.15)K(0)", coconutRules, 16, LeafShape::Willow, 0.5,
+         paramsOf({"!(0.55)F(0.2)!(0.44)T(0)!(0.14)F(0.15)K(0)", coconutRules, 18, LeafShape::Willow, 0.5,
                    0.5, BarkFamily::PalmScars, FruitKind::Coconut}),
          "Cocos nucifera", group},
         {"DatePalm", RAMURE_NOOP("A straight column under a fountain of stiff fronds"),
-         paramsOf({"!(0.7)F(0.2)!(0.6)T(0)!(0.12)F(0.2)K(0)", datePalmRules, 16, LeafShape::Willow, 0.6, 0.1,
+         paramsOf({"!(0.7)F(0.2)!(0.6)T(0)!(0.12)F(0.2)K(0)", datePalmRules, 20, LeafShape::Willow, 0.6, 0.1,
                    BarkFamily::PalmScars}),
          "Phoenix dactylifera", group},
         {"FanPalm", RAMURE_NOOP("A stout column below a head of fans"), fanPalm, "Washingtonia filifera",
