@@ -68,34 +68,45 @@ RAMURE_WIDE_CLONE BarkSample platedBark(vec2 p, Seed seed)
 
 RAMURE_WIDE_CLONE BarkSample furrowedBark(vec2 p, Seed seed)
 {
-    const vec2 at = warped(p, {5, 4}, {0.05f, 0.12f}, 3, seed);
-    const Cells ridge = cellsAt(at, {7, 2}, 0.95f, seed);
-    const float crest = step(0.0f, 0.36f, ridge.inside());
-    const float across = fractalNoise(at, {9, 14}, 2, seed + 41u);
-    const float broken = step(-0.55f, -0.2f, across);
-    return {crest * (0.55f + 0.3f * broken + 0.15f * across), 0.5f * tintOf(ridge.id) + 0.5f * across, 0.0f};
+    // Furrows lean to the left and to the right and cross; where one closes, two ridges are one.
+    constexpr float furrows = 5.0f;
+    const vec2 at = warped(p, {6, 7}, {0.035f, 0.03f}, 3, seed);
+    float away = 1.0f;
+    for (const float lean : {1.0f, -1.0f}) {
+        const Seed own = seed + (lean > 0.0f ? 31u : 37u);
+        const float x = furrows * at.x + lean * at.y + 0.6f * gradientNoise(p, {3, 2}, own);
+        const float closed = step(0.0f, 0.6f, gradientNoise(p, {5, 4}, own + 2u));
+        away = glm::min(away, 2.0f * std::abs(x - std::floor(x) - 0.5f) + 0.7f * closed);
+    }
+    const float fibres = fractalNoise(at, {24, 6}, 3, seed + 41u);
+    const float crest = glm::clamp(1.7f * (away + 0.12f * fibres), 0.0f, 1.0f);
+    const float cracks = std::abs(gradientNoise(at, {5, 24}, seed + 45u));
+    const float split = step(0.2f, 0.0f, cracks) * step(-0.1f, 0.4f, gradientNoise(p, {7, 6}, seed + 47u));
+    return {crest * (2.0f - crest) * (0.76f + 0.24f * fibres - 0.35f * split), 0.9f * fibres, 0.0f};
 }
 
 RAMURE_WIDE_CLONE BarkSample scalyBark(vec2 p, Seed seed)
 {
-    const Cells scale = cellsAt(warped(p, {7, 6}, {0.035f, 0.035f}, 3, seed), {9, 7}, 0.95f, seed);
-    const float edge = step(0.0f, 0.13f, scale.inside());
-    const float lifted =
-        0.5f - 0.5f * glm::clamp(scale.from.y * 1.6f, -1.0f, 1.0f); // the lower rim stands off
-    return {edge * (0.35f + 0.4f * lifted + 0.25f * share(scale.id * 7u)), tintOf(scale.id), 0.0f};
+    const vec2 at = warped(p, {7, 6}, {0.05f, 0.05f}, 4, seed);
+    const Cells scale = cellsAt(at, {9, 7}, 1.0f, seed);
+    const float flakes = fractalNoise(at, {22, 16}, 3, seed + 45u);
+    // The lower rim stands off, over a dark gap; above, a scale grows out of the next.
+    const float lifted = 0.5f - 0.5f * glm::clamp(scale.from.y * 1.6f, -1.0f, 1.0f);
+    const float gap = step(0.18f, 0.0f, scale.inside() + 0.08f * flakes) * (0.35f + 0.65f * lifted);
+    return {(1.0f - gap) * (0.4f + 0.3f * lifted + 0.2f * share(scale.id * 7u) + 0.15f * flakes),
+            0.7f * tintOf(scale.id) + 0.6f * flakes, 0.0f};
 }
 
 RAMURE_WIDE_CLONE BarkSample peelingBark(vec2 p, Seed seed)
 {
-    const vec2 at = warped(p, {4, 3}, {0.07f, 0.15f}, 3, seed);
-    const Cells strip = cellsAt(at, {5, 2}, 0.8f, seed);
-    const bool gone = share(strip.id * 5u) < 0.45f;
-    const float rim = step(0.0f, 0.08f, strip.inside());
-    const float grain = fractalNoise(p, {26, 3}, 2, seed + 51u);
-    if (gone)
-        return {0.2f + 0.08f * grain, grain, 0.85f * step(0.0f, 0.1f, strip.inside())};
-    const float curl = 1.0f - step(0.05f, 0.3f, strip.inside()); // edges roll up
-    return {rim * (0.55f + 0.3f * curl + 0.12f * grain), tintOf(strip.id), 0.0f};
+    // Ribbons of old bark hang over pale wood; their edges roll up.
+    const vec2 at = warped(p, {4, 3}, {0.03f, 0.1f}, 3, seed);
+    const float ribbon = fractalNoise(at, {8, 2}, 4, seed) + 0.06f;
+    const float old = step(0.0f, 0.02f, ribbon), rolled = old * step(0.12f, 0.02f, ribbon);
+    const float grain = fractalNoise(at, {30, 4}, 3, seed + 51u);
+    const float wide = fractalNoise(p, {3, 5}, 2, seed + 55u);
+    return {0.2f + old * (0.38f + 0.32f * rolled) + 0.1f * grain, 0.6f * grain + 0.7f * wide,
+            (1.0f - old) * (0.8f + 0.2f * wide)};
 }
 
 RAMURE_WIDE_CLONE BarkSample ringedBark(vec2 p, Seed seed)

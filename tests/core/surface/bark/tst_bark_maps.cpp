@@ -163,8 +163,8 @@ private slots:
                     .add((maps.normal[i].x << 16) + (maps.normal[i].y << 8) + maps.normal[i].z)
                     .add((maps.height[i] << 16) + (maps.occlusion[i] << 8) + maps.roughness[i]);
         }
-        QCOMPARE(barkVersion, 3);
-        QCOMPARE(hash.value(), std::uint64_t(0x6D089F67D92F682B));
+        QCOMPARE(barkVersion, 4);
+        QCOMPARE(hash.value(), std::uint64_t(0x4E6F4D8E7FB4E02F));
     }
 };
 
