@@ -79,6 +79,11 @@ std::optional<Switch> switchIn(std::string_view text)
 
 } // namespace
 
+LevelOptions gameLevels()
+{
+    return {3, {20'000, 5'000, 1'250}};
+}
+
 Expected<void> checkLevels(const LevelOptions& options)
 {
     if (options.count < 1 || options.count > mostLevels)

@@ -48,6 +48,9 @@ struct LevelOptions
     }
 };
 
+/// What a game usually takes of one tree: 20,000, 5,000 and 1,250 triangles.
+LevelOptions gameLevels();
+
 /// Errors: Invalid (a count out of range, as many budgets as levels, a budget below leastBudget or over
 /// mostBudget, budgets that do not fall; distances that do not rise from more than 0, shares that do not fall
 /// or are over mostShare, not one of them for each level but the first).

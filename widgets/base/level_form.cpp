@@ -11,6 +11,14 @@
 
 namespace ramure {
 
+static QString budgetsText(const LevelOptions& options)
+{
+    QStringList budgets;
+    for (const std::int64_t budget : options.budgets)
+        budgets += QString::number(budget);
+    return budgets.join(QStringLiteral(", "));
+}
+
 LevelForm::LevelForm(QWidget* parent)
     : QWidget(parent)
     , m_count(new QSpinBox(this))
@@ -55,12 +63,20 @@ LevelOptions LevelForm::options() const
     return options;
 }
 
-/// A level more is seen from twice as far as the one before it; of levels that are gone, so is the distance.
+/// A level more has a quarter of the triangles of the one before it and is seen from twice as far; of levels
+/// that are gone, so are both.
 void LevelForm::takeCount()
 {
     LevelOptions now = options();
     const auto wanted = static_cast<std::size_t>(m_count->value()) - 1;
     bool isOther = false;
+    while (!now.budgets.empty() && now.budgets.size() != wanted + 1) {
+        isOther = true;
+        if (now.budgets.size() > wanted + 1)
+            now.budgets.pop_back();
+        else
+            now.budgets.push_back(now.budgets.back() / 4);
+    }
     for (auto [numbers, step] : {std::pair(&now.distances, 2.0), std::pair(&now.shares, usualShareStep)})
         while (!numbers->empty() && numbers->size() != wanted) {
             isOther = true;
@@ -70,19 +86,17 @@ void LevelForm::takeCount()
                 numbers->push_back(step * numbers->back());
         }
     if (isOther) {
-        const QSignalBlocker once(m_from);
+        const QSignalBlocker once(m_from), too(m_budgets);
         m_from->setText(QString::fromStdString(switchesText(now)));
+        m_budgets->setText(budgetsText(now));
     }
     emit changed();
 }
 
 void LevelForm::setOptions(const LevelOptions& options)
 {
-    QStringList budgets;
-    for (const std::int64_t budget : options.budgets)
-        budgets += QString::number(budget);
     m_count->setValue(std::max(1, static_cast<int>(options.count)));
-    m_budgets->setText(budgets.join(QStringLiteral(", ")));
+    m_budgets->setText(budgetsText(options));
     m_from->setText(QString::fromStdString(switchesText(options)));
 }
 

@@ -26,6 +26,11 @@ static const QString lastKey = QStringLiteral("last"), namedKey = QStringLiteral
                      pageKey = QStringLiteral("page");
 static constexpr const char* ofDocument[] = {"selection", "first", "last", "step"};
 
+static bool hasTree(const Scene& scene)
+{
+    return std::ranges::any_of(scene.nodes(), [](const Node& node) { return node.kind == NodeKind::Tree; });
+}
+
 QLayout* ExportDialog::buildKept()
 {
     m_kept = new QComboBox(this);
@@ -224,8 +229,8 @@ void ExportDialog::turnPage(ExportUse use)
     for (const char* key : ofDocument) // frames and nodes of another document are none of this one
         page.insert(QLatin1String(key), m_usual.value(QLatin1String(key)));
     setSettings(page);
-    if (use == ExportUse::Game && m_offered)
-        m_levels->setOptions(*m_offered);
+    if (use == ExportUse::Game && (m_offered || (isNew && hasTree(m_document->scene()))))
+        m_levels->setOptions(m_offered.value_or(gameLevels()));
     if (isNew)
         takeFormat(); // the parts that it usually has
 }

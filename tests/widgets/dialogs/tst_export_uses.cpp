@@ -89,6 +89,15 @@ private slots:
         m_dialog->setLevels({1, {}}); // the tree as it is
         QVERIFY(!m_dialog->options().levels.isWanted());
     }
+    void thePageForGamesBeginsWithLevels()
+    {
+        m_dialog->setUse(ExportUse::Game);
+        QVERIFY(m_dialog->options().levels == gameLevels());
+        child<QSpinBox>("exportLevels")->setValue(4);
+        QVERIFY((m_dialog->options().levels.budgets == std::vector<std::int64_t>{20'000, 5'000, 1'250, 312}));
+        child<QSpinBox>("exportLevels")->setValue(2);
+        QVERIFY((m_dialog->options().levels.budgets == std::vector<std::int64_t>{20'000, 5'000}));
+    }
     void thePageForGamesHasThoseOfThePanel()
     {
         const LevelOptions wanted{2, {900, 300}, {}, {0.25}};

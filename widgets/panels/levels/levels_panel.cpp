@@ -35,7 +35,6 @@
 namespace ramure {
 namespace {
 
-constexpr int usualLevels = 3;
 const auto storedKey = QStringLiteral("levels"), lastGameKey = QStringLiteral("last/game");
 
 /// One digit, not above.
@@ -284,7 +283,7 @@ void LevelsPanel::connectViews()
 void LevelsPanel::takeStored()
 {
     const QVariantMap kept = m_preferences->exportSettings();
-    LevelOptions options{usualLevels, {}};
+    LevelOptions options = gameLevels();
     for (const QString& key : {lastGameKey, storedKey})
         if (const LevelOptions stored = LevelForm::optionsIn(kept.value(key).toMap()); checkLevels(stored))
             options = stored;
