@@ -160,13 +160,13 @@ NodeParams hedge()
     crown.envelope = CrownEnvelope::Cylinder;
     crown.crownBase = 0.03;
     crown.crownHeight = 1.6;
-    crown.crownRadius = 1.45;
+    crown.crownRadius = 1.2;
     crown.points = 60'000;
     crown.surface = 0.1;
-    crown.influence = 0.3;
+    crown.influence = 0.2;
     crown.kill = 0.045;
     crown.step = 0.04;
-    crown.tropism = {0.0, 0.05, 0.0};
+    crown.tropism = {0.0, -0.3, 0.0};
     crown.tipRadius = 0.0016;
     crown.thinning = 0.05;
     NodeParams params =
@@ -177,7 +177,7 @@ NodeParams hedge()
     TreeEdit clip;
     clip.id = 1;
     clip.operation = EditOperation::Prune;
-    clip.shape = {EditShapeKind::Box, {-1.1, -0.1, -0.42, 1.1, 1.2, 0.42}};
+    clip.shape = {EditShapeKind::Box, {-0.85, -0.1, -0.42, 0.85, 1.2, 0.42}};
     params.edits = {clip};
     return params;
 }
