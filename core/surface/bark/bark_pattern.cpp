@@ -87,9 +87,9 @@ RAMURE_WIDE_CLONE BarkSample furrowedBark(vec2 p, Seed seed)
 
 RAMURE_WIDE_CLONE BarkSample scalyBark(vec2 p, Seed seed)
 {
-    const vec2 at = warped(p, {7, 6}, {0.05f, 0.05f}, 4, seed);
+    const vec2 at = warped(p, {7, 6}, {0.045f, 0.045f}, 3, seed);
     const Cells scale = cellsAt(at, {9, 7}, 1.0f, seed);
-    const float flakes = fractalNoise(at, {22, 16}, 3, seed + 45u);
+    const float flakes = fractalNoise(at, {24, 18}, 2, seed + 45u);
     // The lower rim stands off, over a dark gap; above, a scale grows out of the next.
     const float lifted = 0.5f - 0.5f * glm::clamp(scale.from.y * 1.6f, -1.0f, 1.0f);
     const float gap = step(0.18f, 0.0f, scale.inside() + 0.08f * flakes) * (0.35f + 0.65f * lifted);
