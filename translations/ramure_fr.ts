@@ -9590,8 +9590,12 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
         <translation>Où chaque coin se trouve sur l’écorce, sur l’image d’une feuille ou d’un fruit. La taille d’une répétition de l’écorce, en mètres, est le paramètre « Carreau d’écorce » de l’arbre. À côté d’un .obj, les images de l’écorce sont écrites aussi.</translation>
     </message>
     <message>
-        <source>Numbers of each vertex by which the shaders of an engine move the tree in the wind: the phase of its branch, how far it goes, how its leaves flutter. Of a tree at rest; Unreal gets two textures beside the file. View &gt; Wind of a game shows how it moves; Files of the handbook has the formulas.</source>
-        <translation>Nombres de chaque sommet par lesquels les shaders d’un moteur font bouger l’arbre au vent : la phase de sa branche, l’ampleur, le frémissement des feuilles. D’un arbre au repos ; Unreal reçoit deux textures à côté du fichier. Affichage &gt; Vent d’un jeu montre comment il bouge ; la page Fichiers du manuel donne les formules.</translation>
+        <source>Numbers of each vertex by which the shaders of an engine move the tree in the wind: the phase of its branch, how far it goes, how its leaves flutter. Of a tree at rest; Unreal gets two textures beside the file. Files of the handbook has the formulas.</source>
+        <translation>Nombres de chaque sommet par lesquels les shaders d’un moteur font bouger l’arbre au vent : la phase de sa branche, l’ampleur, le frémissement des feuilles. D’un arbre au repos ; Unreal reçoit deux textures à côté du fichier. La page Fichiers du manuel donne les formules.</translation>
+    </message>
+    <message>
+        <source>In the view behind this dialog, trees move as they will in that engine</source>
+        <translation>Dans la vue derrière ce dialogue, les arbres bougent comme ils le feront dans ce moteur</translation>
     </message>
 </context>
 <context>

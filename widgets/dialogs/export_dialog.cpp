@@ -231,6 +231,11 @@ QString ExportDialog::path() const
     return QDir::fromNativeSeparators(m_path->text().trimmed());
 }
 
+WindProfile ExportDialog::wind() const
+{
+    return static_cast<WindProfile>(m_wind->currentIndex());
+}
+
 ExportOptions ExportDialog::options() const
 {
     ExportOptions options;
@@ -247,7 +252,7 @@ ExportOptions ExportDialog::options() const
     if (m_use == ExportUse::Game)
         options.levels = m_levels->options();
     if (m_use == ExportUse::Game && holds(holdsWind))
-        options.wind = static_cast<WindProfile>(m_wind->currentIndex());
+        options.wind = wind();
     options.write.mapSize = m_maps->currentData().toInt();
     options.write.joints = m_joints->currentData().toInt();
     options.write.compressed = holds(holdsCompressed) && m_compressed->isChecked();

@@ -63,6 +63,8 @@ public:
     void setLevels(const LevelOptions& levels);
     /// Its page for games has these when it is turned to, not those of an export before.
     void offerLevels(const LevelOptions& levels);
+    /// There is a view that shows it: windShown().
+    void offerWind();
     /// FileFormat::id, or "png": pictures of the view. Turns to a page that has it.
     void setFormat(const QString& id);
     /// All that was chosen, but where to; and the same again. Numbers out of range are brought into it.
@@ -86,6 +88,8 @@ signals:
     void started();
     /// What is wrong with the mesh of this tree is to be shown; the dialog has closed itself.
     void showRequested(ramure::NodeId tree);
+    /// Trees in the view are to move as they will in that engine; None: not any more.
+    void windShown(ramure::WindProfile game);
 
 public slots:
     void reject() override;         ///< cancels what is running first
@@ -95,7 +99,9 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    [[nodiscard]] WindProfile wind() const; ///< that is chosen
     void buildForm();
+    void buildWind();
     void addFormRows();
     void buildUses(QVBoxLayout* layout);
     void fillFormats();
@@ -181,7 +187,8 @@ private:
     QComboBox* m_maps = nullptr; ///< pixels a side of the pictures of bark and leaves
     LevelForm* m_levels = nullptr;
     std::optional<LevelOptions> m_offered;
-    QComboBox* m_wind = nullptr; ///< WindProfile by the numbers of its rows
+    QComboBox* m_wind = nullptr;       ///< WindProfile by the numbers of its rows
+    QPushButton* m_showWind = nullptr; ///< while it is down
     QComboBox* m_format = nullptr;
     QComboBox* m_model = nullptr;
     QComboBox* m_foliage = nullptr; ///< merged, or instances

@@ -51,11 +51,7 @@ void ExportDialog::buildForm()
     m_selection->setEnabled(!m_document->selection().nodes.empty());
     m_hidden = new QCheckBox(this);
     m_levels = new LevelForm(this);
-    m_wind = new QComboBox(this);
-    m_wind->setObjectName(QStringLiteral("exportWind"));
-    m_wind->addItem(QString());
-    for (std::size_t i = 0; i < windProfiles().size(); ++i)
-        m_wind->addItem(QString());
+    buildWind();
     m_maps = new QComboBox(this);
     m_maps->setObjectName(QStringLiteral("exportMaps"));
     for (const int size : mapSizes)
@@ -76,6 +72,30 @@ void ExportDialog::buildForm()
     buildProgress(layout);
 }
 
+void ExportDialog::buildWind()
+{
+    m_wind = new QComboBox(this);
+    m_wind->setObjectName(QStringLiteral("exportWind"));
+    m_wind->addItem(QString());
+    for (std::size_t i = 0; i < windProfiles().size(); ++i)
+        m_wind->addItem(QString());
+    m_showWind = new QPushButton(this);
+    m_showWind->setObjectName(QStringLiteral("exportShowWind"));
+    m_showWind->setCheckable(true);
+    m_showWind->setAutoDefault(false);
+    m_showWind->setEnabled(false);
+    m_showWind->hide();
+    const auto show = [this] { emit windShown(m_showWind->isChecked() ? wind() : WindProfile::None); };
+    connect(m_showWind, &QPushButton::toggled, this, show);
+    connect(m_wind, &QComboBox::currentIndexChanged, this, [this, show](int row) {
+        m_showWind->setEnabled(row > 0);
+        if (row == 0)
+            m_showWind->setChecked(false);
+        else if (m_showWind->isChecked())
+            show();
+    });
+}
+
 /// In the order of Row.
 void ExportDialog::addFormRows()
 {
@@ -87,6 +107,10 @@ void ExportDialog::addFormRows()
     inside->setSpacing(16);
     inside->addWidget(m_maps, 1);
     inside->addWidget(m_compressed);
+    auto* blowing = new QHBoxLayout;
+    blowing->setSpacing(8);
+    blowing->addWidget(m_wind, 1);
+    blowing->addWidget(m_showWind);
     const auto held = [this](QLayout* layout) {
         auto* holder = new QWidget(this);
         layout->setContentsMargins(0, 0, 0, 0);
@@ -96,9 +120,9 @@ void ExportDialog::addFormRows()
     for (QWidget* field :
          {held(buildKept()), static_cast<QWidget*>(m_format), static_cast<QWidget*>(m_printing),
           static_cast<QWidget*>(m_model), held(buildParts()), static_cast<QWidget*>(m_foliage),
-          static_cast<QWidget*>(m_levels), static_cast<QWidget*>(m_wind), held(inside),
-          static_cast<QWidget*>(m_space), held(scope), static_cast<QWidget*>(m_moments),
-          static_cast<QWidget*>(m_joints), static_cast<QWidget*>(m_pictures), held(buildTarget())}) {
+          static_cast<QWidget*>(m_levels), held(blowing), held(inside), static_cast<QWidget*>(m_space),
+          held(scope), static_cast<QWidget*>(m_moments), static_cast<QWidget*>(m_joints),
+          static_cast<QWidget*>(m_pictures), held(buildTarget())}) {
         const int row = static_cast<int>(m_rows.size());
         auto* label = new QLabel(this);                         // retranslate() fills it
         label->setMinimumHeight(m_format->sizeHint().height()); // beside the first line of its field
@@ -154,8 +178,14 @@ void ExportDialog::offerLevels(const LevelOptions& levels)
         m_levels->setOptions(levels);
 }
 
+void ExportDialog::offerWind()
+{
+    m_showWind->show();
+}
+
 void ExportDialog::takeUse(int tab)
 {
+    m_showWind->setChecked(false);
     m_pages[m_use] = settings();
     m_use = exportUses[static_cast<std::size_t>(tab)];
     fillFormats();
@@ -290,8 +320,10 @@ void ExportDialog::retranslateMore()
     m_wind->setToolTip(
         tr("Numbers of each vertex by which the shaders of an engine move the tree in the wind: the phase of "
            "its branch, how far it goes, how its leaves flutter. Of a tree at rest; Unreal gets two textures "
-           "beside the file. View > Wind of a game shows how it moves; Files of the handbook has the "
+           "beside the file. Files of the handbook has the "
            "formulas."));
+    m_showWind->setText(tr("Show"));
+    m_showWind->setToolTip(tr("In the view behind this dialog, trees move as they will in that engine"));
     m_compressed->setText(tr("Compressed"));
     m_compressed->setToolTip(tr(
         "Numbers are rounded to what is still seen and packed (EXT_meshopt_compression): the file is about "

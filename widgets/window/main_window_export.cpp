@@ -25,7 +25,7 @@ ExportDialog* MainWindow::newExportDialog()
         new ExportDialog(m_document, m_recompute, m_preferences, m_chooser, this, m_player->frame());
     dialog->setSequenceTask(m_sequences);
     if (const Viewport* view = m_host->viewport()) {
-        const ViewSettings* settings = m_host->settings();
+        ViewSettings* settings = m_host->settings();
         PictureLook look;
         look.camera = view->camera();
         look.through = view->seenThrough();
@@ -35,6 +35,10 @@ ExportDialog* MainWindow::newExportDialog()
         look.view.leaves = settings->leavesVisible();
         look.view.apples = settings->applesVisible();
         dialog->setPictureLook(look);
+        dialog->offerWind();
+        connect(dialog, &ExportDialog::windShown, settings, &ViewSettings::setGameWind);
+        connect(dialog, &QDialog::finished, settings,
+                [settings, before = settings->gameWind()] { settings->setGameWind(before); });
     }
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAnalysis(m_analysis);

@@ -98,6 +98,31 @@ private slots:
         child<QSpinBox>("exportLevels")->setValue(2);
         QVERIFY((m_dialog->options().levels.budgets == std::vector<std::int64_t>{20'000, 5'000}));
     }
+    void windIsShownWhileItsButtonIsDown()
+    {
+        m_dialog->setUse(ExportUse::Game);
+        auto* show = child<QPushButton>("exportShowWind");
+        QVERIFY(!show->isVisible());
+        m_dialog->offerWind();
+        QVERIFY(show->isVisible() && !show->isEnabled());
+        QSignalSpy shown(m_dialog.get(), &ExportDialog::windShown);
+        const auto last = [&shown] { return shown.takeLast().front().value<WindProfile>(); };
+        auto* wind = child<QComboBox>("exportWind");
+        wind->setCurrentIndex(int(WindProfile::Unity));
+        QVERIFY(shown.isEmpty() && show->isEnabled());
+        show->click();
+        QCOMPARE(last(), WindProfile::Unity);
+        wind->setCurrentIndex(int(WindProfile::Crysis));
+        QCOMPARE(last(), WindProfile::Crysis);
+        wind->setCurrentIndex(0);
+        QVERIFY(!show->isEnabled() && !show->isChecked());
+        QCOMPARE(last(), WindProfile::None);
+        wind->setCurrentIndex(1);
+        show->click();
+        QCOMPARE(last(), WindProfile::Plain);
+        m_dialog->setUse(ExportUse::Blender);
+        QCOMPARE(last(), WindProfile::None);
+    }
     void thePageForGamesHasThoseOfThePanel()
     {
         const LevelOptions wanted{2, {900, 300}, {}, {0.25}};
