@@ -13265,6 +13265,10 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
         <source>Ctrl: click or drag sets the target of the arm</source>
         <translation>Ctrl : un clic ou glisser place la cible du bras</translation>
     </message>
+    <message>
+        <source>Drag: the target of the arm moves across the view · Ctrl + click: onto a surface</source>
+        <translation>Glisser : la cible du bras se déplace dans la vue · Ctrl + clic : sur une surface</translation>
+    </message>
 </context>
 <context>
     <name>ramure::TimelinePanel</name>

@@ -160,14 +160,15 @@ QString armStatusText(const ArmProgress& progress)
     return text;
 }
 
-void paintTarget(QPainter& painter, const PickView& view, const glm::dvec3& world)
+void paintTarget(QPainter& painter, const PickView& view, const glm::dvec3& world, bool bright)
 {
     const auto pixel = view.pixel(world);
     if (!pixel)
         return;
     const QPointF at(pixel->x, pixel->y);
     painter.setBrush(Qt::NoBrush);
-    for (const QPen& pen : {QPen(QColor(10, 40, 16, 160), 4.0), QPen(QColor(90, 230, 120), 2.0)}) {
+    for (const QPen& pen : {QPen(QColor(10, 40, 16, 160), 4.0),
+                            bright ? QPen(QColor(255, 236, 120), 3.0) : QPen(QColor(90, 230, 120), 2.0)}) {
         painter.setPen(pen);
         painter.drawEllipse(at, 7.0, 7.0);
         for (const QPointF& way :

@@ -16,7 +16,8 @@ QString shortLengthText(double metres);
 /// "unreachable: 0.42 m short" and so on, in the interface's language.
 QString armStatusText(const ArmProgress& progress);
 /// A mark over everything where a target is: its sphere may be inside the skin, or behind a hill.
-void paintTarget(QPainter& painter, const PickView& view, const glm::dvec3& world);
+/// \param bright it would move with the hand, or does
+void paintTarget(QPainter& painter, const PickView& view, const glm::dvec3& world, bool bright);
 /// The text, and a plot of the residual over the ticks (logarithmic), in the lower left corner.
 void paintArmStatus(QPainter& painter, QSize size, const ArmProgress& progress);
 

@@ -1,12 +1,15 @@
-// The target of an arm is set and dragged on a surface; where targets are, and how the arm does.
+// The target of an arm is dragged by its mark, or set and dragged on a surface; where targets are, and how
+// the arm does.
 #include "core/evaluate/evaluator.h"
 #include "core/rig/arm/arm_chain.h"
 #include "core/scene/object_mesh.h"
 #include "core/surface/mesh/mesh_rays.h"
 #include "widgets/base/core_text.h"
 #include "widgets/view/tools/arm_overlay.h"
+#include "widgets/view/tools/motion_tools.h"
 #include "widgets/view/tools/tool_table.h"
 #include <QCoreApplication>
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -15,12 +18,12 @@ namespace {
 
 /// Triangles that are sorted for rays within a few milliseconds.
 constexpr Index fewTriangles = 40'000;
+constexpr double markReach = 12.0; ///< logical pixels around a target that are its mark
 
-/// From the world into the arm's own space.
-glm::dvec3 inArmSpace(const Scene& scene, NodeId arm, double timeSeconds, const glm::dvec3& world)
+/// From the arm's own space into the world.
+glm::dmat4 placeOfArm(EvaluatedScene& now, NodeId arm)
 {
-    const glm::dmat4 place = EvaluatedScene(scene, timeSeconds).transforms(arm).geometry * armUpright();
-    return glm::dvec3(glm::inverse(place) * glm::dvec4(world, 1.0));
+    return now.transforms(arm).geometry * armUpright();
 }
 
 class TargetTool : public Tool
@@ -29,8 +32,15 @@ class TargetTool : public Tool
 public:
     using Tool::Tool;
 
+    bool hover(const ToolPoint& point) override;
+    void leave() override { markUnder(std::nullopt); }
+    [[nodiscard]] QCursor cursor() const override { return Qt::SizeAllCursor; }
     bool press(const ToolPoint& point) override;
-    void drag(const ToolPoint& point) override { aim(point); }
+    void drag(const ToolPoint& point) override
+    {
+        if (!m_mark || point.isDrag())
+            aim(point);
+    }
     void release(const ToolPoint&) override;
     void cancel() override;
 
@@ -38,10 +48,29 @@ public:
     {
         return tr("The arm reaches for the point under the cursor · release: done");
     }
+    [[nodiscard]] QString hintAt(const ToolPoint& point) const override
+    {
+        return point.held == Qt::NoModifier && markAt(point)
+                   ? tr("Drag: the target of the arm moves across the view · Ctrl + click: onto a surface")
+                   : QString();
+    }
     void offer(ToolOffers& offers) const override;
     void paint(QPainter& painter, const PickView& view) override;
 
 private:
+    /// Of an arm that follows it.
+    struct Mark
+    {
+        NodeId arm = noNode;
+        glm::dvec3 at{0.0}; ///< world
+        bool operator==(const Mark&) const = default;
+    };
+    [[nodiscard]] std::vector<Mark> marks() const;
+    [[nodiscard]] std::optional<Mark> markAt(const ToolPoint& point) const;
+    void markUnder(const std::optional<Mark>& mark);
+    void hold();
+    [[nodiscard]] bool isOnMovingBranch(const ToolPoint& point) const;
+    [[nodiscard]] bool isFree(const Node& arm) const;
     [[nodiscard]] NodeId armForTarget() const;
     bool beginOn(const ToolPoint& point, NodeId surface, std::shared_ptr<const PickScene> scene);
     bool beginAnyway(const ToolPoint& point);
@@ -51,31 +80,102 @@ private:
     void aim(const ToolPoint& point);
     void letGo();
 
+    std::optional<Mark> m_mark; ///< under the cursor; while it goes on the one that the hand has
     NodeId m_arm = noNode;
-    NodeId m_surface = noNode;                ///< on which the target moves
+    NodeId m_surface = noNode;                ///< on which the target moves; noNode: across the view
     std::shared_ptr<const PickScene> m_scene; ///< in which it is met; null: m_rays
     MeshRays m_rays;                          ///< of a small surface that no pick scene has yet
     GestureId m_gesture = 0;
 };
 
+bool TargetTool::isFree(const Node& arm) const
+{
+    const Scene& all = m_context.document.scene();
+    return arm.kind == NodeKind::Arm && all.isShown(arm.id) && !all.isLocked(arm.id);
+}
+
 /// The active one, else the first that is shown.
 NodeId TargetTool::armForTarget() const
 {
     const Scene& all = m_context.document.scene();
-    const auto isFree = [&](const Node* node) {
-        return node && node->kind == NodeKind::Arm && all.isShown(node->id) && !all.isLocked(node->id);
-    };
-    if (const Node* active = all.find(m_context.document.selection().activeNode()); isFree(active))
+    const Node* active = all.find(m_context.document.selection().activeNode());
+    if (active && isFree(*active))
         return active->id;
+    const auto found = std::ranges::find_if(all.nodes(), [this](const Node& node) { return isFree(node); });
+    return found == all.nodes().end() ? noNode : found->id;
+}
+
+/// Of all arms in sight that follow one.
+std::vector<TargetTool::Mark> TargetTool::marks() const
+{
+    const Scene& all = m_context.document.scene();
+    EvaluatedScene now(all, m_context.seconds());
+    std::vector<Mark> found;
     for (const Node& node : all.nodes())
-        if (isFree(&node))
-            return node.id;
-    return noNode;
+        if (node.kind == NodeKind::Arm && node.params.arm.follows && all.isShown(node.id))
+            found.push_back({node.id, glm::dvec3(placeOfArm(now, node.id) *
+                                                 glm::dvec4(now.params(node).arm.target, 1.0))});
+    return found;
+}
+
+/// The nearest to the cursor that may be moved.
+std::optional<TargetTool::Mark> TargetTool::markAt(const ToolPoint& point) const
+{
+    std::optional<Mark> nearest;
+    double least = markReach;
+    for (const Mark& mark : marks()) {
+        const auto pixel = point.view.pixel(mark.at);
+        const double away = pixel ? glm::distance(*pixel, point.pixel()) : least;
+        if (away < least && isFree(*m_context.document.scene().find(mark.arm))) {
+            least = away;
+            nearest = mark;
+        }
+    }
+    return nearest;
+}
+
+void TargetTool::markUnder(const std::optional<Mark>& mark)
+{
+    if (m_mark == mark)
+        return;
+    m_mark = mark;
+    m_context.host.repaint();
+}
+
+bool TargetTool::hover(const ToolPoint& point)
+{
+    if (!isBusy())
+        markUnder(point.held == Qt::NoModifier ? markAt(point) : std::nullopt);
+    return m_mark.has_value();
+}
+
+void TargetTool::hold()
+{
+    m_gesture = newGesture();
+    m_context.document.holdGesture(m_gesture);
+}
+
+/// While everything moves, presses there pull the branch.
+bool TargetTool::isOnMovingBranch(const ToolPoint& point) const
+{
+    return m_context.isPlaying() &&
+           branchUnder(point.view, point.pixel(), m_context.document, *m_context.player->motion());
 }
 
 bool TargetTool::press(const ToolPoint& point)
 {
-    if (point.button != Qt::LeftButton || !point.held.testFlag(Qt::ControlModifier))
+    if (point.button != Qt::LeftButton)
+        return false;
+    if (point.held == Qt::NoModifier) {
+        markUnder(markAt(point));
+        if (!m_mark)
+            return false;
+        m_arm = m_mark->arm;
+        m_surface = noNode;
+        hold();
+        return true;
+    }
+    if (!point.held.testFlag(Qt::ControlModifier) || isOnMovingBranch(point))
         return false;
     const auto scene = m_context.host.pickScene(pickPatience);
     if (!scene)
@@ -91,8 +191,8 @@ bool TargetTool::beginOn(const ToolPoint& point, NodeId surface, std::shared_ptr
     m_arm = armForTarget();
     if (m_arm == noNode || m_arm == surface || !lookAt(surface, std::move(scene)) || !met(point))
         return false;
-    m_gesture = newGesture();
-    m_context.document.holdGesture(m_gesture);
+    markUnder(std::nullopt);
+    hold();
     aim(point);
     return true;
 }
@@ -165,10 +265,11 @@ std::optional<glm::dvec3> TargetTool::met(const ToolPoint& point) const
 
 void TargetTool::aim(const ToolPoint& point)
 {
-    const auto world = met(point);
+    const auto world = m_mark ? std::optional(pulledTo(point.view, point.pixel(), m_mark->at)) : met(point);
     if (!world)
         return;
-    const glm::dvec3 target = inArmSpace(m_context.document.scene(), m_arm, m_context.seconds(), *world);
+    EvaluatedScene now(m_context.document.scene(), m_context.seconds());
+    const glm::dvec3 target(glm::inverse(placeOfArm(now, m_arm)) * glm::dvec4(*world, 1.0));
     const ParamDef& def = *findParam("arm.target");
     const auto done = m_context.keys && m_context.keys->takes({m_arm}, def)
                           ? m_context.keys->set({m_arm}, def, target, std::nullopt, m_gesture)
@@ -192,6 +293,7 @@ void TargetTool::cancel()
 
 void TargetTool::letGo()
 {
+    markUnder(std::nullopt);
     m_context.host.dispose(std::exchange(m_scene, nullptr));
 }
 
@@ -207,19 +309,11 @@ void TargetTool::offer(ToolOffers& offers) const
         offers.add(ToolOffers::Drag, tr("Ctrl: click or drag sets the target of the arm"));
 }
 
-/// The targets of all arms in sight that follow one; and how the arm does: in the player's frame, or the one
-/// that is on its way.
+/// The targets; and how the arm does: in the player's frame, or the one that is on its way.
 void TargetTool::paint(QPainter& painter, const PickView& view)
 {
-    const Scene& all = m_context.document.scene();
-    EvaluatedScene now(all, m_context.seconds());
-    for (const Node& node : all.nodes()) {
-        if (node.kind != NodeKind::Arm || !node.params.arm.follows || !all.isShown(node.id))
-            continue;
-        paintTarget(painter, view,
-                    glm::dvec3(now.transforms(node.id).geometry * armUpright() *
-                               glm::dvec4(now.params(node).arm.target, 1.0)));
-    }
+    for (const Mark& mark : marks())
+        paintTarget(painter, view, mark.at, m_mark && m_mark->arm == mark.arm);
     const auto motion =
         m_context.player && m_context.player->frame() > 0 ? m_context.player->motion() : nullptr;
     const NodeMotion* played = motion ? motion->of(armForTarget()) : nullptr;

@@ -29,12 +29,12 @@ std::unique_ptr<Tool> makeLeavesTool(ToolContext& context);
 std::unique_ptr<Tool> makePlaceTool(ToolContext& context);
 std::unique_ptr<Tool> makeEditMarks(ToolContext& context);
 std::unique_ptr<Tool> makeGizmoTool(ToolContext& context);
+std::unique_ptr<Tool> makeTargetTool(ToolContext& context);
 std::unique_ptr<Tool> makeJointTool(ToolContext& context);
 std::unique_ptr<Tool> makeWindTool(ToolContext& context);
 std::unique_ptr<Tool> makePullTool(ToolContext& context);
 std::unique_ptr<Tool> makeBendTool(ToolContext& context);
 std::unique_ptr<Tool> makeLimbTool(ToolContext& context);
-std::unique_ptr<Tool> makeTargetTool(ToolContext& context);
 std::unique_ptr<Tool> makeSelectTool(ToolContext& context);
 std::unique_ptr<Tool> makeMenuTool(ToolContext& context);
 
@@ -64,12 +64,12 @@ inline constexpr ToolMaker toolTable[] = {
     makePlaceTool,
     makeEditMarks,
     makeGizmoTool,
+    makeTargetTool,
     makeJointTool,
     makeWindTool,
     makePullTool,
     makeBendTool,
     makeLimbTool,
-    makeTargetTool,
     makeSelectTool,
     makeMenuTool,
 };

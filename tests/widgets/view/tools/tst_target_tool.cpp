@@ -1,12 +1,14 @@
 #include "core/document/commands.h"
 #include "tests/support/suite.h"
 #include "tests/support/tool_bench.h"
+#include <QLineF>
 
 namespace tst_target_tool {
 
 using namespace ramure;
 
-/// Ctrl and a click or drag on a surface: the arm reaches for it.
+/// Ctrl and a click or drag on a surface: the arm reaches for it. So it does where its target is dragged by
+/// the mark.
 class TestTargetTool : public QObject
 {
     Q_OBJECT
@@ -17,6 +19,8 @@ private slots:
     void escapeTakesItBack();
     void surfacesAreMetBeforeTheyAreReady();
     void theHintSaysWhereAnArmCanBeSent();
+    void theMarkIsDraggedAcrossTheView();
+    void theMarkOfALockedArmStays();
 };
 
 namespace {
@@ -43,6 +47,8 @@ struct Bench : test::ToolBench
         open(Scene::fromNodes(nodes).value_or(Scene()));
     }
     [[nodiscard]] QPointF onBox() const { return pixelOf({2.0, 0.1, 0.1}); }
+    /// Of the target: Z is up in the space of an arm.
+    [[nodiscard]] QPointF onMark() const { return pixelOf({target().x, target().z, -target().y}); }
     [[nodiscard]] glm::dvec3 target() const { return document.scene().find(1)->params.arm.target; }
 };
 
@@ -106,6 +112,45 @@ void TestTargetTool::theHintSaysWhereAnArmCanBeSent()
     QVERIFY(bench.says("sets the target", {}, Qt::ControlModifier));
     bench.context.hoverNode = 1;
     QVERIFY(!bench.says("target"));
+}
+
+void TestTargetTool::theMarkIsDraggedAcrossTheView()
+{
+    Bench bench;
+    const glm::dvec3 before = bench.target();
+    const QPointF from = bench.onMark(), to = from + QPointF(-40.0, 30.0);
+    QVERIFY(bench.says("Drag: the target of the arm", from));
+    QVERIFY(!bench.says("Drag: the target of the arm", from, Qt::ControlModifier));
+    QVERIFY(bench.tools.hover(bench.at(from)));
+    QCOMPARE(bench.tools.cursor().shape(), Qt::SizeAllCursor);
+    bench.press(from);
+    bench.release(from); // a click changes nothing
+    QCOMPARE(bench.target(), before);
+    QCOMPARE(bench.document.undoStack()->count(), 0);
+    bench.drag(from, to);
+    QVERIFY(QLineF(bench.onMark(), to).length() < 0.01);
+    QVERIFY(bench.document.selection().nodes.empty());
+    bench.reach.finish();
+    QCOMPARE(bench.document.undoStack()->count(), 1);
+    bench.document.undoStack()->undo();
+    QCOMPARE(bench.target(), before);
+    bench.press(from);
+    bench.move(to);
+    QVERIFY(bench.key(Qt::Key_Escape));
+    bench.release(to);
+    QCOMPARE(bench.target(), before);
+}
+
+void TestTargetTool::theMarkOfALockedArmStays()
+{
+    Bench bench;
+    const glm::dvec3 before = bench.target();
+    QVERIFY(edit::setNodeLocked(bench.document, {1}, true));
+    const int steps = bench.document.undoStack()->count();
+    QVERIFY(!bench.tools.hover(bench.at(bench.onMark())));
+    bench.drag(bench.onMark(), bench.onMark() + QPointF(30.0, 0.0));
+    QCOMPARE(bench.target(), before);
+    QCOMPARE(bench.document.undoStack()->count(), steps);
 }
 
 RAMURE_SUITE(TestTargetTool)
