@@ -3,6 +3,7 @@
 #include "core/document/commands.h"
 #include "core/document/document_command.h"
 #include "core/document/origin_commands.h"
+#include "core/evaluate/evaluator.h"
 #include "core/math/box.h"
 #include "core/params/param_def.h"
 #include "core/scene/object_mesh.h"
@@ -27,7 +28,10 @@ Box boxOf(const Document& document, const Node& node)
         for (Index i = 0; i < skeleton.size(); ++i)
             box.add(skeleton.p1[i]);
     }
-    if (const auto mesh = isObject(node.kind) ? objectMesh(node, node.params) : nullptr)
+    // An arm is nothing to look at but in its pose.
+    const auto mesh = isObject(node.kind) ? objectMesh(node, node.params)
+                                          : EvaluatedScene(document.scene()).solid(node).value_or(nullptr);
+    if (mesh)
         for (const glm::vec3& p : mesh->positions)
             box.add(glm::dvec3(p));
     return box;
@@ -49,6 +53,15 @@ bool isObstacle(const Scene& scene, const Node& node)
 {
     return node.kind != NodeKind::Group && node.kind != NodeKind::Camera && node.kind != NodeKind::Terrain &&
            scene.isShown(node.id);
+}
+
+/// m to the left of its origin, with a little air.
+double reachOf(const Document& document, const Node& node)
+{
+    if (node.kind == NodeKind::Tree)
+        return usualReach(node.params);
+    const Box box = boxOf(document, node);
+    return 0.2 * box.size().x - box.min.x;
 }
 
 bool overlap(const Box& a, const Box& b)
@@ -85,24 +98,17 @@ glm::dvec3 freePlace(const Document& document, double reach)
     return {right ? *right + reach : 0.0, 0.0, 0.0};
 }
 
-Expected<NodeId> edit::plantTree(Document& document, const std::string& preset, NodeId parent,
+Expected<NodeId> edit::plantNode(Document& document, Node node, NodeId parent,
                                  const std::optional<glm::dvec3>& place)
 {
-    return presetTree(preset).and_then(
-        [&](Node&& tree) { return plantTree(document, std::move(tree), parent, place); });
-}
-
-Expected<NodeId> edit::plantTree(Document& document, Node tree, NodeId parent,
-                                 const std::optional<glm::dvec3>& place)
-{
-    const glm::dvec3 wanted = place ? *place : freePlace(document, usualReach(tree.params));
+    const glm::dvec3 wanted = place ? *place : freePlace(document, reachOf(document, node));
     const glm::dmat4 above = worldMatrix(document.scene(), parent);
     const auto inParent =
         decomposePlacement(above) ? glm::dvec3(glm::inverse(above) * glm::dvec4(wanted, 1.0)) : wanted;
-    tree.params.tree.translation = inParent;
-    tree.id = 1; // replaced by the document
+    node.params.tree.translation = inParent;
+    node.id = 1; // replaced by the document
     const int row = static_cast<int>(document.scene().children(parent).size());
-    return insertNodes(document, {std::move(tree)}, parent, row);
+    return insertNodes(document, {std::move(node)}, parent, row);
 }
 
 Expected<double> edit::moveBeside(Document& document, const std::vector<NodeId>& tops)

@@ -1,5 +1,5 @@
 /// \file
-/// Trees that are added to a scene stand where there is room.
+/// What is added to a scene stands where there is room.
 #pragma once
 
 #include "core/document/document.h"
@@ -15,12 +15,9 @@ double usualReach(const NodeParams& params);
 glm::dvec3 freePlace(const Document& document, double reach);
 
 namespace edit {
-/// One step of undo; the tree is selected. \param parent noNode: at the top \param place world; nothing: a
-/// free one. Errors: those of presetTree and insertNodes.
-Expected<NodeId> plantTree(Document& document, const std::string& preset, NodeId parent = noNode,
-                           const std::optional<glm::dvec3>& place = {});
-/// The same of any tree, which needs no id.
-Expected<NodeId> plantTree(Document& document, Node tree, NodeId parent = noNode,
+/// One step of undo; the node, which needs no id, is selected. \param parent noNode: at the top \param place
+/// world; nothing: a free one. Errors: those of insertNodes.
+Expected<NodeId> plantNode(Document& document, Node node, NodeId parent = noNode,
                            const std::optional<glm::dvec3>& place = {});
 /// Where the boxes of these nodes and what is below them run into those of the others, moves them along +X
 /// until they stand beside all of them: one step of undo of its own. \returns by how many m in the world; 0:

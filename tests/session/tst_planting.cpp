@@ -22,6 +22,12 @@ class TestPlanting : public QObject
         made.params.tree.translation = place;
         return made;
     }
+    static Expected<NodeId> plantTree(Document& document, const char* preset, NodeId parent = noNode,
+                                      const std::optional<glm::dvec3>& place = {})
+    {
+        return presetTree(preset).and_then(
+            [&](Node&& tree) { return edit::plantNode(document, std::move(tree), parent, place); });
+    }
     static glm::dvec3 placeOf(const Document& document, NodeId id)
     {
         return glm::dvec3(worldMatrix(document.scene(), id)[3]);
@@ -30,13 +36,6 @@ class TestPlanting : public QObject
 private slots:
     void init() { test::failOnAnyWarning(); }
 
-    void unknownPresetsAreRefused()
-    {
-        Document document;
-        const auto planted = edit::plantTree(document, "NoSuchTree");
-        QVERIFY(!planted);
-        QCOMPARE(document.undoStack()->count(), 0);
-    }
     void whatHasRoomIsNotMoved()
     {
         Document document;
@@ -71,7 +70,7 @@ private slots:
     void treesBecomeOthersWhereTheyStand()
     {
         Document document;
-        const NodeId tree = *edit::plantTree(document, "TinyTree", noNode, glm::dvec3(3, 0, 1));
+        const NodeId tree = *plantTree(document, "TinyTree", noNode, glm::dvec3(3, 0, 1));
         QVERIFY(edit::setParam(document, {tree}, *findParam("physics.seed"), std::int64_t(7)));
         const NodeParams before = document.scene().find(tree)->params;
         const int steps = document.undoStack()->count();
@@ -96,7 +95,7 @@ private slots:
     void aNameOfOnesOwnStays()
     {
         Document document;
-        const NodeId tree = *edit::plantTree(document, "TinyTree");
+        const NodeId tree = *plantTree(document, "TinyTree");
         const Node like = *presetTree("NorwaySpruce");
         for (const char* name : {"Grandfather's", "TinyTree of mine"}) {
             QVERIFY(edit::setNodeName(document, tree, QString::fromLatin1(name)));
@@ -117,7 +116,7 @@ private slots:
                                node(3, NodeKind::Terrain, {7, 0, 0})}),
             {});
         QVERIFY(freePlace(document, 3.0) == glm::dvec3(0.0));
-        const auto planted = edit::plantTree(document, "TinyTree");
+        const auto planted = plantTree(document, "TinyTree");
         QVERIFY2(planted, test::why(planted));
         QVERIFY(placeOf(document, *planted) == glm::dvec3(0.0));
         QCOMPARE(document.selection().activeNode(), *planted);
@@ -125,7 +124,7 @@ private slots:
     void theNextStandsBesideWhatIsThere()
     {
         Document document;
-        const auto first = edit::plantTree(document, "TinyTree");
+        const auto first = plantTree(document, "TinyTree");
         QVERIFY(first);
         NodeResult result;
         result.tree = *TreePipeline().evaluate(document.scene().find(*first)->params);
@@ -134,7 +133,7 @@ private slots:
             right = std::max(right, p.x);
         document.setResult(*first, std::move(result));
         for (const char* preset : {"ParkTree", "SilverBirch", "SmallTree"}) { // of each generator
-            const auto second = edit::plantTree(document, preset);
+            const auto second = plantTree(document, preset);
             QVERIFY2(second, test::why(second));
             const double reach = usualReach(document.scene().find(*second)->params);
             QVERIFY(reach > 0.5);
@@ -154,6 +153,22 @@ private slots:
         document.reset(*Scene::fromNodes({hidden, box}), {});
         QVERIFY(glm::length(freePlace(document, 3.0) - glm::dvec3(8, 0, 0)) < 1e-6);
     }
+    /// As wide as it is itself, with some air.
+    void shapesAndArmsStandBesideWhatIsThere()
+    {
+        Document document;
+        Node box = node(noNode, NodeKind::Primitive, {});
+        box.params.primitive.shape = PrimitiveShape::Box;
+        box.params.primitive.size = {2, 2, 2};
+        const auto first = edit::plantNode(document, box);
+        QVERIFY2(first, test::why(first));
+        QVERIFY(placeOf(document, *first) == glm::dvec3(0.0));
+        const auto second = edit::plantNode(document, box);
+        QVERIFY(second && glm::length(placeOf(document, *second) - glm::dvec3(2.4, 0, 0)) < 1e-6);
+        const auto arm = edit::plantNode(document, node(noNode, NodeKind::Arm, {}));
+        QVERIFY(arm && placeOf(document, *arm).x > 3.5);
+        QCOMPARE(document.undoStack()->count(), 3);
+    }
     void aGivenPlaceIsTakenWhateverStandsAbove()
     {
         Document document;
@@ -161,7 +176,7 @@ private slots:
         group.params.tree.rotation = {0.1, 0.8, 0.0};
         group.params.tree.scale = {2, 2, 2};
         document.reset(*Scene::fromNodes({group}), {});
-        const auto planted = edit::plantTree(document, "TinyTree", 1, glm::dvec3(-3, 0, 2));
+        const auto planted = plantTree(document, "TinyTree", 1, glm::dvec3(-3, 0, 2));
         QVERIFY2(planted, test::why(planted));
         QVERIFY(glm::length(placeOf(document, *planted) - glm::dvec3(-3, 0, 2)) < 1e-9);
     }

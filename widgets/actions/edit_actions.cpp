@@ -252,9 +252,12 @@ NodeId EditActions::parentOfNew() const
     return active ? (active->kind == NodeKind::Group ? active->id : active->parent) : noNode;
 }
 
+/// What has a shape stands where there is room; a terrain is the ground of all that is there.
 void EditActions::addNode(Node node)
 {
     const NodeId parent = parentOfNew();
+    if (isShape(node.kind) && node.kind != NodeKind::Terrain)
+        return reportFailure(edit::plantNode(*m_document, std::move(node), parent));
     node.id = 1; // replaced by the document
     const int row = static_cast<int>(m_document->scene().children(parent).size());
     reportFailure(edit::insertNodes(*m_document, {std::move(node)}, parent, row));
@@ -264,7 +267,7 @@ void EditActions::addTree(const QString& preset, const std::optional<glm::dvec3>
 {
     reportFailure(namedTree(preset).and_then([&](Node&& tree) {
         giveTitle(tree);
-        return edit::plantTree(*m_document, std::move(tree), parentOfNew(), place);
+        return edit::plantNode(*m_document, std::move(tree), parentOfNew(), place);
     }));
 }
 

@@ -119,7 +119,7 @@ void SeedsDialog::choose(int choice)
     if (m_tree == noNode) {
         Node tree = m_like;
         tree.params = reseeded(std::move(tree.params), seedOf(choice));
-        if (auto planted = edit::plantTree(*m_document, std::move(tree)); !planted)
+        if (auto planted = edit::plantNode(*m_document, std::move(tree)); !planted)
             problem = std::move(planted.error());
     } else if (auto given = edit::reseedTree(*m_document, m_tree, seedOf(choice)); !given) {
         problem = std::move(given.error());

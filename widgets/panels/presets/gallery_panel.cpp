@@ -92,7 +92,7 @@ void GalleryPanel::add(const QString& preset)
 {
     const auto planted = namedTree(preset).and_then([this](Node&& tree) {
         giveTitle(tree);
-        return edit::plantTree(*m_document, std::move(tree));
+        return edit::plantNode(*m_document, std::move(tree));
     });
     if (!planted)
         complain(planted.error());
