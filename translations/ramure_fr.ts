@@ -2075,6 +2075,18 @@
         <source>to suit</source>
         <translation>au mieux</translation>
     </message>
+    <message>
+        <source>Limbs up to order</source>
+        <translation>Branches jusqu’à l’ordre</translation>
+    </message>
+    <message>
+        <source>1: limbs of the trunk, 2: those that grow on them, and so on. Whatever grows on such a limb, the limb is meant. Also Shift and the wheel. 0: what is under the cursor</source>
+        <translation>1 : les branches du tronc, 2 : celles qu’elles portent, et ainsi de suite. Quoi qu’elle porte sous le curseur, c’est cette branche qui est prise. Aussi par Maj et la molette. 0 : ce qui est sous le curseur</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>tous</translation>
+    </message>
 </context>
 <context>
     <name>KindTexts</name>
@@ -9233,6 +9245,14 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
             <numerusform>%n branche, %1 m</numerusform>
             <numerusform>%n branches, %1 m</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Shift + wheel: the limb that it grows on</source>
+        <translation>Maj + molette : la branche qui la porte</translation>
+    </message>
+    <message>
+        <source>Shift: wheel takes the limb that it grows on, or back</source>
+        <translation>Maj : la molette prend la branche qui la porte, ou revient</translation>
     </message>
 </context>
 <context>

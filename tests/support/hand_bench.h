@@ -56,8 +56,9 @@ struct HandBench : ToolBench
         const glm::dvec3 at = glm::mix(skeleton(id).p0[branch], skeleton(id).p1[branch], share);
         return pixelOf(at + document.scene().find(id)->params.tree.translation);
     }
-    /// A branch without children that is seen, hit where on() says, and is not of the trunk.
-    [[nodiscard]] Index twig(NodeId id = 1)
+    /// A branch without children that is seen, hit where on() says, and is of that order at least: not of the
+    /// trunk.
+    [[nodiscard]] Index twig(NodeId id = 1, Index order = 1)
     {
         LimbFinder finder;
         const TreeAxes& axes = *finder.axes(document, id);
@@ -66,7 +67,7 @@ struct HandBench : ToolBench
             const QPointF at = on(b, 0.6, id);
             const auto hit = latestPickScene()->pick(view(), {at.x(), at.y()});
             const auto limb = finder.startOf(document, id, b);
-            if (limb && axes.axes[limb->axis].parent != noIndex && children.count(b) == 0 && hit &&
+            if (limb && axes.axes[limb->axis].order >= order && children.count(b) == 0 && hit &&
                 hit->node == id && hit->branch == b)
                 return b;
         }

@@ -36,6 +36,13 @@ NumberFormat formatOf(const HandNumber& row)
     return format;
 }
 
+NumberFormat formatOf(const HandCount& row)
+{
+    NumberFormat format{ParamUnit::None, 1.0, QString(), 0, true};
+    format.atZero = row.atZero ? optionText(row.atZero) : QString();
+    return format;
+}
+
 } // namespace
 
 ToolStrip::ToolStrip(ViewSettings* settings, QList<QAction*> tools, QToolBar* transforms, QWidget* parent)
@@ -127,7 +134,7 @@ void ToolStrip::addNumbers()
         add({row.tools, made, label, row.label, row.tip, row.where}, row.id);
     }
     for (const HandCount& row : handCounts()) {
-        NumberField* made = field(row.least, row.most, 1.0, {ParamUnit::None, 1.0, QString(), 0, true});
+        NumberField* made = field(row.least, row.most, 1.0, formatOf(row));
         connect(made, &NumberField::valueEdited, this, [this, member = row.member](double value) {
             HandOptions options = m_settings->options();
             options.*member = int(std::lround(value));
@@ -304,8 +311,11 @@ void ToolStrip::retranslate()
     for (const HandChoice& row : handChoices())
         for (std::size_t item = 0; item < row.items.size(); ++item)
             findChild<QComboBox*>(QLatin1String(row.id))->setItemText(int(item), optionText(row.items[item]));
-    for (std::size_t i = 0; i < handNumbers().size(); ++i)
-        m_numbers[i]->setFormat(formatOf(handNumbers()[i]));
+    auto field = m_numbers.begin();
+    for (const HandNumber& row : handNumbers())
+        (*field++)->setFormat(formatOf(row));
+    for (const HandCount& row : handCounts())
+        (*field++)->setFormat(formatOf(row));
     m_more->setToolTip(tr("More options"));
     m_more->setAccessibleName(m_more->toolTip());
     m_inStrip.clear(); // texts have other widths

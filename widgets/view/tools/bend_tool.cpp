@@ -217,9 +217,11 @@ void BendTool::drag(const ToolPoint& point)
     show();
 }
 
-bool BendTool::wheel(const ToolPoint&, double turn)
+bool BendTool::wheel(const ToolPoint& point, double turn)
 {
-    if (!m_edit || turn == 0.0)
+    if (!m_edit)
+        return EditTool::wheel(point, turn);
+    if (turn == 0.0)
         return false;
     HandOptions options = m_context.hand.options();
     options.bendReach = m_reach * (turn > 0.0 ? reachPerNotch : 1.0 / reachPerNotch);
@@ -271,11 +273,12 @@ std::vector<Index> BendTool::affected(const LimbHit& limb)
 
 void BendTool::offer(ToolOffers& offers) const
 {
-    if (!isChosen() || m_context.isPlaying() || offers.held() != Qt::NoModifier)
-        return;
-    offers.add(ToolOffers::Drag, aim() ? tr("Drag: the limb bows where it is green, what is bright follows · "
-                                            "Shift: down to the ground")
-                                       : tr("Drag a branch: the limb bows as the hand goes"));
+    if (isChosen() && !m_context.isPlaying() && offers.held() == Qt::NoModifier)
+        offers.add(ToolOffers::Drag,
+                   aim() ? tr("Drag: the limb bows where it is green, what is bright follows · "
+                              "Shift: down to the ground")
+                         : tr("Drag a branch: the limb bows as the hand goes"));
+    offerLimbs(offers);
 }
 
 /// Where the wood bows, the greener the more; as it is seen now.

@@ -83,6 +83,7 @@ public:
     }
     void offer(ToolOffers& offers) const override
     {
+        offerLimbs(offers);
         if (isChosen() && offers.held() == Qt::NoModifier)
             offers.add(ToolOffers::Click,
                        aim() ? tr("Click: the limb goes, %1").arg(aimedLoss())
@@ -111,6 +112,7 @@ public:
     }
     void offer(ToolOffers& offers) const override
     {
+        offerLimbs(offers);
         if (isChosen() && offers.held() == Qt::NoModifier)
             offers.add(ToolOffers::Click, tr("Click: all goes but this limb"));
     }
@@ -140,6 +142,7 @@ public:
     }
     void offer(ToolOffers& offers) const override
     {
+        offerLimbs(offers);
         if (isChosen() && offers.held() == Qt::NoModifier)
             offers.add(ToolOffers::Click, tr("Click: the leaves of the limb go; once more: they come back"));
     }

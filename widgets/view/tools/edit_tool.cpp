@@ -78,8 +78,16 @@ std::optional<LimbHit> EditTool::limbAt(const ToolPoint& point)
     return scene ? limbNear(*scene, point) : std::nullopt;
 }
 
-/// Under the mouse, or, as thin as twigs are, a few pixels beside it.
 std::optional<LimbHit> EditTool::limbNear(const PickScene& scene, const ToolPoint& point)
+{
+    const auto twig = twigNear(scene, point);
+    return twig && takesLimbs(m_kind)
+               ? m_context.limbs.onLimb(m_context.document, *twig, m_context.hand.options().limbOrder)
+               : twig;
+}
+
+/// Under the mouse, or, as thin as twigs are, a few pixels beside it.
+std::optional<LimbHit> EditTool::twigNear(const PickScene& scene, const ToolPoint& point)
 {
     constexpr double reaches[] = {3.0, 6.0}; // logical pixels
     constexpr glm::dvec2 ways[] = {{1, 0},     {0, 1},      {-1, 0},     {0, -1},
@@ -104,6 +112,38 @@ bool EditTool::press(const ToolPoint& point)
         return false;
     m_eye = point.view.camera.eye();
     return take(point, limbAt(point));
+}
+
+/// With Shift: of the twig under the cursor the limb that it grows on, and that one's; or back.
+bool EditTool::wheel(const ToolPoint& point, double turn)
+{
+    if (isBusy() || !isChosen() || !takesLimbs(m_kind) || !point.held.testFlag(Qt::ShiftModifier))
+        return false;
+    const auto scene = m_context.host.latestPickScene();
+    const auto twig = scene && turn != 0.0 ? twigNear(*scene, point) : std::nullopt;
+    if (!twig)
+        return true;
+    HandOptions options = m_context.hand.options();
+    const auto orderOf = [&](const LimbHit& limb) {
+        return int(m_context.limbs.axes(m_context.document, limb.node)->axes[limb.axis].order);
+    };
+    const int deepest = orderOf(*twig);
+    const int shown = options.limbOrder > 0 ? std::min(options.limbOrder, deepest) : deepest;
+    const int next = turn > 0.0 ? std::max(shown - 1, 1) : shown + 1;
+    options.limbOrder = next < deepest ? next : 0;
+    m_context.hand.setOptions(options);
+    setAim(limbNear(*scene, point));
+    return true;
+}
+
+void EditTool::offerLimbs(ToolOffers& offers) const
+{
+    if (!isChosen() || !m_aim || m_context.isPlaying())
+        return;
+    if (offers.held() == Qt::NoModifier)
+        offers.add(ToolOffers::Drag, EditWords::tr("Shift + wheel: the limb that it grows on"));
+    else if (offers.held() == Qt::ShiftModifier)
+        offers.add(ToolOffers::More, EditWords::tr("Shift: wheel takes the limb that it grows on, or back"));
 }
 
 void EditTool::documentChanged(const Change& change)

@@ -19,6 +19,7 @@ public:
     bool hover(const ToolPoint& point) override; ///< false: the view looks for the branch, too
     void leave() override;
     bool press(const ToolPoint& point) override;
+    bool wheel(const ToolPoint& point, double turn) override;
     void documentChanged(const Change& change) override;
 
 protected:
@@ -40,6 +41,7 @@ protected:
 
     [[nodiscard]] std::optional<LimbHit> limbAt(const ToolPoint& point);
     [[nodiscard]] std::optional<LimbHit> limbNear(const PickScene& scene, const ToolPoint& point);
+    void offerLimbs(ToolOffers& offers) const; ///< HandOptions::limbOrder by the wheel
     /// The same without waiting for what is picked in.
     [[nodiscard]] const std::optional<LimbHit>& aim() const { return m_aim; }
     void setAim(const std::optional<LimbHit>& aim);
@@ -67,6 +69,8 @@ protected:
     [[nodiscard]] glm::dmat4 worldOf(NodeId node) const;
 
 private:
+    [[nodiscard]] std::optional<LimbHit> twigNear(const PickScene& scene, const ToolPoint& point);
+
     HandTool m_kind;
     QCursor m_cursor;
     glm::dvec3 m_eye{0.0}; ///< world, where the picture was last looked at from

@@ -323,10 +323,11 @@ QString FactorTool::hint(Qt::KeyboardModifiers) const
 
 void FactorTool::offer(ToolOffers& offers) const
 {
-    if (!isChosen() || offers.held() != Qt::NoModifier)
-        return;
-    offers.add(ToolOffers::Drag, tr(m_kind.offer));
-    offers.add(ToolOffers::Click, isAngle() ? tr("Click: type an angle") : tr("Click: type a factor"));
+    if (isChosen() && offers.held() == Qt::NoModifier) {
+        offers.add(ToolOffers::Drag, tr(m_kind.offer));
+        offers.add(ToolOffers::Click, isAngle() ? tr("Click: type an angle") : tr("Click: type a factor"));
+    }
+    offerLimbs(offers);
 }
 
 void FactorTool::paint(QPainter& painter, const PickView& view)

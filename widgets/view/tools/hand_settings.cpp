@@ -13,6 +13,11 @@ constexpr quint32 symmetric = toolBit(HandTool::Bend) | toolBit(HandTool::Length
                               toolBit(HandTool::Cut) | toolBit(HandTool::Remove) | toolBit(HandTool::Extend) |
                               toolBit(HandTool::Redraw);
 
+/// Where a limb is meant, not a place on it.
+constexpr quint32 limbs = toolBit(HandTool::Bend) | toolBit(HandTool::Length) | toolBit(HandTool::Thickness) |
+                          toolBit(HandTool::Taper) | toolBit(HandTool::Curl) | toolBit(HandTool::Twist) |
+                          toolBit(HandTool::Remove) | toolBit(HandTool::Keep) | toolBit(HandTool::Leaves);
+
 template <auto member> int chosen(const HandOptions& options)
 {
     return static_cast<int>(options.*member);
@@ -191,6 +196,12 @@ std::span<const HandCount> handCounts()
 {
     using enum HandTool;
     static constexpr HandCount rows[] = {
+        {limbs, "limbOrder", QT_TRANSLATE_NOOP("HandOptions", "Limbs up to order"),
+         QT_TRANSLATE_NOOP("HandOptions",
+                           "1: limbs of the trunk, 2: those that grow on them, and so on. Whatever grows on "
+                           "such a limb, the limb is meant. Also Shift and the wheel. 0: what is under the "
+                           "cursor"),
+         &HandOptions::limbOrder, 0, 20, QT_TRANSLATE_NOOP("HandOptions", "any")},
         {toolBit(Draw) | toolBit(Graft) | toolBit(Place), "copies",
          QT_TRANSLATE_NOOP("HandOptions", "Around the trunk"),
          QT_TRANSLATE_NOOP("HandOptions", "How many grow at once, evenly turned about what they grow on"),
@@ -223,6 +234,11 @@ std::span<const HandFlag> handFlags()
          &HandOptions::symmetryMirrored},
     };
     return rows;
+}
+
+bool takesLimbs(HandTool tool)
+{
+    return (limbs & toolBit(tool)) != 0;
 }
 
 void HandSettings::setTool(HandTool tool)

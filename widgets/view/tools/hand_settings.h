@@ -92,6 +92,8 @@ struct HandOptions
     double organSize = 1.0;        ///< factor
     int symmetryCopies = 1;        ///< what is done to a limb happens at so many places around the trunk
     bool symmetryMirrored = false; ///< and at the mirrored ones
+    int limbOrder =
+        0; ///< of what grows on a limb of this order (1: on the trunk) the limb is meant; 0: itself
     EditShapeKind shape = EditShapeKind::Sphere;
     bool operator==(const HandOptions&) const = default;
 };
@@ -146,6 +148,7 @@ struct HandCount
     const char* tip;
     int HandOptions::*member;
     int least, most;
+    const char* atZero = nullptr; ///< as that of HandNumber
 };
 struct HandFlag
 {
@@ -170,5 +173,7 @@ std::span<const HandChoice> handChoices();
 std::span<const HandNumber> handNumbers();
 std::span<const HandCount> handCounts();
 std::span<const HandFlag> handFlags();
+/// HandOptions::limbOrder counts.
+bool takesLimbs(HandTool tool);
 
 } // namespace ramure

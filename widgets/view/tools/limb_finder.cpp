@@ -83,6 +83,26 @@ std::optional<LimbHit> LimbFinder::onBranch(const Document& document, NodeId nod
     return place(document, node, branch, share);
 }
 
+LimbHit LimbFinder::onLimb(const Document& document, const LimbHit& hit, int order)
+{
+    if (order <= 0 || !take(document, hit.node) || hit.axis >= m_axes.axes.size())
+        return hit;
+    Index axis = hit.axis;
+    double springs = 0.0; // m from the foot of the axis
+    while (m_axes.axes[axis].order > Index(order)) {
+        springs = m_axes.axes[axis].s;
+        axis = m_axes.axes[axis].parent;
+    }
+    const Skeleton& seen = m_simplified->skeleton;
+    for (Index b = 0; b < seen.size() && axis != hit.axis; ++b) {
+        const double metres = m_end[b] - m_start[b];
+        if (m_axes.axisOf[seen.source[b]] == axis && m_end[b] >= springs && metres > 0.0)
+            return place(document, hit.node, b, std::clamp((springs - m_start[b]) / metres, 0.0, 1.0))
+                .value_or(hit);
+    }
+    return hit;
+}
+
 std::vector<LimbHit> LimbFinder::selected(const Document& document)
 {
     std::vector<LimbHit> hits;

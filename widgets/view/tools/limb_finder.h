@@ -44,6 +44,9 @@ public:
     std::optional<LimbHit> startOf(const Document& document, NodeId node, Index branch);
     /// At a share of a branch of the simplified skeleton.
     std::optional<LimbHit> onBranch(const Document& document, NodeId node, Index branch, double share);
+    /// Of what grows on a limb of this order (of an axis) where it springs from the limb; \p hit itself where
+    /// it is on none, and for 0.
+    LimbHit onLimb(const Document& document, const LimbHit& hit, int order);
     /// All selected branches, by axis from the foot, where \p hit is one of them; else \p hit alone.
     std::vector<LimbHit> meantBy(const Document& document, const LimbHit& hit);
     /// The same of the selection alone.

@@ -31,11 +31,11 @@ void NumberTool::pressAgain(const ToolPoint& point)
         finish(point.button == Qt::LeftButton);
 }
 
-bool NumberTool::wheel(const ToolPoint&, double turn)
+bool NumberTool::wheel(const ToolPoint& point, double turn)
 {
     constexpr double notch = 120.0; // eighths of a degree
     if (!isBusy() || !m_edit)
-        return false;
+        return EditTool::wheel(point, turn);
     m_typed.clear();
     turnWheel(turn / notch);
     show();

@@ -28,6 +28,7 @@ private slots:
     void ofSeveralSelectedAllGo();
     void onlyTheLimbIsKept();
     void leavesGoAndComeBack();
+    void theWheelTakesTheLimbThatATwigGrowsOn();
     void stepsAreUndone();
     void limbsThatWereChangedAreMarked();
 };
@@ -217,6 +218,38 @@ void TestClickTools::leavesGoAndComeBack()
     bench.grow();
     bench.click(bench.on(twig));
     QVERIFY(!bench.edits().back().shown);
+}
+
+/// Of a leafy crown the smallest twig is under the cursor, and the limb is meant.
+void TestClickTools::theWheelTakesTheLimbThatATwigGrowsOn()
+{
+    HandBench bench(HandTool::Leaves, 1, "SmallTree");
+    const TreeAxes& axes = *bench.context.limbs.axes(bench.document, 1);
+    const Index twig = bench.twig(1, 2);
+    QVERIFY(twig != noIndex);
+    const LimbHit own = bench.limb(twig);
+    Index limb = own.axis;
+    while (axes.axes[limb].order > 1)
+        limb = axes.axes[limb].parent;
+    const QPointF at = bench.on(twig);
+    bench.tools.hover(bench.at(at));
+    const std::size_t small = bench.marked.size();
+    QVERIFY(bench.says("Shift + wheel: the limb", at));
+    const ToolPoint shifted = bench.at(at, Qt::NoButton, Qt::ShiftModifier);
+    for (Index order = axes.axes[own.axis].order; order > 0; --order)
+        QVERIFY(bench.tools.wheel(shifted, 120.0)); // the last: no further than the limbs of the trunk
+    QCOMPARE(bench.hand.options().limbOrder, 1);
+    QVERIFY(bench.marked.size() > small);
+    bench.click(at);
+    QCOMPARE(bench.edits().size(), std::size_t(1));
+    QCOMPARE(bench.edits().front().target.address, axes.axes[limb].address);
+    bench.document.undoStack()->undo();
+    bench.grow();
+    for (Index order = axes.axes[own.axis].order; order > 1; --order)
+        QVERIFY(bench.tools.wheel(shifted, -120.0));
+    QCOMPARE(bench.hand.options().limbOrder, 0);
+    bench.click(at);
+    QCOMPARE(bench.edits().front().target.address, own.address);
 }
 
 void TestClickTools::stepsAreUndone()
