@@ -940,10 +940,6 @@
         <translation>Les feuilles des branches sélectionnées s’en vont ou reviennent</translation>
     </message>
     <message>
-        <source>Lay the tool down; without one, take the selection back</source>
-        <translation>Poser l’outil ; sans outil, désélectionner tout</translation>
-    </message>
-    <message>
         <source>&amp;Cut</source>
         <translation>&amp;Couper</translation>
     </message>
@@ -1198,6 +1194,10 @@
     <message>
         <source>The top of a tree leans by a tenth of its height</source>
         <translation>La cime penche d’un dixième de la hauteur</translation>
+    </message>
+    <message>
+        <source>Lay the tool down; without one, go from branches to their tree, and from there to nothing</source>
+        <translation>Pose l’outil ; sans outil, passe des branches à leur arbre, puis à rien</translation>
     </message>
 </context>
 <context>
@@ -12916,6 +12916,10 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
     <message>
         <source>drag: box</source>
         <translation>glisser : cadre</translation>
+    </message>
+    <message>
+        <source>Esc: only the tree</source>
+        <translation>Échap : l’arbre seul</translation>
     </message>
 </context>
 <context>

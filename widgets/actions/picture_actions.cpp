@@ -34,7 +34,8 @@ PictureActions::PictureActions(ViewportHost* host, Preferences* preferences, Cho
     , m_clearSelection(
           set->add({"edit.clearSelection", QT_TRANSLATE_NOOP("Actions", "Select n&othing"), nullptr,
                     QKeySequence(Qt::Key_Escape),
-                    QT_TRANSLATE_NOOP("Actions", "Lay the tool down; without one, take the selection back")}))
+                    QT_TRANSLATE_NOOP("Actions", "Lay the tool down; without one, go from branches to "
+                                                 "their tree, and from there to nothing")}))
 {
     // Only in the view: lists, fields and messages have their own Ctrl+A and Escape.
     for (QAction* action : selectionActions()) {

@@ -56,6 +56,8 @@ public:
             offers.add(ToolOffers::Click, overBranch ? tr("Click: branch and tree")
                                           : overNode ? tr("Click: select")
                                                      : tr("Click: select nothing"));
+        if (!m_context.document.selection().branches.empty())
+            offers.add(ToolOffers::Keys, tr("Esc: only the tree"));
         offers.add(ToolOffers::More, tr("Shift: add"));
         offers.add(ToolOffers::More, tr("drag: box"));
     }

@@ -1,5 +1,5 @@
+#include "tests/support/hand_bench.h"
 #include "tests/support/suite.h"
-#include "tests/support/tool_bench.h"
 
 namespace tst_select_tool {
 
@@ -16,6 +16,7 @@ private slots:
     void aDragSelectsByABox();
     void escapeGivesTheBoxUp();
     void theHintSaysWhatIsUnderTheCursor();
+    void ofABranchEscapeLeavesTheTree();
 };
 
 namespace {
@@ -114,6 +115,15 @@ void TestSelectTool::theHintSaysWhatIsUnderTheCursor()
     const QString rest = bench.hint();
     bench.press({1.0, 1.0});
     QCOMPARE(bench.hint(), rest); // a press is no box yet
+}
+
+void TestSelectTool::ofABranchEscapeLeavesTheTree()
+{
+    test::HandBench bench(HandTool::None);
+    QVERIFY(!bench.says("Esc"));
+    bench.click(bench.on(bench.twig()));
+    QCOMPARE(bench.document.selection().branches.size(), std::size_t(1));
+    QVERIFY(bench.says("Esc: only the tree"));
 }
 
 RAMURE_SUITE(TestSelectTool)
