@@ -9834,6 +9834,14 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
         <source>Keep the numbers of the selected tree among your own presets</source>
         <translation>Garder les valeurs de l’arbre sélectionné parmi vos propres modèles</translation>
     </message>
+    <message>
+        <source>Click: add to the scene</source>
+        <translation>Clic : ajouter à la scène</translation>
+    </message>
+    <message>
+        <source>&amp;New scene with it</source>
+        <translation>&amp;Nouvelle scène avec lui</translation>
+    </message>
 </context>
 <context>
     <name>ramure::GenerationsView</name>
@@ -13967,10 +13975,6 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
         <translation>Fermer</translation>
     </message>
     <message>
-        <source>Begin with a tree</source>
-        <translation>Commencer par un arbre</translation>
-    </message>
-    <message>
         <source>Recent files</source>
         <translation>Fichiers récents</translation>
     </message>
@@ -13985,6 +13989,18 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
     <message>
         <source>Show this page at the start</source>
         <translation>Afficher cette page au démarrage</translation>
+    </message>
+    <message>
+        <source>Begin a new scene with a tree</source>
+        <translation>Commencer une scène avec un arbre</translation>
+    </message>
+    <message>
+        <source>Click: new scene with it</source>
+        <translation>Clic : nouvelle scène avec lui</translation>
+    </message>
+    <message>
+        <source>&amp;Add to the scene</source>
+        <translation>&amp;Ajouter à la scène</translation>
     </message>
 </context>
 <context>

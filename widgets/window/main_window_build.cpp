@@ -278,6 +278,9 @@ void MainWindow::buildManyTrees()
         return m_seeds;
     };
     connect(m_edits, &EditActions::moreRequested, this, [seeds](NodeId tree) { seeds()->offerFor(tree); });
+    connect(findChild<GalleryPanel*>(), &GalleryPanel::sceneRequested, m_files, &FileActions::newFromPreset);
+    connect(m_welcome, &WelcomePanel::addRequested, this,
+            [this](const QString& preset) { m_edits->addTree(preset); });
     connect(findChild<GalleryPanel*>(), &GalleryPanel::moreRequested, this,
             [seeds](const Node& like) { seeds()->offerNew(like); });
     connect(m_edits, &EditActions::variationsRequested, this, [this](NodeId tree) {

@@ -8,6 +8,7 @@
 #include "widgets/base/preferences.h"
 #include "widgets/panels/presets/picture_button.h"
 #include "widgets/panels/presets/preset_gallery.h"
+#include <QAction>
 #include <QCheckBox>
 #include <QDir>
 #include <QEvent>
@@ -43,6 +44,7 @@ WelcomePanel::WelcomePanel(FileActions* files, ActionSet* set, Preferences* pref
     , m_close(new QToolButton(m_page))
     , m_newHeading(heading())
     , m_gallery(new PresetGallery(PictureButton::usualWidth, preferences, m_page))
+    , m_add(new QAction(this))
     , m_recentHeading(heading())
     , m_recent(new QVBoxLayout)
     , m_open(new QPushButton(m_page))
@@ -56,6 +58,8 @@ WelcomePanel::WelcomePanel(FileActions* files, ActionSet* set, Preferences* pref
     // The page stays: one may look at several.
     connect(m_gallery, &PresetGallery::chosen, m_files,
             [this](const QString& name) { m_files->newFromPreset(name); });
+    m_gallery->addChoice(m_add);
+    connect(m_add, &QAction::triggered, this, [this] { emit addRequested(m_gallery->menuPreset()); });
     connect(m_open, &QPushButton::clicked, m_files, &FileActions::open);
     connect(m_files, &FileActions::openEnded, this, [this](bool opened) {
         if (opened)
@@ -195,7 +199,9 @@ void WelcomePanel::retranslate()
         tr("From a grammar to one clean mesh. The tree beside this page is ready to be changed."));
     m_close->setToolTip(tr("Close this page (File menu: Welcome page)"));
     m_close->setAccessibleName(tr("Close"));
-    m_newHeading->setText(tr("Begin with a tree"));
+    m_newHeading->setText(tr("Begin a new scene with a tree"));
+    m_gallery->setClickText(tr("Click: new scene with it"));
+    m_add->setText(tr("&Add to the scene"));
     m_recentHeading->setText(tr("Recent files"));
     m_open->setText(tr("Open a file…"));
     m_keysHeading->setText(tr("Keys to begin with"));

@@ -7,6 +7,7 @@
 
 class QCheckBox;
 class QGridLayout;
+class QAction;
 class QLabel;
 class QPushButton;
 class QToolButton;
@@ -29,9 +30,12 @@ public:
     /// With the files and keys of this moment, and the focus on the first picture.
     void open();
     void retranslate();
+    [[nodiscard]] QAction* addAction() const { return m_add; }
 
 signals:
     void closed();
+    /// Of a preset that is to stand beside what is there. \param preset as namedTree takes it
+    void addRequested(const QString& preset);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -54,6 +58,7 @@ private:
     QToolButton* m_close;
     QLabel* m_newHeading;
     PresetGallery* m_gallery;
+    QAction* m_add;
     QLabel* m_recentHeading;
     QVBoxLayout* m_recent;
     QPushButton* m_open;

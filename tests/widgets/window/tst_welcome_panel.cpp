@@ -5,6 +5,8 @@
 #include "widgets/base/language.h"
 #include "widgets/base/preferences.h"
 #include "widgets/window/welcome_panel.h"
+#include <QAction>
+#include <QSignalSpy>
 
 namespace tst_welcome_panel {
 
@@ -77,6 +79,19 @@ private slots:
             QVERIFY(m_panel->isVisible()); // to try the next one
         }
         QCOMPARE(m_chooser.questions, 0);
+    }
+
+    /// A click begins a new scene; the menu adds to the one that is there, too.
+    void tipsSayWhatAClickDoes()
+    {
+        m_panel->open();
+        auto* button = m_panel->findChild<QAbstractButton*>(QStringLiteral("preset.TinyTree"));
+        QVERIFY(button->toolTip().contains(QStringLiteral("new scene")));
+        const QSignalSpy wishes(m_panel.get(), &WelcomePanel::addRequested);
+        emit button->customContextMenuRequested({});
+        m_panel->addAction()->trigger();
+        QCOMPARE(wishes.count(), 1);
+        QCOMPARE(wishes.front().front().toString(), QStringLiteral("TinyTree"));
     }
 
     void savedAndUndoneTreesAreNotAskedAbout()

@@ -27,7 +27,9 @@ GalleryPanel::GalleryPanel(Document* document, Preferences* preferences, QWidget
     , m_document(document)
     , m_gallery(new PresetGallery(PictureButton::smallWidth, preferences, this))
     , m_problem(new QLabel(this))
+    , m_what(new QLabel(this))
     , m_add(new QAction(this))
+    , m_new(new QAction(this))
     , m_give(new QAction(this))
     , m_more(new QAction(this))
     , m_rename(new QAction(this))
@@ -52,12 +54,15 @@ GalleryPanel::GalleryPanel(Document* document, Preferences* preferences, QWidget
     layout->setContentsMargins(0, 0, 0, 0);
     auto* above = new QHBoxLayout;
     above->setContentsMargins(8, 8, 8, 0);
+    m_what->setObjectName(QStringLiteral("dim"));
+    m_what->setWordWrap(true);
+    above->addWidget(m_what, 1);
     above->addWidget(m_keep);
-    above->addStretch(1);
     layout->addLayout(above);
     layout->addWidget(m_problem);
     layout->addWidget(scroll, 1);
     m_gallery->addChoice(m_add);
+    m_gallery->addChoice(m_new);
     m_gallery->addChoice(m_give);
     m_gallery->addChoice(m_more);
     for (QAction* action : {m_rename, m_remove, m_reveal})
@@ -69,6 +74,7 @@ GalleryPanel::GalleryPanel(Document* document, Preferences* preferences, QWidget
             [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(m_own.folder())); });
     connect(m_gallery, &PresetGallery::chosen, this, &GalleryPanel::add);
     connect(m_add, &QAction::triggered, this, [this] { add(m_gallery->menuPreset()); });
+    connect(m_new, &QAction::triggered, this, [this] { emit sceneRequested(m_gallery->menuPreset()); });
     connect(m_give, &QAction::triggered, this, [this] { give(m_gallery->menuPreset()); });
     connect(m_more, &QAction::triggered, this, [this] {
         if (const auto tree = namedTree(m_gallery->menuPreset()))
@@ -211,7 +217,10 @@ void GalleryPanel::follow()
 
 void GalleryPanel::retranslate()
 {
+    m_what->setText(tr("Click: add to the scene"));
+    m_gallery->setClickText(m_what->text());
     m_add->setText(tr("&Add to the scene"));
+    m_new->setText(tr("&New scene with it"));
     m_give->setText(tr("&Give its numbers to the selected trees"));
     m_more->setText(tr("&More like this…"));
     m_rename->setText(tr("&Rename…"));

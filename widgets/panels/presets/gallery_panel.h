@@ -31,6 +31,7 @@ public:
 
     [[nodiscard]] PresetGallery* gallery() const { return m_gallery; }
     [[nodiscard]] QAction* addAction() const { return m_add; }
+    [[nodiscard]] QAction* newAction() const { return m_new; }
     [[nodiscard]] QAction* giveAction() const { return m_give; }
     [[nodiscard]] QPushButton* keepButton() const { return m_keep; }
     [[nodiscard]] QAction* renameAction() const { return m_rename; }
@@ -43,6 +44,8 @@ public:
 signals:
     /// \param like has no id.
     void moreRequested(const Node& like);
+    /// One with this tree alone. \param preset as namedTree takes it
+    void sceneRequested(const QString& preset);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -64,7 +67,9 @@ private:
     Document* m_document;
     PresetGallery* m_gallery;
     QLabel* m_problem;
+    QLabel* m_what;
     QAction* m_add;
+    QAction* m_new;
     QAction* m_give;
     QAction* m_more;
     QAction* m_rename;

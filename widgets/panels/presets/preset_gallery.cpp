@@ -180,6 +180,14 @@ QWidget* PresetGallery::first() const
     return nullptr;
 }
 
+void PresetGallery::setClickText(const QString& text)
+{
+    m_clickText = text;
+    for (const Group& group : m_groups)
+        for (const Item& item : group.items)
+            describe(item);
+}
+
 void PresetGallery::addChoice(QAction* action, bool own)
 {
     (own ? m_ownChoices : m_choices) += action;
@@ -290,11 +298,13 @@ void PresetGallery::retranslate()
 
 void PresetGallery::describe(const Item& item)
 {
-    if (!item.preset)
-        return item.picture->setToolTip(tr("%1: a tree that you have kept").arg(item.picture->text()));
-    item.picture->setText(presetTitle(item.picture->preset()));
-    item.picture->setToolTip(item.picture->text() + u'\n' + presetTip(*item.preset));
-    item.picture->setAccessibleDescription(coreText(item.preset->description));
+    if (item.preset)
+        item.picture->setText(presetTitle(item.picture->preset()));
+    const QString what = item.preset ? item.picture->text() + u'\n' + presetTip(*item.preset)
+                                     : tr("%1: a tree that you have kept").arg(item.picture->text());
+    item.picture->setToolTip(what + u'\n' + m_clickText);
+    if (item.preset)
+        item.picture->setAccessibleDescription(coreText(item.preset->description));
 }
 
 void PresetGallery::changeEvent(QEvent* event)

@@ -29,6 +29,8 @@ public:
     [[nodiscard]] QLineEdit* search() const { return m_search; }
     /// The first picture that is shown, or null.
     [[nodiscard]] QWidget* first() const;
+    /// What a click on a picture does, for its tip.
+    void setClickText(const QString& text);
     /// Of a picture's menu, beside what a click does. \param own of the user's pictures alone
     void addChoice(QAction* action, bool own = false);
     void showOwn(const OwnPresets& presets);
@@ -76,6 +78,7 @@ private:
     Preferences* m_preferences;
     QLineEdit* m_search;
     QLabel* m_none;
+    QString m_clickText;
     std::vector<Group> m_groups; ///< the favourites, the user's, then those of the program
     QList<QAction*> m_choices, m_ownChoices;
     QString m_menuPreset;

@@ -15,6 +15,7 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <set>
 
 namespace tst_gallery_panel {
@@ -89,6 +90,17 @@ private slots:
         QVERIFY(m_document->scene().find(tree)->params == presetParams("TinyTree"));
     }
 
+    /// A click adds; the menu has a new scene, too.
+    void tipsSayWhatAClickDoes()
+    {
+        QVERIFY(picture("TinyTree")->toolTip().contains(QStringLiteral("add to the scene")));
+        const QSignalSpy wishes(m_panel.get(), &GalleryPanel::sceneRequested);
+        emit picture("TinyTree")->customContextMenuRequested({});
+        m_panel->newAction()->trigger();
+        QCOMPARE(wishes.count(), 1);
+        QCOMPARE(wishes.front().front().toString(), QStringLiteral("TinyTree"));
+        QVERIFY(m_document->scene().nodes().empty());
+    }
     void searchFindsEveryName_data()
     {
         QTest::addColumn<QString>("typed");
