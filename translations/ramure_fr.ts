@@ -5430,10 +5430,6 @@
         <translation>Saison</translation>
     </message>
     <message>
-        <source>0 is summer. Then leaves take the colour of their plant&apos;s autumn, the upper ones first, and fall, until at 1 the twigs are bare. Evergreens stay as they are.</source>
-        <translation>0&#xa0;: l’été. Puis les feuilles prennent la couleur d’automne de leur plante, celles du haut d’abord, et tombent, jusqu’à ce qu’à 1 les rameaux soient nus. Les persistants restent comme ils sont.</translation>
-    </message>
-    <message>
         <source>the faithful leaf has no picture</source>
         <translation>la feuille fidèle n&apos;a pas d&apos;image</translation>
     </message>
@@ -7536,6 +7532,10 @@
     <message>
         <source>no temporary folder can be made: %1</source>
         <translation>impossible de créer un dossier temporaire : %1</translation>
+    </message>
+    <message>
+        <source>0 is summer. Then leaves take the colour of their plant&apos;s autumn, the upper ones first, and fall, until at 100 % the twigs are bare. Evergreens stay as they are.</source>
+        <translation>0 est l’été. Puis les feuilles prennent la couleur d’automne de leur plante, celles du haut d’abord, et tombent, jusqu’à ce qu’à 100 % les rameaux soient nus. Les arbres à feuilles persistantes restent tels quels.</translation>
     </message>
 </context>
 <context>
@@ -10681,10 +10681,6 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
         <translation>Part des feuilles de l’arbre qui restent&#xa0;; elles ont grandi, si bien que le houppier garde sa surface</translation>
     </message>
     <message>
-        <source>Left</source>
-        <translation>Reste</translation>
-    </message>
-    <message>
         <source>From</source>
         <translation>Dès</translation>
     </message>
@@ -10707,6 +10703,10 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
     <message>
         <source>Height</source>
         <translation>Hauteur</translation>
+    </message>
+    <message>
+        <source>Leaves left</source>
+        <translation>Feuilles restantes</translation>
     </message>
 </context>
 <context>
@@ -12533,14 +12533,6 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
         <translation>Nom</translation>
     </message>
     <message>
-        <source>Length</source>
-        <translation>Longueur</translation>
-    </message>
-    <message>
-        <source>Radius</source>
-        <translation>Rayon</translation>
-    </message>
-    <message>
         <source>Children</source>
         <translation>Enfants</translation>
     </message>
@@ -12593,6 +12585,14 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
     <message>
         <source>Rows below it; of a single branch that was searched for: the branches that begin at its end</source>
         <translation>Lignes en dessous&#xa0;; pour une seule branche trouvée par une recherche&#xa0;: les branches qui partent de son extrémité</translation>
+    </message>
+    <message>
+        <source>Length (m)</source>
+        <translation>Longueur (m)</translation>
+    </message>
+    <message>
+        <source>Radius (m)</source>
+        <translation>Rayon (m)</translation>
     </message>
 </context>
 <context>

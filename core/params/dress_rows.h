@@ -53,9 +53,9 @@ inline constexpr std::array dressRows{
         ParamUnit::Ratio, {0, 1, 0, 1, 0.05, 3}, Stage::Foliage, paramNone, treeOnly, isOfPlant),
     row<&NodeParams::leaf, &LeafParams::season>(
         {"foliage.season", foliageGroup, RAMURE_NOOP("Season"),
-         RAMURE_NOOP("0 is summer. Then leaves take the colour of their plant's autumn, the upper ones first, and fall, until "
-                     "at 1 the twigs are bare. Evergreens stay as they are.")},
-        ParamUnit::Ratio, {0, 1, 0, 1, 0.01, 3}, Stage::Foliage, paramAnimatable, treeOnly, isOfPlant),
+         RAMURE_NOOP("0 is summer. Then leaves take the colour of their plant's autumn, the upper ones first, and fall, "
+                     "until at 100 % the twigs are bare. Evergreens stay as they are.")},
+        ParamUnit::Share, {0, 1, 0, 1, 0.01, 3}, Stage::Foliage, paramAnimatable, treeOnly, isOfPlant),
     row<&NodeParams::leaf, &LeafParams::stiffness>(
         {"foliage.leafStiffness", foliageGroup, RAMURE_NOOP("Petiole stiffness"),
          RAMURE_NOOP("How firmly a petiole holds its leaf against wind and weight: less lets leaves swing far and slowly.")},

@@ -196,7 +196,7 @@ QVariant LevelModel::headerData(int section, Qt::Orientation orientation, int ro
         return isTip
                    ? tr("Share of the tree's leaves that are left; they have grown, so that the crown keeps "
                         "its area")
-                   : tr("Left");
+                   : tr("Leaves left");
     case From:
         return isTip ? tr("Distance in metres from which the level takes the place of the one before, with "
                           "a vertical angle of view of 40°. Double-click one to change it.")

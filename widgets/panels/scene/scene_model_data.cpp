@@ -175,9 +175,9 @@ QVariant SceneModel::headerData(int section, Qt::Orientation orientation, int ro
         case NameColumn:
             return tr("Name");
         case LengthColumn:
-            return tr("Length");
+            return tr("Length (m)");
         case RadiusColumn:
-            return tr("Radius");
+            return tr("Radius (m)");
         case ChildrenColumn:
             return tr("Children");
         case LevelColumn:
