@@ -13244,6 +13244,14 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
             <numerusform>&lt;p&gt;Fermé, 2-variété et orienté vers l’extérieur : chaque arête a deux faces. %Ln paires de triangles se traversent, comme des rameaux qui se touchent : cela compte pour une impression, qui peut s’en défaire.&lt;/p&gt;</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Making the bark…</source>
+        <translation>Écorce en cours…</translation>
+    </message>
+    <message>
+        <source>The picture of the bark is being made; until it is there, the bark has one colour.</source>
+        <translation>L’image de l’écorce est en préparation ; d’ici là, l’écorce est d’une seule couleur.</translation>
+    </message>
 </context>
 <context>
     <name>ramure::StemCurves</name>

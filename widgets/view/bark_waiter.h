@@ -15,6 +15,7 @@ public:
 
     /// Trees that are not in the wish any more are given up.
     void follow(const SceneWish& wish);
+    [[nodiscard]] const Job* job() const { return &m_job; }
     [[nodiscard]] bool isBusy() const { return m_job.isRunning(); }
     /// Until all are made.
     void wait() { m_job.wait(); }

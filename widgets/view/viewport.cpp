@@ -104,6 +104,7 @@ Viewport::Viewport(Document* document, ViewSettings* settings, QWidget* parent)
             hoverAt(d->cursor);
     });
     connect(&d->barks, &BarkWaiter::ready, this, &Viewport::wishScene);
+    connect(d->barks.job(), &Job::runningChanged, this, &Viewport::barkMissing);
     d->settling.setSingleShot(true);
     d->settling.setInterval(settleMs);
     connect(&d->settling, &QTimer::timeout, this, qOverload<>(&QWidget::update));

@@ -163,6 +163,8 @@ signals:
     void menuRequested(const QPoint& globalPosition, ramure::NodeId node, ramure::Index branch);
     /// What the hand wanted and could not have, and why.
     void messageRaised(const QString& text);
+    /// The picture of a bark is being made, or no longer.
+    void barkMissing(bool missing);
     /// After every picture.
     void frameDrawn(const ramure::FrameTimes& times);
 

@@ -439,6 +439,8 @@ void MainWindow::buildStatusBar()
     statusBar()->addPermanentWidget(m_billboardProgress);
     buildSequences();
     m_status->follow(m_player);
+    if (Viewport* view = m_host->viewport())
+        connect(view, &Viewport::barkMissing, m_status, &StatusPanel::setMakesBark);
     connect(m_status, &StatusPanel::reportRequested, this, [this] { showPanel(m_validation); });
     statusBar()->addPermanentWidget(m_status);
 }

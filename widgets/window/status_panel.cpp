@@ -93,11 +93,13 @@ StatusPanel::StatusPanel(Document* document, Recompute* recompute, Analysis* ana
     , m_analysis(analysis)
     , m_progress(new QProgressBar(this))
     , m_cancel(new QToolButton(this))
+    , m_bark(new QLabel(this))
     , m_counts(new QLabel(this))
     , m_time(new QLabel(this))
     , m_hash(new QLabel(this))
     , m_badge(new QLabel(this))
     , m_patience(new QTimer(this))
+    , m_barkPatience(new QTimer(this))
 {
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(8, 3, 8, 3);
@@ -123,7 +125,9 @@ StatusPanel::StatusPanel(Document* document, Recompute* recompute, Analysis* ana
     m_badge->installEventFilter(this);
     m_counts->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_time->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    for (QWidget* widget : {static_cast<QWidget*>(m_progress), static_cast<QWidget*>(m_cancel)}) {
+    m_bark->setObjectName(QStringLiteral("barkMissing"));
+    for (QWidget* widget : {static_cast<QWidget*>(m_progress), static_cast<QWidget*>(m_cancel),
+                            static_cast<QWidget*>(m_bark)}) {
         layout->addWidget(widget);
         widget->hide();
     }
@@ -131,8 +135,10 @@ StatusPanel::StatusPanel(Document* document, Recompute* recompute, Analysis* ana
     layout->addWidget(m_time);
     layout->addWidget(m_hash);
     layout->addWidget(m_badge);
-    m_patience->setSingleShot(true);
-    m_patience->setInterval(patienceMs);
+    for (QTimer* patience : {m_patience, m_barkPatience}) {
+        patience->setSingleShot(true);
+        patience->setInterval(patienceMs);
+    }
     follow();
     retranslate();
 }
@@ -141,6 +147,7 @@ StatusPanel::StatusPanel(Document* document, Recompute* recompute, Analysis* ana
 void StatusPanel::follow()
 {
     connect(m_patience, &QTimer::timeout, this, &StatusPanel::showBusy);
+    connect(m_barkPatience, &QTimer::timeout, m_bark, &QWidget::show);
     connect(m_cancel, &QToolButton::clicked, this, [this] {
         m_recompute->cancel();
         if (m_player && m_player->isBusy())
@@ -189,6 +196,14 @@ void StatusPanel::follow(Player* player)
         if (!m_recompute->isBusy())
             m_progress->setValue(static_cast<int>(fraction * progressSteps));
     });
+}
+
+void StatusPanel::setMakesBark(bool makes)
+{
+    if (makes)
+        return m_barkPatience->start();
+    m_barkPatience->stop();
+    m_bark->hide();
 }
 
 bool StatusPanel::isBusy() const
@@ -421,6 +436,9 @@ void StatusPanel::retranslate()
     m_cancel->setToolTip(tr("Stop computing; the draft stays"));
     m_cancel->setAccessibleName(tr("Stop computing"));
     m_progress->setAccessibleName(tr("Progress of the computation"));
+    m_bark->setText(tr("Making the bark…"));
+    m_bark->setToolTip(
+        tr("The picture of the bark is being made; until it is there, the bark has one colour."));
     m_time->setToolTip(tr(
         "Time to build the trees, without drawing. “cached”: nothing had to be built, the results of before "
         "still hold."));

@@ -45,6 +45,9 @@ public:
     /// Also what it computes that takes long: trees whose shape has keys. It must outlive the panel.
     void follow(Player* player);
 
+    /// The picture of a bark is being made: that is told, unless it is quick.
+    void setMakesBark(bool makes);
+
     [[nodiscard]] QString countsText() const;
     /// How long the trees took; a word where nothing had to be computed.
     [[nodiscard]] static QString timeText(double seconds);
@@ -82,11 +85,13 @@ private:
     Analysis* m_analysis;
     QProgressBar* m_progress;
     QToolButton* m_cancel;
+    QLabel* m_bark;
     QLabel* m_counts;
     QLabel* m_time;
     QLabel* m_hash;
     QLabel* m_badge;
     QTimer* m_patience; ///< short work shows no progress
+    QTimer* m_barkPatience;
     SceneCounter m_counter;
 };
 

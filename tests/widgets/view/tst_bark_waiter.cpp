@@ -61,13 +61,16 @@ private slots:
     void barkComesWhenItIsReady()
     {
         BarkWaiter waiter;
-        QSignalSpy ready(&waiter, &BarkWaiter::ready);
+        QSignalSpy ready(&waiter, &BarkWaiter::ready), busy(waiter.job(), &Job::runningChanged);
         SceneWish wish = wishOf(0.2);
         QVERIFY(!showsBark(wish));
         waiter.follow(wish);
         QVERIFY(waiter.isBusy());
+        QCOMPARE(busy.count(), 1);
         QTRY_COMPARE(ready.count(), 1);
         QVERIFY(!waiter.isBusy());
+        QCOMPARE(busy.count(), 2);
+        QCOMPARE(busy.back().front().toBool(), false);
         QVERIFY(showsBark(wish));
         waiter.follow(wish);
         QVERIFY(!waiter.isBusy()); // it is there

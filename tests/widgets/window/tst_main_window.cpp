@@ -352,6 +352,17 @@ private slots:
         QCOMPARE(status->sizeHint().height(), height);
     }
 
+    void theStatusBarSaysThatTheBarkIsBeingMade()
+    {
+        auto* bark = m_window->status()->findChild<QLabel*>(QStringLiteral("barkMissing"));
+        QVERIFY(bark && bark->isHidden() && !bark->text().isEmpty());
+        m_window->status()->setMakesBark(true);
+        QVERIFY(bark->isHidden()); // it may be quick
+        QTRY_VERIFY(!bark->isHidden());
+        m_window->status()->setMakesBark(false);
+        QVERIFY(bark->isHidden());
+    }
+
     void closingAsksAboutUnsavedChanges()
     {
         m_window->edits()->addKind(kindRow(NodeKind::Group));
