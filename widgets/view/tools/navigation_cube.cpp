@@ -1,6 +1,8 @@
 #include "widgets/view/tools/navigation_cube.h"
 
+#include <QFontMetricsF>
 #include <QPainterPath>
+#include <algorithm>
 #include <array>
 
 namespace ramure {
@@ -47,6 +49,18 @@ QPolygonF outline(const Camera& camera, QPointF centre, const CubeSide& of)
     return polygon;
 }
 
+/// So that a long label keeps off the edges.
+QFont labelFont(QFont font, const QString& label)
+{
+    constexpr int usual = 17;
+    constexpr double room = 50.0; // of the 64 units of a side
+    font.setPixelSize(usual);
+    font.setWeight(QFont::DemiBold);
+    const double width = QFontMetricsF(font).horizontalAdvance(label);
+    font.setPixelSize(int(usual * std::min(room / width, 1.0)));
+    return font;
+}
+
 } // namespace
 
 QRectF NavigationCube::place(QSize picture)
@@ -72,10 +86,6 @@ void NavigationCube::paint(QPainter& painter, const Camera& camera, QSize pictur
     const QPointF centre = place(picture).center();
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
-    QFont font = painter.font();
-    font.setPixelSize(17);
-    font.setWeight(QFont::DemiBold);
-    painter.setFont(font);
     for (std::size_t i = 0; i < cubeSides.size(); ++i) {
         const CubeSide& of = cubeSides[i];
         if (!isVisible(camera, of))
@@ -94,6 +104,7 @@ void NavigationCube::paint(QPainter& painter, const Camera& camera, QSize pictur
             continue;
         painter.save();
         painter.setTransform(onSide, true);
+        painter.setFont(labelFont(painter.font(), labels[i]));
         painter.setPen(QColor(30, 36, 42));
         painter.drawText(QRectF(0, 0, 64, 64), Qt::AlignCenter, labels[i]);
         painter.restore();
