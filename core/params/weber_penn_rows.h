@@ -60,7 +60,7 @@ inline constexpr std::array weberPennRows{
     wholeRow<&WeberPennParams::scale>(
         "weberPenn.scale", RAMURE_NOOP("Height"),
         RAMURE_NOOP("What the length of the trunk is a share of."),
-        ParamUnit::Metre, {1e-3, 1000, 1, 60, 0.5, 3}),
+        ParamUnit::Metre, {1e-3, 1000, 0.5, 60, 0.1, 3}), // far enough for a slider by ratios
     wholeRow<&WeberPennParams::scaleV>(
         "weberPenn.scaleV", RAMURE_NOOP("Height varies"),
         RAMURE_NOOP("How far the height of one tree may lie from it, by seed."),
