@@ -15,6 +15,7 @@
 #include <QPushButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace ramure {
 namespace {
@@ -64,10 +65,15 @@ ShortcutsDialog::ShortcutsDialog(ActionSet* set, const QList<QMenu*>& menus, Pre
     connect(m_remove, &QPushButton::clicked, this, [this] { assign({}); });
     connect(m_reset, &QPushButton::clicked, this, &ShortcutsDialog::resetSelected);
     connect(m_resetAll, &QPushButton::clicked, this, &ShortcutsDialog::resetAll);
-    if (!m_listed.isEmpty())
-        select(m_listed.front().action->objectName());
     m_search->setFocus();
     resize(startSize);
+    // The menus begin with many trees, none of which has keys.
+    const auto first = std::ranges::find_if(
+        m_listed, [](const ListedAction& listed) { return !listed.action->shortcut().isEmpty(); });
+    if (first != m_listed.end()) {
+        select(first->action->objectName());
+        m_tree->scrollToItem(m_tree->currentItem(), QAbstractItemView::PositionAtTop);
+    }
 }
 
 ShortcutsDialog::~ShortcutsDialog()

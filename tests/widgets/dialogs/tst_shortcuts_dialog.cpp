@@ -79,6 +79,16 @@ private slots:
                     QVERIFY2(inMenus.contains(each), qPrintable(each->text()));
     }
 
+    void itOpensOnTheFirstThatHasKeys()
+    {
+        auto shown = dialog();
+        shown->show();
+        auto* tree = shown->findChild<QTreeWidget*>(QStringLiteral("shortcutList"));
+        QVERIFY(tree->currentItem() && !tree->currentItem()->text(1).isEmpty());
+        QVERIFY(tree->viewport()->rect().contains(tree->visualItemRect(tree->currentItem())));
+        QVERIFY(tree->itemAbove(tree->currentItem())->text(1).isEmpty());
+    }
+
     /// Keys of gestures are found there too; they cannot be changed.
     void keysOfGesturesAreListed()
     {
