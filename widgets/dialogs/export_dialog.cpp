@@ -295,7 +295,15 @@ void ExportDialog::takeFormat()
     if (!format() && m_shownFrame > 0 && m_moments->moment() == ExportMoment::Rest)
         m_moments->setMoment(ExportMoment::Shown);
     updateWidgets();
+    growToFit();
+}
+
+/// A page that needs less leaves the window, and what the user has made of it, as it is.
+void ExportDialog::growToFit()
+{
+    const QSize before = isVisible() ? size() : QSize();
     adjustSize();
+    resize(size().expandedTo(before));
 }
 
 void ExportDialog::updateWidgets()

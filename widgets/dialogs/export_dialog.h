@@ -114,6 +114,7 @@ private:
     [[nodiscard]] bool mayExportFaults();
     void browse();
     void takeFormat();
+    void growToFit();
     void updateWidgets();
     void retranslateFormats();
     void retranslateMore();

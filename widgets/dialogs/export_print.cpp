@@ -104,7 +104,7 @@ void ExportDialog::takePrepared(const Expected<std::shared_ptr<const ScenePrint>
     if (writes)
         return writePreparedPrint();
     updateWidgets();
-    adjustSize();
+    growToFit();
 }
 
 void ExportDialog::cancelPrint()

@@ -78,6 +78,19 @@ private slots:
         QVERIFY(m_recompute.waitForFull(20'000));
         reopen();
     }
+    void aPageThatNeedsLessLeavesTheWindowAsItIs()
+    {
+        QSize before = m_dialog->size();
+        for (const ExportUse use : exportUses) {
+            m_dialog->setUse(use);
+            QCOMPARE(m_dialog->size(), m_dialog->size().expandedTo(before));
+            before = m_dialog->size();
+        }
+        for (const ExportUse use : exportUses) {
+            m_dialog->setUse(use);
+            QCOMPARE(m_dialog->size(), before);
+        }
+    }
     void cleanup() { m_dialog.reset(); }
 
     void levelsComeFromElsewhere()
