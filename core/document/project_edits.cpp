@@ -126,7 +126,7 @@ QJsonObject writeEdit(const TreeEdit& edit)
                       QLatin1String(editOrgans()[static_cast<std::size_t>(edit.organ)].key));
     if (info.fields & editShape)
         object.insert(QStringLiteral("shape"), writeShape(edit.shape));
-    if (info.fields & editPoints)
+    if ((info.fields & editPoints) || ((info.fields & editPath) && !edit.points.empty()))
         object.insert(QStringLiteral("points"), writePoints(edit.points));
     if ((info.fields & editLimb) && !edit.limb.empty())
         object.insert(QStringLiteral("limb"), writeLimb(edit.limb));
@@ -349,7 +349,7 @@ private:
     }
     Expected<void> readPoints()
     {
-        if (!(m_info->fields & editPoints))
+        if (!(m_info->fields & (editPoints | editPath)))
             return {};
         const QJsonArray array = m_rest.take(QLatin1String("points")).toArray();
         for (qsizetype i = 0; i < array.size(); ++i) {

@@ -124,7 +124,9 @@ struct TreeEdit
     double seconds = 0.0; ///< Cut: when it comes off
     EditOrgan organ = EditOrgan::Leaf;
     EditShape shape{};
-    std::vector<StrokePoint> points{}; ///< Draw and Redraw: from the fork; Extend: from the tip, in its frame
+    /// Draw and Redraw: from the fork; Extend: from the tip, in its frame. Comb and Leaves: where the brush
+    /// goes on from its centre, each with its radius (0: that of the first).
+    std::vector<StrokePoint> points{};
     std::vector<LimbPiece> limb{};
     bool operator==(const TreeEdit&) const = default;
 };

@@ -37,9 +37,9 @@ constexpr EditOperationInfo operations[] = {
     {EditOperation::Attract, "attract", RAMURE_NOOP("Attract"), "target", "",
      editCentre | editRadius | editStrength | editTreeSpace},
     {EditOperation::Comb, "comb", RAMURE_NOOP("Comb"), "target", "",
-     editCentre | editRadius | editStrength | editDirection | editTreeSpace},
+     editCentre | editRadius | editStrength | editDirection | editPath | editTreeSpace},
     {EditOperation::Leaves, "leaves", RAMURE_NOOP("Leaves"), "target", "",
-     editShown | editCentre | editRadius | editTreeSpace},
+     editShown | editCentre | editRadius | editPath | editTreeSpace},
     {EditOperation::Root, "root", RAMURE_NOOP("Root"), "target", "",
      editOffset | editFactor | editNeedsTarget | editTreeSpace},
     {EditOperation::Place, "place", RAMURE_NOOP("Place a leaf or fruit"), "target", "",
@@ -251,7 +251,7 @@ Expected<void> checkTreeEdit(const TreeEdit& edit)
         return refuse("direction", RAMURE_NOOP("a direction must not be zero"));
     if ((info.fields & editOrgan) && static_cast<std::size_t>(edit.organ) >= std::size(organs))
         return refuse("organ", RAMURE_NOOP("a leaf, fruit or flower is expected here"));
-    if (info.fields & editPoints)
+    if ((info.fields & editPoints) || ((info.fields & editPath) && !edit.points.empty()))
         if (auto ok = checkPoints(edit); !ok)
             return ok;
     if (info.fields & editShape)

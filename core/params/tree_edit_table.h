@@ -35,6 +35,7 @@ enum EditField : std::uint32_t {
     editMakesAxes = 1048576,  ///< names of axes come from TreeEdit::id
     editOrgan = 2097152,
     editFalls = 4194304, ///< TreeEdit::falls and seconds
+    editPath = 8388608,  ///< points, or none
 };
 
 struct EditOperationInfo

@@ -341,7 +341,9 @@ void TestEditCommands::scriptsAreAsByHand()
         "\n"
         R"({"op": "bend", "target": "UPPER", "rotation": [0.1, 0, 0], "frame": "parent"})"
         "\n"
-        R"({"op": "bend", "target": "UPPER", "to": 0.75, "rotation": [0.1, 0, 0], "frame": "parent"})";
+        R"({"op": "bend", "target": "UPPER", "to": 0.75, "rotation": [0.1, 0, 0], "frame": "parent"})"
+        "\n"
+        R"({"op": "comb", "centre": [0, 3, 0], "radius": 2, "direction": [1, 0, 0], "points": [[1, 3, 0], [2, 3, 0, 1.5]]})";
     const QByteArray named = QByteArray(lines)
                                  .replace("TRUNK", hex(address[0]))
                                  .replace("LIMB", hex(address[1]))
@@ -385,6 +387,13 @@ void TestEditCommands::scriptsAreAsByHand()
     put(edit, false);
     edit.to = 0.75; // bit by bit
     put(edit, false);
+    edit = editOf(EditOperation::Comb, 0); // a stroke
+    edit.centre = {0.0, 3.0, 0.0};
+    edit.radius = 2.0;
+    edit.direction = {1.0, 0.0, 0.0};
+    edit.points = {{{1.0, 3.0, 0.0}, 0.0}, {{2.0, 3.0, 0.0}, 1.5}};
+    put(edit);
+    QCOMPARE(editsOf(hand).back().points.size(), std::size_t(2));
     QCOMPARE(fileOf(script), fileOf(hand));
 }
 

@@ -7,13 +7,32 @@
 namespace ramure {
 namespace edits {
 
+/// All of a stroke of a brush; where one place is out of reach the others still count.
+static Expected<void> actAlong(EditTree& tree, const TreeEdit& edit, Index target, Index other, Act* act)
+{
+    Expected<void> done = act(tree, edit, target, other);
+    TreeEdit touch = edit;
+    touch.points.clear();
+    for (const StrokePoint& point : edit.points) {
+        touch.direction = point.position - touch.centre;
+        touch.centre = point.position;
+        touch.radius = point.radius > 0.0 ? point.radius : edit.radius;
+        const bool goesOn = edit.operation != EditOperation::Comb || touch.direction != glm::dvec3(0.0);
+        if (goesOn && act(tree, touch, target, other))
+            done = {};
+    }
+    return done;
+}
+
 Expected<void> act(EditTree& tree, const TreeEdit& edit, Index target, Index other)
 {
     constexpr Act* acts[] = {cut,    remove, keep,  bend, curl,  twist,   length, thickness, taper, draw,
                              extend, redraw, graft, move, prune, attract, comb,   leaves,    root,  place};
     static_assert(std::size(acts) == editOperationCount);
     tree.setMaker(edit.id);
-    return acts[static_cast<std::size_t>(edit.operation)](tree, edit, target, other);
+    Act* const act = acts[static_cast<std::size_t>(edit.operation)];
+    return infoOf(edit.operation).fields & editPath ? actAlong(tree, edit, target, other, act)
+                                                    : act(tree, edit, target, other);
 }
 
 } // namespace edits

@@ -52,6 +52,7 @@ private:
     [[nodiscard]] double radius(NodeId tree) const;
     [[nodiscard]] double strength() const;
     void touch(const glm::dvec3& way);
+    void joinTouches();
     [[nodiscard]] std::optional<glm::dvec3> besideTree(const ToolPoint& point, NodeId tree) const;
 
     NodeId m_tree = noNode;
@@ -185,9 +186,26 @@ void BrushTool::drag(const ToolPoint& point)
     m_context.host.repaint();
 }
 
+/// A stroke is one edit, as long as nothing but its place and radius changes.
+void BrushTool::joinTouches()
+{
+    std::vector<TreeEdit> strokes;
+    for (const TreeEdit& touch : edit()->edits())
+        if (!strokes.empty() && strokes.back().strength == touch.strength)
+            strokes.back().points.push_back({touch.centre, touch.radius});
+        else
+            strokes.push_back(touch);
+    if (strokes.size() == edit()->edits().size())
+        return;
+    edit()->edits() = std::move(strokes);
+    report(edit()->show());
+}
+
 /// What touched nothing says so.
 void BrushTool::release(const ToolPoint& point)
 {
+    if (edit() && !isMagnet())
+        joinTouches();
     if (edit() && edit()->edits().empty() && !m_done)
         report(m_done);
     else if (edit() && edit()->edits().empty())
