@@ -1,13 +1,17 @@
 #include "core/levels/leaf_clusters.h"
 
-#include "core/math/box.h"
+#include "core/math/principal_axes.h"
 #include <algorithm>
 #include <cmath>
+#include <glm/matrix.hpp>
 #include <tuple>
 #include <utility>
 
 namespace ramure {
 namespace {
+
+/// The square of half a line over its spread.
+constexpr double halfOfSpread = 3.0;
 
 double squaresOf(std::span<const FoliageItem> items, const LeafCluster& cluster)
 {
@@ -28,7 +32,22 @@ glm::dvec3 middleOf(std::span<const FoliageItem> items, const LeafCluster& clust
     return sum / std::max(squaresOf(items, cluster), 1e-300);
 }
 
-/// Halves clusters by their number along the longest side of their box.
+/// Turned about its normal until it is longest along \p spread; its tip stays on the side where it is.
+glm::dquat turnedAlong(const glm::dquat& was, const LeafShapeOfLevel& shape, const glm::dmat3& spread)
+{
+    const glm::dmat3 own = principalAxes(shape.spread), before = glm::mat3_cast(was) * own;
+    const glm::dvec3 normal = before[2];
+    const glm::dmat3 flat = glm::dmat3(1.0) - glm::outerProduct(normal, normal);
+    glm::dvec3 along = flat * principalAxes(flat * spread * flat)[0];
+    const double length = glm::length(along);
+    if (!(length > 0.5)) // a spread that is nothing in the leaf's plane
+        return was;
+    along /= glm::dot(along, before[0]) < 0.0 ? -length : length;
+    const glm::dmat3 after(along, glm::cross(normal, along), normal);
+    return glm::normalize(glm::quat_cast(after * glm::transpose(own)));
+}
+
+/// Halves clusters by their number across the direction in which they are longest.
 struct Joiner
 {
     struct Point
@@ -67,13 +86,15 @@ void Joiner::split(std::span<Point> points, std::size_t count)
 {
     if (count == 1)
         return join(points);
-    Box box;
+    glm::dvec3 mean(0.0);
     for (const Point& point : points)
-        box.add(point.place);
-    const glm::dvec3 size = box.size();
-    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+        mean += point.place / static_cast<double>(points.size());
+    glm::dmat3 spread(0.0);
+    for (const Point& point : points)
+        spread += glm::outerProduct(point.place - mean, point.place - mean);
+    const glm::dvec3 way = principalAxes(spread)[0];
     const std::size_t half = count / 2, middle = points.size() * half / count;
-    const auto at = [&](const Point& p) { return std::pair(p.place[axis], p.leaf); };
+    const auto at = [&](const Point& p) { return std::pair(glm::dot(p.place, way), p.leaf); };
     std::ranges::nth_element(points, points.begin() + std::ptrdiff_t(middle), {}, at);
     split(points.first(middle), half);
     split(points.subspan(middle), count - half);
@@ -106,14 +127,52 @@ std::vector<LeafCluster> joinedClusters(std::span<const FoliageItem> items, std:
     return std::move(joiner.out);
 }
 
+LeafSpread spreadOf(std::span<const FoliageItem> items, const LeafCluster& cluster,
+                    const LeafShapeOfLevel& whole)
+{
+    LeafSpread out{squaresOf(items, cluster), middleOf(items, cluster, whole.middle)};
+    for (const Index m : cluster.members) {
+        const double size = double(items[m].size);
+        const glm::dmat3 turn = glm::mat3_cast(items[m].orientation);
+        const glm::dvec3 way = items[m].position + turn * (size * whole.middle) - out.middle;
+        const glm::dmat3 own = turn * whole.spread * glm::transpose(turn);
+        out.spread += size * size * (glm::outerProduct(way, way) + size * size * own);
+    }
+    out.spread /= std::max(out.squares, 1e-300);
+    return out;
+}
+
+double extentOf(std::span<const FoliageItem> items, std::span<const LeafCluster> clusters,
+                const LeafShapeOfLevel& whole)
+{
+    double sum = 0.0, squares = 0.0;
+    for (const LeafCluster& cluster : clusters) {
+        const LeafSpread spread = spreadOf(items, cluster, whole);
+        sum += spread.squares * (spread.spread[0][0] + spread.spread[1][1] + spread.spread[2][2]);
+        squares += spread.squares;
+    }
+    return squares > 0.0 ? std::sqrt(4.0 * sum / squares) : 0.0; // of a cube of edge e the trace is e² / 4
+}
+
 FoliageItem leafOfCluster(std::span<const FoliageItem> items, const LeafCluster& cluster,
-                          const LeafShapeOfLevel& whole, const LeafShapeOfLevel& shape)
+                          const LeafShapeOfLevel& whole, const LeafShapeOfLevel& shape,
+                          const glm::dvec3& crown)
 {
     FoliageItem out = items[cluster.leaf];
     const double size = std::sqrt(squaresOf(items, cluster) * whole.area / shape.area);
     out.size = static_cast<float>(size);
-    if (cluster.members.size() > 1)
-        out.position = middleOf(items, cluster, whole.middle) - out.orientation * (size * shape.middle);
+    if (cluster.members.size() < 2)
+        return out;
+    const LeafSpread all = spreadOf(items, cluster, whole);
+    out.orientation = turnedAlong(out.orientation, shape, all.spread);
+    const glm::dmat3 turn = glm::mat3_cast(out.orientation);
+    const glm::dmat3 own = size * size * turn * shape.spread * glm::transpose(turn);
+    const glm::dvec3 away = all.middle - crown, outwards = away / std::max(glm::length(away), 1e-300);
+    const auto reach = [&](const glm::dmat3& of) {
+        return std::sqrt(std::max(0.0, halfOfSpread * glm::dot(outwards, of * outwards)));
+    };
+    const double further = std::max(0.0, reach(own) - reach(all.spread));
+    out.position = all.middle - further * outwards - turn * (size * shape.middle);
     return out;
 }
 

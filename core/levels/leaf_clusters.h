@@ -18,7 +18,7 @@ struct LeafCluster
 /// Each leaf by itself.
 std::vector<LeafCluster> singleClusters(std::span<const Index> leaves);
 
-/// Puts neighbours together until \p count are left, halving along the longest side by the number of
+/// Puts neighbours together until \p count are left, halving across the longest direction by the number of
 /// clusters. Of those that are put together the leaf stays that is nearest to their middle; one whose twig
 /// has gone only where there is no other. Ascending by leaf. Leaves are where their surface is, not where
 /// they are attached: those left of a frond's rachis do not stand for those on its right. \param branchOf
@@ -27,10 +27,27 @@ std::vector<LeafCluster> joinedClusters(std::span<const FoliageItem> items, std:
                                         std::span<const Index> branchOf, const glm::dvec3& middle,
                                         std::size_t count);
 
-/// The leaf of a cluster as the level has it: turned as it was, of the area of all members, its middle in
-/// theirs. One that stands for itself alone stays in its place. \param whole as the tree has it. \param shape
-/// as the level has it.
+/// Where the surface of leaves is.
+struct LeafSpread
+{
+    double squares = 0.0; ///< the sum of their sizes' squares
+    glm::dvec3 middle{0.0};
+    glm::dmat3 spread{0.0}; ///< m²: mean outer product of the ways from the middle to the surface
+};
+/// \param whole a leaf as the tree has it.
+LeafSpread spreadOf(std::span<const FoliageItem> items, const LeafCluster& cluster,
+                    const LeafShapeOfLevel& whole);
+/// m: the edge of a cube that is spread as far as the leaves of a cluster, the root of the mean square over
+/// all leaves.
+double extentOf(std::span<const FoliageItem> items, std::span<const LeafCluster> clusters,
+                const LeafShapeOfLevel& whole);
+
+/// The leaf of a cluster as the level has it: facing where it faced, as long as it is along the cluster, of
+/// the area of all members, its middle in theirs. Where it reaches further out of the crown than they did,
+/// it goes so much inwards. One that stands for itself alone stays as it is. \param whole as the tree has it.
+/// \param shape as the level has it. \param crown its middle.
 FoliageItem leafOfCluster(std::span<const FoliageItem> items, const LeafCluster& cluster,
-                          const LeafShapeOfLevel& whole, const LeafShapeOfLevel& shape);
+                          const LeafShapeOfLevel& whole, const LeafShapeOfLevel& shape,
+                          const glm::dvec3& crown);
 
 } // namespace ramure

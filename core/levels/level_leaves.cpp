@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <glm/common.hpp>
+#include <glm/matrix.hpp>
 #include <utility>
 
 namespace ramure {
@@ -69,11 +70,28 @@ glm::dvec3 middleOf(const TriangleMesh& shape)
     return area > 0.0 ? sum / area : sum;
 }
 
+glm::dmat3 spreadOf(const TriangleMesh& shape, const glm::dvec3& middle)
+{
+    glm::dmat3 sum(0.0);
+    double area = 0.0;
+    for (const glm::uvec3& t : shape.triangles) {
+        const glm::dvec3 a = glm::dvec3(shape.positions[t.x]) - middle,
+                         b = glm::dvec3(shape.positions[t.y]) - middle,
+                         c = glm::dvec3(shape.positions[t.z]) - middle;
+        const double twice = glm::length(glm::cross(b - a, c - a));
+        for (const glm::dvec3& way : {a, b, c, a + b + c})
+            sum += twice / 12.0 * glm::outerProduct(way, way);
+        area += twice;
+    }
+    return area > 0.0 ? sum / area : sum;
+}
+
 LeafShapeOfLevel shapeOf(const LeafForm& form, FoliageModel model, double alpha)
 {
     LeafShapeOfLevel shape{form, model, oneLeaf(form, alpha, model)};
     shape.area = areaOf(shape.mesh);
     shape.middle = middleOf(shape.mesh);
+    shape.spread = spreadOf(shape.mesh, shape.middle);
     return shape;
 }
 

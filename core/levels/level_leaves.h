@@ -5,6 +5,7 @@
 
 #include "core/params/picture_params.h"
 #include "core/surface/foliage/foliage.h"
+#include <glm/mat3x3.hpp>
 #include <span>
 
 namespace ramure {
@@ -17,6 +18,7 @@ struct LeafShapeOfLevel
     TriangleMesh mesh;      ///< of size 1, with texture coordinates where it is a plant's
     double area = 0.0;      ///< m², of all its triangles
     glm::dvec3 middle{0.0}; ///< of its surface
+    glm::dmat3 spread{0.0}; ///< m²: mean outer product of the ways from the middle to its surface
 };
 /// The simplest: a card where a picture cuts the leaf out of it, or a rhomb.
 FoliageModel simplestLeaf(const PictureParams& pictures);

@@ -101,6 +101,7 @@ private:
     std::vector<double> m_appleChance;
     std::vector<Index> m_leaves, m_apples; ///< of the level before
     std::vector<LeafShapeOfLevel> m_shapes;
+    glm::dvec3 m_crown{0.0};                    ///< the middle of all leaves
     double m_leafArea = 0.0, m_appleArea = 0.0; ///< m² of all, the fruit's of their size squares alone
     std::int64_t m_appleFaces = 0;
     double m_wholeFaces = 0.0, m_wholeLeafFaces = 0.0;
@@ -139,6 +140,8 @@ Expected<void> LevelMaker::prepare(const Progress& progress)
         m_leaves.clear(); // without width they are nothing
     if (!m_apples.empty())
         m_appleFaces = oneApple(m_foliage.fruit, m_alpha, FoliageModel::Fine).faceCount();
+    for (const Index i : m_leaves)
+        m_crown += m_foliage.leaves[i].position / static_cast<double>(m_leaves.size());
     for (const Index i : m_leaves)
         m_leafArea +=
             m_shapes.front().area * double(m_foliage.leaves[i].size) * double(m_foliage.leaves[i].size);
@@ -348,7 +351,7 @@ void LevelMaker::addLeaves(TreeLevel& level, const Split& split, Foliage& foliag
     m_leaves.clear();
     for (const LeafCluster& cluster : m_clusters) {
         m_leaves.push_back(cluster.leaf);
-        foliage.leaves.push_back(leafOfCluster(m_foliage.leaves, cluster, whole, shape));
+        foliage.leaves.push_back(leafOfCluster(m_foliage.leaves, cluster, whole, shape, m_crown));
     }
     level.leafOf = m_leaves;
     level.leafScale =

@@ -1,6 +1,8 @@
+#include "core/levels/leaf_clusters.h"
 #include "core/levels/level_leaves.h"
 #include "core/levels/level_skins.h"
 #include "core/levels/tree_levels.h"
+#include "core/math/principal_axes.h"
 #include "core/params/presets.h"
 #include "core/surface/proof/validate.h"
 #include "tests/support/shaped_tree.h"
@@ -114,6 +116,38 @@ private slots:
         const auto levels = treeLevels(tree, preset("SmallTree"), {3, game}, {}, {stop.get_token(), {}});
         QVERIFY(!levels);
         QCOMPARE(levels.error().code, ErrorCode::Cancelled);
+    }
+
+    /// Of the area of all, facing where it did, along them; leaves all in one place do not make the crown
+    /// reach further.
+    void aLeafStandsForItsCluster()
+    {
+        LeafForm form;
+        form.shape = LeafShape::Birch;
+        const auto shapes = leafShapesOfLevels(form, {}, 0.1);
+        const LeafShapeOfLevel &whole = shapes.front(), &shape = shapes.back();
+        const glm::dmat3 axes = principalAxes(shape.spread);
+        std::vector<FoliageItem> items(5);
+        for (std::size_t i = 0; i < items.size(); ++i)
+            items[i].position = 0.3 * double(i) * glm::normalize(axes[0] + 2.0 * axes[1] + axes[2]);
+        const LeafCluster all{2, {0, 1, 2, 3, 4}}, one{3, {3}};
+        const glm::dvec3 middle = items[2].position + whole.middle;
+        const auto middleOf = [&](const FoliageItem& leaf) {
+            return leaf.position + leaf.orientation * (double(leaf.size) * shape.middle);
+        };
+        const FoliageItem longer = leafOfCluster(items, all, whole, shape, middle - axes[2]);
+        QVERIFY(isWithin(double(longer.size) * double(longer.size) * shape.area, 5.0 * whole.area, 1e-5));
+        QVERIFY(glm::distance(middleOf(longer), middle) < 1e-6);
+        QVERIFY(glm::dot(longer.orientation * axes[2], axes[2]) > 1.0 - 1e-9);
+        QVERIFY(glm::dot(longer.orientation * axes[0], glm::normalize(axes[0] + 2.0 * axes[1])) > 0.99);
+        QVERIFY(isWithin(extentOf(items, std::vector{all}, whole), 2.0 * 0.3 * std::sqrt(2.0), 0.05));
+        QVERIFY(leafOfCluster(items, one, whole, shape, {}).position == items[3].position);
+        for (FoliageItem& item : items)
+            item.position = {};
+        const FoliageItem inner = leafOfCluster(items, all, whole, shape, whole.middle - axes[0]);
+        const double further = (std::sqrt(5.0 * whole.area / shape.area) - 1.0) *
+                               std::sqrt(3.0 * glm::dot(axes[0], shape.spread * axes[0]));
+        QVERIFY(isWithin(glm::dot(whole.middle - middleOf(inner), axes[0]), further, 0.2));
     }
 
     /// Nothing of a bare trunk goes but sides, and those are a difference, too.
