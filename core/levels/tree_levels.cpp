@@ -432,12 +432,14 @@ Expected<void> LevelMaker::addBark(TreeLevel& level, const Progress& progress)
     return {};
 }
 
-/// A leaf that is a pixel wide can be any other one; so can a twig that is thinner than half of one.
+/// A leaf that is a pixel wide can be any other one, and where it is in a cluster that is as small does not
+/// matter; so can a twig that is thinner than half of one.
 void LevelMaker::measure(TreeLevel& level)
 {
     double detail = 0.5 * m_order.thickestGone(m_axes);
     if (level.leaves && !level.foliage->leaves.empty())
-        detail = std::max(detail, std::sqrt(level.leafArea / double(level.foliage->leaves.size())));
+        detail = std::max({detail, std::sqrt(level.leafArea / double(level.foliage->leaves.size())),
+                           extentOf(m_foliage.leaves, m_clusters, m_shapes.front())});
     if (level.branches) { // how far an edge of its bark is from the round of the thickest branch
         const TriangleMesh& bark = level.branches->mesh;
         const double thickest = *std::ranges::max_element(m_skeleton.a0);

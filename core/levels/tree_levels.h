@@ -33,10 +33,11 @@ struct TreeLevel
     std::vector<Index> leafOf, appleOf;     ///< of each of these its number in the tree's foliage
     double leafScale = 1.0;                 ///< by how much the leaves have grown
     double leafArea = 0.0;                  ///< m²
-    /// m: how large the details are in which it differs from the level before; where that is a pixel, one may
-    /// take its place. 0: the first level. How alike the two are there: each pixel is covered by a share of
-    /// 0..1, as antialiasing shows it; the sum of the lesser of both over that of the greater (intersection
-    /// over union of fuzzy sets), the least of several views round the tree.
+    /// m: how large the details are in which it differs from the level before, such as a leaf or the cluster
+    /// that it stands for; where that is a pixel, one may take its place. 0: the first level. How alike the
+    /// two are there: each pixel is covered by a share of 0..1, as antialiasing shows it; the sum of the
+    /// lesser of both over that of the greater (intersection over union of fuzzy sets), the least of several
+    /// views round the tree.
     double detail = 0.0;
 
     [[nodiscard]] std::int64_t triangles() const;

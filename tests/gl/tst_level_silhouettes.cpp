@@ -15,8 +15,9 @@ using namespace ramure;
 
 namespace {
 
-/// Pixels of the picture a side for one of the silhouette.
-constexpr int finer = 4;
+/// Pixels of the picture a side for one of the silhouette: the leaves of the level before are smaller than
+/// one of the silhouette, and samples between them would be noise.
+constexpr int finer = 8;
 constexpr double views[] = {0.3, 2.4, -1.8};
 const std::vector<std::int64_t> game{20'000, 5'000, 1'250};
 
@@ -97,12 +98,24 @@ private slots:
         QTest::addColumn<QString>("name");
         QTest::addColumn<bool>("isWhole");
         QTest::addColumn<double>("bar");
-        for (const char* name :
-             {"SmallTree", "EnglishOak", "SilverBirch", "ScotsPine", "CoconutPalm", "WeepingWillow",
-              "CommonAsh", "OrchardApple", "FanTree", "EuropeanBeech", "NorwaySpruce"})
-            QTest::newRow(name) << QString::fromLatin1(name) << false << 0.8;
-        for (const char* name : {"CoconutPalm", "CommonAsh"}) // its trunk's lean is its outline
-            QTest::addRow("%s, whole", name) << QString::fromLatin1(name) << true << 0.88;
+        const auto add = [](const char* name, bool isWhole, double bar) {
+            QTest::addRow("%s%s", name, isWhole ? ", whole" : "")
+                << QString::fromLatin1(name) << isWhole << bar;
+        };
+        add("SmallTree", false, 0.865);
+        add("EnglishOak", false, 0.915);
+        add("SilverBirch", false, 0.86);
+        add("ScotsPine", false, 0.87);
+        add("CoconutPalm", false, 0.92);
+        add("WeepingWillow", false, 0.865);
+        add("CommonAsh", false, 0.865);
+        add("OrchardApple", false, 0.835);
+        add("FanTree", false, 0.865);
+        add("EuropeanBeech", false, 0.87);
+        add("NorwaySpruce", false, 0.835);
+        add("CoconutPalm", true, 0.91); // its trunk's lean is its outline
+        add("CommonAsh", true, 0.925);
+        add("EnglishOak", true, 0.945);
     }
     void neighboursAreAlikeWhereTheySwitch()
     {
@@ -132,7 +145,7 @@ private slots:
             qInfo("%s, level %d at %d pixels: overlap %.3f, cover %.2f of the one before", qPrintable(name),
                   int(i), pixels, least, after / before);
             QVERIFY2(least > bar, QByteArray::number(least));
-            QVERIFY2(std::abs(after / before - 1.0) < 0.1, QByteArray::number(after / before));
+            QVERIFY2(std::abs(after / before - 1.0) < 0.07, QByteArray::number(after / before));
         }
     }
 };
