@@ -12,6 +12,8 @@ namespace {
 
 /// The square of half a line over its spread.
 constexpr double halfOfSpread = 3.0;
+/// The spread along a cluster over that across it, from which on it is a twig with a direction.
+constexpr double clearlyLong = 2.0;
 
 double squaresOf(std::span<const FoliageItem> items, const LeafCluster& cluster)
 {
@@ -32,7 +34,8 @@ glm::dvec3 middleOf(std::span<const FoliageItem> items, const LeafCluster& clust
     return sum / std::max(squaresOf(items, cluster), 1e-300);
 }
 
-/// Turned about its normal until it is longest along \p spread; its tip stays on the side where it is.
+/// Turned about its normal until it is longest along \p spread; its tip stays on the side where it is. Where
+/// that is hardly longer than broad, leaves hang or rise as they did.
 glm::dquat turnedAlong(const glm::dquat& was, const LeafShapeOfLevel& shape, const glm::dmat3& spread)
 {
     const glm::dmat3 own = principalAxes(shape.spread), before = glm::mat3_cast(was) * own;
@@ -43,7 +46,10 @@ glm::dquat turnedAlong(const glm::dquat& was, const LeafShapeOfLevel& shape, con
     if (!(length > 0.5)) // a spread that is nothing in the leaf's plane
         return was;
     along /= glm::dot(along, before[0]) < 0.0 ? -length : length;
-    const glm::dmat3 after(along, glm::cross(normal, along), normal);
+    const glm::dvec3 across = glm::cross(normal, along);
+    if (glm::dot(along, spread * along) < clearlyLong * glm::dot(across, spread * across))
+        return was;
+    const glm::dmat3 after(along, across, normal);
     return glm::normalize(glm::quat_cast(after * glm::transpose(own)));
 }
 
