@@ -81,7 +81,7 @@ std::optional<Switch> switchIn(std::string_view text)
 
 LevelOptions gameLevels()
 {
-    return {3, {20'000, 5'000, 1'250}};
+    return {4, {80'000, 20'000, 5'000, 1'250}};
 }
 
 Expected<void> checkLevels(const LevelOptions& options)

@@ -48,7 +48,7 @@ struct LevelOptions
     }
 };
 
-/// What a game usually takes of one tree: 20,000, 5,000 and 1,250 triangles.
+/// What a game usually takes of one tree: 80,000, 20,000, 5,000 and 1,250 triangles.
 LevelOptions gameLevels();
 
 /// Errors: Invalid (a count out of range, as many budgets as levels, a budget below leastBudget or over

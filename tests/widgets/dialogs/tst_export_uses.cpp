@@ -106,10 +106,11 @@ private slots:
     {
         m_dialog->setUse(ExportUse::Game);
         QVERIFY(m_dialog->options().levels == gameLevels());
-        child<QSpinBox>("exportLevels")->setValue(4);
-        QVERIFY((m_dialog->options().levels.budgets == std::vector<std::int64_t>{20'000, 5'000, 1'250, 312}));
+        child<QSpinBox>("exportLevels")->setValue(5);
+        QVERIFY((m_dialog->options().levels.budgets ==
+                 std::vector<std::int64_t>{80'000, 20'000, 5'000, 1'250, 312}));
         child<QSpinBox>("exportLevels")->setValue(2);
-        QVERIFY((m_dialog->options().levels.budgets == std::vector<std::int64_t>{20'000, 5'000}));
+        QVERIFY((m_dialog->options().levels.budgets == std::vector<std::int64_t>{80'000, 20'000}));
     }
     void windIsShownWhileItsButtonIsDown()
     {

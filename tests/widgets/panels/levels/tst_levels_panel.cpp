@@ -211,6 +211,7 @@ private slots:
         Bench bench;
         const NodeId other = bench.trees.add(test::smallForks(), "Forks");
         bench.trees.selectNode(bench.tree);
+        bench.part<QSpinBox>("levelCount")->setValue(3);
         auto* from = bench.part<QLineEdit>("levelSwitches");
         QVERIFY(!bench.panel->chosen() || bench.panel->chosen()->distances.empty());
         from->setText(QStringLiteral("20; 60"));
@@ -235,6 +236,7 @@ private slots:
             ++calls;
             return treeLevels(tree, params, options, {}, progress);
         });
+        bench.part<QSpinBox>("levelCount")->setValue(3);
         QTRY_VERIFY_WITH_TIMEOUT(bench.isDone() && bench.rows() == 3, patienceMs);
         auto* model = bench.panel->table()->model();
         QCOMPARE(bench.cell(1, LevelModel::Height), QStringLiteral("60 %"));
@@ -384,7 +386,7 @@ private slots:
         QCOMPARE(bench.rows(), 0);
         QTRY_VERIFY(before.expired());
         QVERIFY(bench.trees.compute(bench.tree));
-        QTRY_VERIFY_WITH_TIMEOUT(bench.isDone() && bench.rows() == 3, patienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.isDone() && bench.rows() == 4, patienceMs);
         bench.panel->hide();
         bench.trees.document().reset(Scene(), {}); // nobody looks, and yet nothing is kept
         QVERIFY(bench.state() == State::None && !bench.panel->watch()->levels());
@@ -431,7 +433,7 @@ private slots:
         goes = true;
         again->click();
         QTRY_VERIFY_WITH_TIMEOUT(bench.isDone(), patienceMs);
-        QVERIFY(!again->isVisible() && bench.rows() == 3);
+        QVERIFY(!again->isVisible() && bench.rows() == 4);
     }
     /// What does not look at its stop token is left to itself.
     void closingDoesNotWait()
