@@ -88,6 +88,8 @@ void ForkUntangler::untangle(const ForkCheck& check, MeshSink& sink, Index first
     for (int round = 0, idle = 0; round < mostRounds && idle < patience && least > 0; ++round, ++idle) {
         tangled.clear();
         check.find(sink, tangled);
+        if (round == 0 && tangled.size() / 2 > check.faceCount()) // a knot, which stays one
+            return;
         if (tangled.size() / 2 < least) {
             least = tangled.size() / 2;
             m_best.assign(begin, end);
