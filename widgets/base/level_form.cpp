@@ -7,6 +7,7 @@
 #include <QRegularExpression>
 #include <QSignalBlocker>
 #include <QSpinBox>
+#include <algorithm>
 #include <utility>
 
 namespace ramure {
@@ -75,7 +76,7 @@ void LevelForm::takeCount()
         if (now.budgets.size() > wanted + 1)
             now.budgets.pop_back();
         else
-            now.budgets.push_back(now.budgets.back() / 4);
+            now.budgets.push_back(std::max(now.budgets.back() / 4, leastBudget));
     }
     for (auto [numbers, step] : {std::pair(&now.distances, 2.0), std::pair(&now.shares, usualShareStep)})
         while (!numbers->empty() && numbers->size() != wanted) {

@@ -320,8 +320,7 @@ void ExportDialog::retranslateMore()
     m_wind->setToolTip(
         tr("Numbers of each vertex by which the shaders of an engine move the tree in the wind: the phase of "
            "its branch, how far it goes, how its leaves flutter. Of a tree at rest; Unreal gets two textures "
-           "beside the file. Files of the handbook has the "
-           "formulas."));
+           "beside the file. Files of the handbook has the formulas."));
     m_showWind->setText(tr("Show"));
     m_showWind->setToolTip(tr("In the view behind this dialog, trees move as they will in that engine"));
     m_compressed->setText(tr("Compressed"));

@@ -50,6 +50,7 @@ private slots:
     void editedTreesMove_data() { addTrees(); }
     void editedTreesMove();
     void theSameEditsGiveTheSameBytes();
+    void aStrokeOfTheBrushIsOneEdit();
 
 private:
     static void addTrees();
@@ -152,6 +153,29 @@ void TestRandomEdits::theSameEditsGiveTheSameBytes()
         steps.pop_back();
         params.edits.pop_back();
     }
+}
+
+/// The same as its places one by one; those out of reach do not count.
+void TestRandomEdits::aStrokeOfTheBrushIsOneEdit()
+{
+    TreeEdit touch = editOf(EditOperation::Comb, 0);
+    touch.centre = {0.0, 4.0, 0.0};
+    touch.radius = 3.0;
+    touch.strength = 1.0;
+    touch.direction = {1.0, 0.0, 0.0};
+    TreeEdit stroke = touch;
+    stroke.points = {{{0.5, 3.5, 0.0}, 2.5}, {{400.0, 3.0, 0.0}, 0.0}, {{400.0, 3.0, 0.0}, 0.0}};
+    Shaped one, many;
+    QVERIFY(one.make(stroke));
+    QVERIFY(many.make(touch));
+    touch.direction = glm::dvec3(0.5, 3.5, 0.0) - touch.centre;
+    touch.centre = {0.5, 3.5, 0.0};
+    touch.radius = 2.5;
+    QVERIFY(many.make(touch));
+    for (const std::uint64_t address : one.address)
+        QVERIFY(one.tip(address) == many.tip(address));
+    stroke.points.front().radius = -1.0;
+    QVERIFY(!checkTreeEdit(stroke));
 }
 
 RAMURE_SUITE(TestRandomEdits)

@@ -28,7 +28,6 @@ private slots:
     void lengths();
     void radii();
     void brushes();
-    void aStrokeOfTheBrushIsOneEdit();
     void organsGoWithTheirWood();
     void placesOrgans();
     void cutEndsAreFlat();
@@ -348,29 +347,6 @@ void TestTreeEdits::brushes()
     const double x = shaped.tip(shaped.address[0]).x;
     QVERIFY(shaped.make(edit));
     QVERIFY(shaped.tip(shaped.address[0]).x > x + 0.2);
-}
-
-/// The same as its places one by one; those out of reach do not count.
-void TestTreeEdits::aStrokeOfTheBrushIsOneEdit()
-{
-    TreeEdit touch = editOf(EditOperation::Comb, 0);
-    touch.centre = {0.0, 4.0, 0.0};
-    touch.radius = 3.0;
-    touch.strength = 1.0;
-    touch.direction = {1.0, 0.0, 0.0};
-    TreeEdit stroke = touch;
-    stroke.points = {{{0.5, 3.5, 0.0}, 2.5}, {{400.0, 3.0, 0.0}, 0.0}, {{400.0, 3.0, 0.0}, 0.0}};
-    Shaped one, many;
-    QVERIFY(one.make(stroke));
-    QVERIFY(many.make(touch));
-    touch.direction = glm::dvec3(0.5, 3.5, 0.0) - touch.centre;
-    touch.centre = {0.5, 3.5, 0.0};
-    touch.radius = 2.5;
-    QVERIFY(many.make(touch));
-    for (const std::uint64_t address : one.address)
-        QVERIFY(one.tip(address) == many.tip(address));
-    stroke.points.front().radius = -1.0;
-    QVERIFY(!checkTreeEdit(stroke));
 }
 
 /// Two on the limb, one at the tip of the trunk.
