@@ -76,11 +76,6 @@ std::size_t bytesOf(const SectionSet& set)
 {
     return bytesOf(set.sections);
 }
-std::size_t bytesOf(const TriangleMesh& m)
-{
-    return bytesOf(m.positions) + bytesOf(m.normals) + bytesOf(m.triangles) + bytesOf(m.branch) +
-           bytesOf(m.level) + bytesOf(m.uv) + bytesOf(m.uvTriangles) + bytesOf(m.colours);
-}
 std::size_t bytesOf(const MeshedBranches& m)
 {
     return bytesOf(m.mesh->mesh) + bytesOf(m.mesh->repairs) + bytesOf(m.report->defects);

@@ -13,7 +13,7 @@ namespace {
 struct Placed
 {
     const Node* node;
-    std::shared_ptr<const TriangleMesh> mesh; ///< own space
+    std::uint64_t shape; ///< equal for equal meshes
     glm::dmat4 world{1.0};
 };
 
@@ -33,14 +33,24 @@ glm::dmat4 geometryMatrix(const Scene& scene, const Node& node)
     return worldMatrix(scene, node.id) * placementMatrix(node.params.local);
 }
 
+/// The hash of a solid's mesh, without making the mesh; 0 where there is none.
+std::uint64_t shapeOf(const Node& solid)
+{
+    if (solid.kind == NodeKind::Mesh)
+        return solid.mesh && !solid.mesh->empty() ? solid.mesh.hash() : 0;
+    StageHash hash(0);
+    for (const double number : ownNumbers(solid.kind, solid.params))
+        hash.add(number);
+    return hash.value();
+}
+
 std::vector<Placed> solidsOf(const Scene& scene)
 {
     std::vector<Placed> solids;
     for (const Node& node : scene.nodes())
         if (isSolid(node))
-            if (const auto mesh = objectSolid(node, node.params);
-                mesh && *mesh && !(*mesh)->triangles.empty())
-                solids.push_back({&node, *mesh, geometryMatrix(scene, node)});
+            if (const std::uint64_t shape = shapeOf(node); shape != 0)
+                solids.push_back({&node, shape, geometryMatrix(scene, node)});
     return solids;
 }
 
@@ -50,19 +60,20 @@ void add(StageHash& hash, const Placed& solid, const glm::dmat4& place)
     for (int column = 0; column < 4; ++column)
         for (int row = 0; row < 3; ++row)
             hash.add(place[column][row]);
-    for (const glm::vec3& p : solid.mesh->positions)
-        hash.add(double(p.x)).add(double(p.y)).add(double(p.z));
-    for (const glm::uvec3& t : solid.mesh->triangles)
-        hash.add(t.x).add(t.y).add(t.z);
+    hash.add(solid.shape);
 }
 
-std::shared_ptr<const TriangleMesh> moved(const TriangleMesh& mesh, const glm::dmat4& place)
+/// The mesh of a solid in the space of the tree.
+std::shared_ptr<const TriangleMesh> moved(const Node& solid, const glm::dmat4& place)
 {
     TriangleMesh out;
-    out.positions.reserve(mesh.positions.size());
-    for (const glm::vec3& p : mesh.positions)
+    const auto mesh = objectSolid(solid, solid.params);
+    if (!mesh || !*mesh)
+        return std::make_shared<const TriangleMesh>(std::move(out));
+    out.positions.reserve((*mesh)->positions.size());
+    for (const glm::vec3& p : (*mesh)->positions)
         out.positions.emplace_back(place * glm::dvec4(p, 1.0));
-    out.triangles = mesh.triangles;
+    out.triangles = (*mesh)->triangles;
     return std::make_shared<const TriangleMesh>(std::move(out));
 }
 
@@ -87,7 +98,7 @@ std::optional<GrowthSpaceLink> linkOf(const Scene& scene, const Node& tree, cons
         return std::nullopt;
     std::vector<GrowthSpace::Solid> moving;
     for (const Placed* solid : mine)
-        moving.push_back({solid->node->name, moved(*solid->mesh, intoTree * solid->world),
+        moving.push_back({solid->node->name, moved(*solid->node, intoTree * solid->world),
                           solid->node->params.growthRole});
     if (link.hash != 0) {
         link.space = std::make_shared<const GrowthSpace>(std::move(moving));

@@ -5,6 +5,8 @@
 #pragma once
 
 #include "core/base/index.h"
+#include <cstddef>
+#include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <vector>
@@ -29,5 +31,10 @@ struct TriangleMesh
     [[nodiscard]] bool empty() const { return triangles.empty(); }
     bool operator==(const TriangleMesh&) const = default;
 };
+
+/// Equal for equal positions and triangles.
+std::uint64_t hashOf(const TriangleMesh& mesh);
+/// The memory of the mesh's lists.
+std::size_t bytesOf(const TriangleMesh& mesh);
 
 } // namespace ramure
