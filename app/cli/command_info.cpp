@@ -261,7 +261,7 @@ Expected<QJsonArray> jsonNodes(EvaluatedScene& now)
         const Node& node = now.scene().nodes()[i];
         QJsonObject entry{{QStringLiteral("id"), qint64{node.id}},
                           {QStringLiteral("name"), fromText(node.name)},
-                          {QStringLiteral("kind"), json::kindName(node.kind)},
+                          {QStringLiteral("kind"), json::kindName(node)},
                           {QStringLiteral("world"), jsonMatrix(transforms[i].world)}};
         if (node.parent != noNode)
             entry.insert(QStringLiteral("parent"), qint64{node.parent});

@@ -316,7 +316,7 @@ QJsonObject jsonOf(const std::vector<CheckedMesh>& all, bool crossings)
         QJsonObject entry = jsonOf(one, crossings);
         entry.insert(QStringLiteral("name"), fromText(one.name));
         if (!trees)
-            entry.insert(QStringLiteral("kind"), json::kindName(one.kind));
+            entry.insert(QStringLiteral("kind"), QLatin1String(kindRow(one.kind).name));
         list.append(entry);
     }
     sum.insert(trees ? QStringLiteral("trees") : QStringLiteral("nodes"), list);

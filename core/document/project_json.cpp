@@ -30,16 +30,14 @@ tl::unexpected<Error> failInside(const std::string& outer, Error error)
     return fail(std::move(error));
 }
 
-QString kindName(NodeKind kind)
+QString kindName(const Node& node)
 {
-    return QLatin1String(kindRow(kind).name);
-}
-
-Expected<NodeKind> kindFromName(const QString& name)
-{
-    if (const NodeKindRow* row = findKind(name.toStdString()))
-        return row->kind;
-    return fail(ErrorCode::Unknown, RAMURE_NOOP("unknown kind of node \"%1\""), {name.toStdString()});
+    if (node.kind == NodeKind::Unknown)
+        return QJsonDocument::fromJson(QByteArray::fromStdString(node.extras))
+            .object()
+            .value(QLatin1String("kind"))
+            .toString();
+    return QLatin1String(kindRow(node.kind).name);
 }
 
 /// Zero is written without its sign: JSON readers drop it.

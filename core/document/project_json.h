@@ -11,10 +11,8 @@
 
 namespace ramure::json {
 
-/// The names of the node kinds in files.
-QString kindName(NodeKind kind);
-/// Error: Unknown.
-Expected<NodeKind> kindFromName(const QString& name);
+/// The name of the node's kind in files, also of a kind that this version does not know.
+QString kindName(const Node& node);
 
 /// Texts of several lines become arrays of lines.
 QJsonValue fromParam(const ParamValue& value);

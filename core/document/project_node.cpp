@@ -7,6 +7,7 @@
 #include "core/document/project_tracks.h"
 #include "core/params/tree_edit_table.h"
 #include "core/rig/arm/arm_shape.h"
+#include "core/scene/kinds/node_kinds.h"
 
 #include <QJsonArray>
 #include <limits>
@@ -48,9 +49,10 @@ QJsonObject writeNode(const Node& node)
 {
     QJsonObject object{
         {QStringLiteral("id"), qint64{node.id}},
-        {QStringLiteral("kind"), kindName(node.kind)},
         {QStringLiteral("name"), QString::fromStdString(node.name)},
     };
+    if (node.kind != NodeKind::Unknown) // else it is in the extras
+        object.insert(QStringLiteral("kind"), kindName(node));
     if (node.parent != noNode)
         object.insert(QStringLiteral("parent"), qint64{node.parent});
     if (!node.preset.empty())
@@ -120,10 +122,10 @@ private:
         const QJsonValue value = m_rest.take(QLatin1String("kind"));
         if (!value.isString())
             return failAt("kind", ErrorCode::Invalid, RAMURE_NOOP("a text is expected here"));
-        const auto kind = kindFromName(value.toString());
-        if (!kind)
-            return failInside("kind", kind.error());
-        m_node.kind = *kind;
+        const NodeKindRow* row = findKind(value.toString().toStdString());
+        m_node.kind = row ? row->kind : NodeKind::Unknown;
+        if (!row)
+            m_rest.insert(QStringLiteral("kind"), value);
         return {};
     }
     Expected<void> readFlag(const char* key, bool& flag)
@@ -224,6 +226,8 @@ private:
     }
     Expected<void> readBranches()
     {
+        if (m_node.kind == NodeKind::Unknown) // it may mean something else there
+            return {};
         const auto object = takeObject("branches");
         if (!object)
             return fail(object.error());

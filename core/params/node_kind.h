@@ -14,12 +14,17 @@ enum class NodeKind : std::uint8_t {
     Arm,       ///< an articulated arm with its skin
     Terrain,   ///< a terrain
     Camera,    ///< what a picture is seen from
+    /// Of a file that a newer version has written. The node is a place for its children; everything else of
+    /// it stays in Node::extras and is written back.
+    Unknown = 15,
 };
-inline constexpr int nodeKindCount = 7;
+inline constexpr int nodeKindCount = 7; ///< without Unknown
 
-constexpr std::uint8_t kindBit(NodeKind kind)
+using KindBits = std::uint16_t;
+
+constexpr KindBits kindBit(NodeKind kind)
 {
-    return static_cast<std::uint8_t>(1u << static_cast<unsigned>(kind));
+    return static_cast<KindBits>(1u << static_cast<unsigned>(kind));
 }
 
 } // namespace ramure

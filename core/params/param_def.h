@@ -79,7 +79,7 @@ struct ParamDef
     int decimals;
     Stage stage;
     std::uint16_t flags;
-    std::uint8_t kinds; ///< bit 1 << NodeKind: the kinds of node that have it
+    KindBits kinds; ///< bit 1 << NodeKind: the kinds of node that have it
     ParamValue (*get)(const NodeParams&);
     void (*assign)(NodeParams&, const ParamValue&); ///< no check; the alternative must be the row's type
     std::span<const EnumItem> items{};              ///< of a choice, at least two; of others none

@@ -87,15 +87,16 @@ template <auto... Path> struct Field
     }
 };
 
-inline constexpr std::uint8_t treeOnly = kindBit(NodeKind::Tree);
-inline constexpr std::uint8_t primitiveOnly = kindBit(NodeKind::Primitive);
-inline constexpr std::uint8_t objectKinds = kindBit(NodeKind::Primitive) | kindBit(NodeKind::Mesh);
-inline constexpr std::uint8_t armOnly = kindBit(NodeKind::Arm);
-inline constexpr std::uint8_t terrainOnly = kindBit(NodeKind::Terrain);
-inline constexpr std::uint8_t cameraOnly = kindBit(NodeKind::Camera);
-inline constexpr std::uint8_t everyKind = 0xFF;
+inline constexpr KindBits treeOnly = kindBit(NodeKind::Tree);
+inline constexpr KindBits primitiveOnly = kindBit(NodeKind::Primitive);
+inline constexpr KindBits objectKinds = kindBit(NodeKind::Primitive) | kindBit(NodeKind::Mesh);
+inline constexpr KindBits armOnly = kindBit(NodeKind::Arm);
+inline constexpr KindBits terrainOnly = kindBit(NodeKind::Terrain);
+inline constexpr KindBits cameraOnly = kindBit(NodeKind::Camera);
+inline constexpr KindBits everyKind = 0xFFFF;
 /// All that have a geometry.
-inline constexpr std::uint8_t shapedKinds = everyKind & ~kindBit(NodeKind::Group) & ~cameraOnly;
+inline constexpr KindBits shapedKinds =
+    everyKind & ~kindBit(NodeKind::Group) & ~cameraOnly & ~kindBit(NodeKind::Unknown);
 
 using Condition = bool(const NodeParams&);
 inline constexpr Condition* growsByChance = [](const NodeParams& p) { return p.grammar.stochastic; };
@@ -125,7 +126,7 @@ inline constexpr Condition* softensForks = [](const NodeParams& p) { return p.me
 
 template <auto... Path>
 constexpr ParamDef row(const Words& words, ParamUnit unit, const Range& range, Stage stage,
-                       std::uint16_t flags = paramNone, std::uint8_t kinds = treeOnly,
+                       std::uint16_t flags = paramNone, KindBits kinds = treeOnly,
                        Condition* matters = nullptr)
 {
     using Access = Field<Path...>;
@@ -152,7 +153,7 @@ constexpr ParamDef row(const Words& words, ParamUnit unit, const Range& range, S
 
 /// One of the image files of a surface: the words are the same for all of them.
 template <auto Group, auto Member>
-constexpr ParamDef pictureRow(const char* key, const char* group, std::uint8_t kinds = treeOnly)
+constexpr ParamDef pictureRow(const char* key, const char* group, KindBits kinds = treeOnly)
 {
     constexpr auto words = [](auto member) -> std::pair<const char*, const char*> {
         using P = PictureParams;

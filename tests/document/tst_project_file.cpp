@@ -1,5 +1,7 @@
 #include "core/document/project_file.h"
+#include "core/document/project_json.h"
 #include "core/document/project_migrations.h"
+#include "core/scene/kinds/node_kinds.h"
 #include "tests/document/random_scene.h"
 #include "tests/support/cannot_run.h"
 #include "tests/support/failing_disk.h"
@@ -9,6 +11,7 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QJsonDocument>
 #include <QTemporaryDir>
 #include <unistd.h>
 
@@ -64,6 +67,7 @@ private slots:
     void textsAreArraysOfLines();
     void numbersAreShortest();
     void unknownKeysAreKept();
+    void unknownKindsAreKept();
     void parentsMayStandBehind();
     void migrationsRunInOrder();
     void terrainsOfVersion1KeepTheirShape();
@@ -83,8 +87,7 @@ void TestProjectFile::badFilesAreRefusedWithTheirPlace_data()
     QTest::addColumn<QByteArray>("bytes");
     QTest::addColumn<int>("code");
     QTest::addColumn<QByteArray>("path");
-    const int invalid = int(ErrorCode::Invalid), unknown = int(ErrorCode::Unknown),
-              syntax = int(ErrorCode::Syntax);
+    const int invalid = int(ErrorCode::Invalid), syntax = int(ErrorCode::Syntax);
     const auto row = [](const char* name, const QByteArray& bytes, int code, const char* path = "") {
         QTest::newRow(name) << bytes << code << QByteArray(path);
     };
@@ -108,7 +111,6 @@ void TestProjectFile::badFilesAreRefusedWithTheirPlace_data()
     row("id 1e300", inProject(R"({"id":1e300,"kind":"tree"})"), invalid, "nodes[0].id");
     row("id twice", inProject(R"({"id":1,"kind":"tree"},{"id":1,"kind":"tree"})"), invalid, "nodes[1].id");
     row("no kind", inProject(R"({"id":1})"), invalid, "nodes[0].kind");
-    row("unknown kind", inProject(R"({"id":1,"kind":"bush"})"), unknown, "nodes[0].kind");
     row("unknown parent", inProject(R"({"id":1,"kind":"tree","parent":2})"), invalid, "nodes[0].parent");
     row("own parent", inProject(R"({"id":1,"kind":"tree","parent":1})"), invalid, "nodes[0].parent");
     row("circle", inProject(R"({"id":1,"kind":"tree","parent":2},{"id":2,"kind":"tree","parent":1})"),
@@ -401,6 +403,32 @@ void TestProjectFile::unknownKeysAreKept()
     const QByteArray without = writeProject(changed);
     QVERIFY(without.contains("\"pruned\": true") && !without.contains("roll"));
     QVERIFY(without.contains("physics.wind") && !without.contains("tree.scale"));
+}
+
+/// A node of a kind that only a newer version knows: a place for its children, and the same bytes again.
+void TestProjectFile::unknownKindsAreKept()
+{
+    const QByteArray odd = inProject(
+        R"({"id":1,"kind":"cloud","locked":true,"name":"Sky","branches":[7],"drops":[1,{"size":0.1}],)"
+        R"("edits":"none","mesh":4,"params":{"cloud.cover":0.25,"tree.translation":[1,2,3]},)"
+        R"("tracks":{"cloud.cover":{"keys":[]}}},{"id":2,"kind":"group","name":"below","parent":1})");
+    const auto read = readProject(odd);
+    QVERIFY2(read, test::why(read));
+    const Node& cloud = read->scene.nodes().front();
+    QCOMPARE(cloud.kind, NodeKind::Unknown);
+    QCOMPARE(json::kindName(cloud), QStringLiteral("cloud"));
+    QCOMPARE(cloud.name, std::string("Sky"));
+    QCOMPARE(glm::dvec3(worldMatrix(read->scene, 2)[3]), glm::dvec3(1, 2, 3));
+    QVERIFY(!isShape(cloud.kind) && !isObject(cloud.kind));
+    const QByteArray bytes = QJsonDocument::fromJson(odd).toJson(QJsonDocument::Indented);
+    QCOMPARE(writeProject(*read), bytes);
+    Project moved = *read;
+    moved.scene.find(1)->params.tree.translation.x = 9.0;
+    QByteArray wanted = bytes;
+    wanted.replace(QByteArray("                    1,\n                    2,"),
+                   QByteArray("                    9,\n                    2,"));
+    QVERIFY(wanted != bytes);
+    QCOMPARE(writeProject(moved), wanted);
 }
 
 void TestProjectFile::parentsMayStandBehind()

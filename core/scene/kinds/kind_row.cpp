@@ -29,7 +29,14 @@ struct Adder
 
 const NodeKindRow& kindRow(NodeKind kind)
 {
-    return **std::ranges::find_if(nodeKinds(), [kind](const NodeKindRow* row) { return row->kind == kind; });
+    static constexpr NodeKindRow unknown{
+        .kind = NodeKind::Unknown,
+        .icon = "info",
+        .word = RAMURE_NOOP("node"),
+        .tip = RAMURE_NOOP("%1: this version of Ramure does not know its kind")};
+    const auto kinds = nodeKinds();
+    const auto found = std::ranges::find(kinds, kind, &NodeKindRow::kind);
+    return found == kinds.end() ? unknown : **found;
 }
 
 const NodeKindRow* findKind(std::string_view name)

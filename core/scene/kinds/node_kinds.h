@@ -42,6 +42,7 @@ struct NodeKindRow
 /// In the order of menus and counts.
 std::span<const NodeKindRow* const> nodeKinds();
 
+/// Of NodeKind::Unknown: a row that is not in the table.
 const NodeKindRow& kindRow(NodeKind kind);
 /// Null where there is none of this name.
 const NodeKindRow* findKind(std::string_view name);

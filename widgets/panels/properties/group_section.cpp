@@ -104,7 +104,7 @@ void GroupSection::setFolded(bool folded)
     applyVisibility();
 }
 
-int GroupSection::filter(std::uint8_t kinds, const QStringList& words)
+int GroupSection::filter(KindBits kinds, const QStringList& words)
 {
     const bool isOther = m_words != words;
     m_kinds = kinds;

@@ -2,6 +2,7 @@
 /// A group of rows under a heading that folds them away, with a menu to copy, paste and reset the group.
 #pragma once
 
+#include "core/params/node_kind.h"
 #include <QWidget>
 #include <vector>
 
@@ -31,7 +32,7 @@ public:
     /// Shows the rows that exist for the selected nodes and hold all \p words. While searching, neither folds
     /// nor the "advanced" rows hide anything. Returns how many rows are shown.
     /// Those that are called so stand before those that only speak of it.
-    int filter(std::uint8_t kinds, const QStringList& words);
+    int filter(KindBits kinds, const QStringList& words);
     /// While searching: one of the rows that are shown is called so.
     [[nodiscard]] bool isFoundByName() const;
     void updateHeading();
@@ -62,7 +63,7 @@ private:
     QAction* m_copy = nullptr;
     QAction* m_paste = nullptr;
     QAction* m_reset = nullptr;
-    std::uint8_t m_kinds = 0;
+    KindBits m_kinds = 0;
     QStringList m_words;
     bool m_folded = false;
     bool m_showAdvanced = false;

@@ -196,7 +196,7 @@ void PropertiesPanel::takeTargets()
     for (const NodeId id : nodes) {
         const Node* node = m_document->scene().find(id);
         m_presets.push_back(node->preset);
-        m_kinds = static_cast<std::uint8_t>(m_kinds | kindBit(node->kind));
+        m_kinds = static_cast<KindBits>(m_kinds | kindBit(node->kind));
         locked = locked || node->locked;
     }
     m_nodes = std::move(nodes);

@@ -90,7 +90,7 @@ private:
     std::map<const ParamDef*, OwnEdit> m_ownEdits;
     std::vector<NodeId> m_nodes;
     std::vector<std::string> m_presets; ///< that m_nodes came from
-    std::uint8_t m_kinds = 0;           ///< bits of the kinds of m_nodes
+    KindBits m_kinds = 0;               ///< bits of the kinds of m_nodes
     std::vector<ParamRow*> m_rows;      ///< by ParamId
     std::vector<GroupSection*> m_sections;
     QLabel* m_title = nullptr;

@@ -34,9 +34,10 @@ constexpr quint32 meshNews =
 /// nothing is selected, the one before; else the first tree, else the first of all.
 NodeId nodeToShow(const Document& document, NodeId before)
 {
-    const auto hasMesh = [&document](NodeId id) {
+    const auto canHave = [](const Node& node) { return node.kind == NodeKind::Tree || isShape(node.kind); };
+    const auto hasMesh = [&](NodeId id) {
         const Node* node = document.scene().find(id);
-        return node && node->kind != NodeKind::Group;
+        return node && canHave(*node);
     };
     for (const NodeId id : {document.selection().branchNode, document.selection().activeNode(), before})
         if (hasMesh(id))
@@ -45,7 +46,7 @@ NodeId nodeToShow(const Document& document, NodeId before)
     for (const Node& node : document.scene().nodes()) {
         if (node.kind == NodeKind::Tree)
             return node.id;
-        if (first == noNode && node.kind != NodeKind::Group)
+        if (first == noNode && canHave(node))
             first = node.id;
     }
     return first;
