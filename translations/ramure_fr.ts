@@ -3018,10 +3018,6 @@
         <translation>écriture impossible&#xa0;: %1</translation>
     </message>
     <message>
-        <source>unknown kind of node &quot;%1&quot;</source>
-        <translation>genre de nœud inconnu «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
         <source>a text, or an array of its lines, is expected here</source>
         <translation>un texte, ou le tableau de ses lignes, est attendu ici</translation>
     </message>
@@ -7537,6 +7533,14 @@
         <source>0 is summer. Then leaves take the colour of their plant&apos;s autumn, the upper ones first, and fall, until at 100 % the twigs are bare. Evergreens stay as they are.</source>
         <translation>0 est l’été. Puis les feuilles prennent la couleur d’automne de leur plante, celles du haut d’abord, et tombent, jusqu’à ce qu’à 100 % les rameaux soient nus. Les arbres à feuilles persistantes restent tels quels.</translation>
     </message>
+    <message>
+        <source>node</source>
+        <translation>nœud</translation>
+    </message>
+    <message>
+        <source>%1: this version of Ramure does not know its kind</source>
+        <translation>%1 : cette version de Ramure ne connaît pas ce genre de nœud</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>
@@ -11162,6 +11166,10 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
     <message>
         <source>Drawing a billboard</source>
         <translation>Dessin d’un billboard</translation>
+    </message>
+    <message>
+        <source>The oldest steps can no longer be undone: all steps together held more than %1 of memory.</source>
+        <translation>Les étapes les plus anciennes ne peuvent plus être annulées : toutes ensemble occupaient plus de %1 de mémoire.</translation>
     </message>
 </context>
 <context>

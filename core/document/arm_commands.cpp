@@ -12,7 +12,6 @@ namespace {
 struct JointsTarget
 {
     using Value = std::vector<ArmJoint>;
-    static constexpr CommandId id = CommandId::SetJoints;
 
     NodeId node;
 
@@ -30,7 +29,6 @@ struct JointsTarget
 struct ArmTarget
 {
     using Value = ArmState;
-    static constexpr CommandId id = CommandId::SetArm;
 
     NodeId node;
 
@@ -50,6 +48,7 @@ struct ArmTarget
         addOnce(change.params, paramId(*findParam("arm.follows")));
         addOnce(change.params, paramId(*findParam("arm.target")));
     }
+    static void count(MemoryCount& memory, const Value& value) { memory.add(value.animation); }
     bool operator==(const ArmTarget&) const = default;
 };
 
@@ -80,7 +79,6 @@ Expected<void> noJoint(const Node& arm, std::size_t at)
 struct ArmMeshTarget
 {
     using Value = SharedValue<TriangleMesh>;
-    static constexpr CommandId id = CommandId::SetArmMesh;
 
     NodeId node;
 
@@ -92,6 +90,7 @@ struct ArmMeshTarget
         change.firstStale = Stage::Mesh;
         addOnce(change.nodes, node);
     }
+    static void count(MemoryCount& memory, const Value& mesh) { memory.add(mesh); }
     bool operator==(const ArmMeshTarget&) const = default;
 };
 

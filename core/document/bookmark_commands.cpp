@@ -10,15 +10,13 @@ class BookmarkCommand final : public DocumentCommand
 public:
     BookmarkCommand(Document& document, std::size_t place, const std::optional<ViewBookmark>& view)
         : DocumentCommand(
-              document, CommandId::SetBookmark, 0,
+              document, 0,
               (view ? DocumentCommand::tr("Keep Bookmark %1") : DocumentCommand::tr("Forget Bookmark %1"))
                   .arg(place + 1))
         , m_place(place)
         , m_view(view)
     {
     }
-
-private:
     void swap() override
     {
         Change change;
@@ -29,7 +27,9 @@ private:
             scene.setBookmarks(bookmarks);
         });
     }
+    void countMemory(MemoryCount& memory) const override { memory.add(sizeof(*this)); }
 
+private:
     std::size_t m_place;
     std::optional<ViewBookmark> m_view;
 };

@@ -14,7 +14,6 @@ namespace {
 struct BranchTarget
 {
     using Value = BranchParams;
-    static constexpr CommandId id = CommandId::SetBranchParams;
 
     NodeId node;
     std::uint64_t key;

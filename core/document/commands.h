@@ -12,28 +12,28 @@
 
 namespace ramure {
 
-/// One per class; QUndoCommand::id().
-enum class CommandId : int {
-    SetParam = 1,
-    SetNodeState,
-    InsertNodes,
-    RemoveNodes,
-    MoveNode,
-    SetBranchParams,
-    SetTimeline,
-    SetTracks,
-    SetJoints,
-    SetArm,
-    SetArmMesh,
-    PlaceNodes,
-    SetBookmark,
-    SetTreeEdits,
-};
-
 /// A gesture: commands with the same id merge. 0 = never merge.
 using GestureId = quint64;
 /// Another one than ever before; from any thread.
 GestureId newGesture();
+
+/// All commands that are pushed while it lives are one step of undo; where there are none, no step. What a
+/// hand holds is kept before.
+class OneStep
+{
+public:
+    OneStep(Document& document, const QString& text)
+        : m_document(document)
+    {
+        m_document.beginStep(text);
+    }
+    ~OneStep() { m_document.endStep(); }
+    OneStep(const OneStep&) = delete;
+    OneStep& operator=(const OneStep&) = delete;
+
+private:
+    Document& m_document;
+};
 
 /// A track that a channel of a node gets; null or without keys: none.
 struct TrackEdit

@@ -70,6 +70,9 @@ void Document::setFilePath(const QString& path)
 
 void Document::reset(Scene scene, const QString& path, std::string extras)
 {
+    m_heldGesture = 0; // what it changed goes with the scene
+    m_held.clear();
+    emit gestureEnded();
     Change change;
     change.kinds = changeReset | changeStructure | changeSelection | changeFile;
     change.firstStale = Stage::Symbols;
@@ -87,8 +90,7 @@ void Document::reset(Scene scene, const QString& path, std::string extras)
     {
         const QSignalBlocker quiet(this); // the stack may become clean; one news is enough
         m_undoStack.clear();
-        m_held.reset();
-        m_heldGesture = 0;
+        m_hasForgotten = false;
     }
     settle(change);
     emit changed(change);

@@ -5,70 +5,79 @@
 #include "core/document/commands.h"
 
 #include <QCoreApplication>
-#include <QUndoCommand>
 #include <algorithm>
 #include <memory>
+#include <unordered_set>
 #include <utility>
 
 namespace ramure {
 
-/// Undo and redo are the same: what the command holds and what the scene holds are swapped.
-class DocumentCommand : public QUndoCommand
+/// Adds up the memory that steps of undo hold.
+class MemoryCount
+{
+public:
+    /// \param sharedOnce data that several steps share counts once; else each time, which is quicker
+    explicit MemoryCount(bool sharedOnce)
+        : m_sharedOnce(sharedOnce)
+    {
+    }
+    void add(std::size_t bytes) { m_bytes += bytes; }
+    void add(const SharedValue<TriangleMesh>& mesh);
+    void add(const NodeAnimation::TrackPtr& track);
+    void add(const NodeAnimation& animation);
+    void add(const TreeEdit& edit);
+    void add(const Node& node);
+    [[nodiscard]] std::size_t bytes() const { return m_bytes; }
+
+private:
+    void addShared(const void* data, std::size_t bytes);
+
+    bool m_sharedOnce;
+    std::unordered_set<const void*> m_seen;
+    std::size_t m_bytes = 0;
+};
+
+/// One change of a document. Undo and redo are the same: swap() exchanges what the command holds and what the
+/// scene holds.
+class DocumentCommand
 {
     Q_DECLARE_TR_FUNCTIONS(DocumentCommand)
 public:
-    DocumentCommand(Document& document, CommandId id, GestureId gesture, const QString& text)
-        : QUndoCommand(text)
-        , m_document(document)
-        , m_id(id)
+    DocumentCommand(Document& document, GestureId gesture, QString text)
+        : m_document(document)
         , m_gesture(gesture)
+        , m_text(std::move(text))
     {
     }
-    [[nodiscard]] int id() const override { return m_gesture == 0 ? -1 : static_cast<int>(m_id); }
-    [[nodiscard]] CommandId commandId() const { return m_id; }
+    virtual ~DocumentCommand() = default;
+    DocumentCommand(const DocumentCommand&) = delete;
+    DocumentCommand& operator=(const DocumentCommand&) = delete;
+
     [[nodiscard]] GestureId gesture() const { return m_gesture; }
-    void undo() final
-    {
-        for (std::size_t i = m_joined.size(); i-- > 0;)
-            m_joined[i]->undo();
-        swap();
-    }
-    void redo() final
-    {
-        if (!std::exchange(m_isDone, false))
-            swap();
-        for (const auto& next : m_joined)
-            next->redo();
-    }
-    /// The scene is as after redo() already: the next one does nothing.
-    void setDone() { m_isDone = true; }
-    /// What is done by this gesture later is part of this command, see joinToLastStep.
-    void awaitGesture(GestureId gesture) { m_awaited = gesture; }
-    [[nodiscard]] bool awaits(GestureId gesture) const { return gesture != 0 && gesture == m_awaited; }
-    /// \pre the scene is as after both
-    void join(std::unique_ptr<DocumentCommand> next)
-    {
-        next->m_isDone = false;
-        m_joined.push_back(std::move(next));
-        m_awaited = 0;
-    }
+    [[nodiscard]] const QString& text() const { return m_text; }
+    virtual void swap() = 0;
+    /// Takes in a command of the same gesture. \pre both are done, \p next after this one
+    virtual bool mergeWith(const DocumentCommand& /*next*/) { return false; }
+    /// It has ended where it began, and may be forgotten.
+    [[nodiscard]] bool isObsolete() const { return m_isObsolete; }
+    virtual void countMemory(MemoryCount& memory) const = 0;
 
 protected:
-    virtual void swap() = 0;
     [[nodiscard]] Document& document() const { return m_document; }
+    void setText(const QString& text) { m_text = text; }
+    void setObsolete(bool obsolete) { m_isObsolete = obsolete; }
 
 private:
     Document& m_document;
-    CommandId m_id;
     GestureId m_gesture;
-    bool m_isDone = false;
-    GestureId m_awaited = 0;
-    std::vector<std::unique_ptr<DocumentCommand>> m_joined; ///< done after this one
+    QString m_text;
+    bool m_isObsolete = false;
 };
 
 /// Sets any values. A Target names one value of the scene:
-///     using Value; static constexpr CommandId id; NodeId node; bool operator==;
+///     using Value; NodeId node; bool operator==;
 ///     Value get(const Node&) const; void set(Node&, Value) const; void describe(Change&) const;
+/// and, where values hold memory of their own, static void count(MemoryCount&, const Value&);
 template <class Target> class SetCommand final : public DocumentCommand
 {
 public:
@@ -80,13 +89,13 @@ public:
 
     /// \p entries: each target once, with the value that it gets.
     SetCommand(Document& document, std::vector<Entry> entries, GestureId gesture, const QString& text)
-        : DocumentCommand(document, Target::id, gesture, text)
+        : DocumentCommand(document, gesture, text)
         , m_entries(std::move(entries))
     {
     }
-    bool mergeWith(const QUndoCommand* other) override
+    bool mergeWith(const DocumentCommand& other) override
     {
-        const auto* next = dynamic_cast<const SetCommand*>(other);
+        const auto* next = dynamic_cast<const SetCommand*>(&other);
         const auto sameTarget = [](const Entry& a, const Entry& b) { return a.target == b.target; };
         if (!next || next->gesture() != gesture() ||
             !std::equal(m_entries.begin(), m_entries.end(), next->m_entries.begin(), next->m_entries.end(),
@@ -106,7 +115,6 @@ public:
         });
     }
 
-private:
     void swap() override
     {
         Change change;
@@ -121,7 +129,15 @@ private:
                 }
         });
     }
+    void countMemory(MemoryCount& memory) const override
+    {
+        memory.add(sizeof(*this) + m_entries.size() * sizeof(Entry));
+        if constexpr (requires(const Entry& entry) { Target::count(memory, entry.value); })
+            for (const Entry& entry : m_entries)
+                Target::count(memory, entry.value);
+    }
 
+private:
     std::vector<Entry> m_entries;
 };
 

@@ -50,14 +50,14 @@ class EditsCommand final : public DocumentCommand
 public:
     EditsCommand(Document& document, std::vector<EditsChange> changes, Stage stale, GestureId gesture,
                  const QString& text)
-        : DocumentCommand(document, CommandId::SetTreeEdits, gesture, text)
+        : DocumentCommand(document, gesture, text)
         , m_changes(std::move(changes))
         , m_stale(stale)
     {
     }
-    bool mergeWith(const QUndoCommand* other) override
+    bool mergeWith(const DocumentCommand& other) override
     {
-        const auto* next = dynamic_cast<const EditsCommand*>(other);
+        const auto* next = dynamic_cast<const EditsCommand*>(&other);
         if (!next || next->gesture() != gesture() ||
             !std::ranges::equal(m_changes, next->m_changes, {}, &EditsChange::node, &EditsChange::node))
             return false;
@@ -73,8 +73,6 @@ public:
         setObsolete(std::ranges::all_of(m_changes, &EditsChange::isNothing));
         return true;
     }
-
-private:
     void swap() override
     {
         Change change;
@@ -88,7 +86,15 @@ private:
                     part.exchange(node->params.edits);
         });
     }
+    void countMemory(MemoryCount& memory) const override
+    {
+        memory.add(sizeof(*this) + m_changes.size() * sizeof(EditsChange));
+        for (const EditsChange& part : m_changes)
+            for (const TreeEdit& edit : part.with)
+                memory.add(edit);
+    }
 
+private:
     std::vector<EditsChange> m_changes; ///< each node once
     Stage m_stale;                      ///< Placement: only names change, nothing is made anew
 };

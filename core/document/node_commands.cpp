@@ -18,7 +18,6 @@ struct NodeState
 struct StateTarget
 {
     using Value = NodeState;
-    static constexpr CommandId id = CommandId::SetNodeState;
 
     NodeId node;
 

@@ -14,7 +14,6 @@ namespace {
 struct ParamTarget
 {
     using Value = ParamValue;
-    static constexpr CommandId id = CommandId::SetParam;
 
     NodeId node;
     const ParamDef* def;
@@ -27,6 +26,11 @@ struct ParamTarget
         change.kinds |= changeParams;
         addOnce(change.nodes, node);
         addOnce(change.params, paramId(*def));
+    }
+    static void count(MemoryCount& memory, const Value& value)
+    {
+        if (const auto* text = std::get_if<std::string>(&value))
+            memory.add(text->capacity());
     }
     bool operator==(const ParamTarget&) const = default;
 };

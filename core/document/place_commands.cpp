@@ -22,7 +22,6 @@ struct PlacedValue
 struct PlaceTarget
 {
     using Value = PlacedValue;
-    static constexpr CommandId id = CommandId::PlaceNodes;
 
     NodeId node;
     bool keys;   ///< the tracks change
@@ -49,6 +48,11 @@ struct PlaceTarget
         change.kinds |= changeParams;
         for (const char* key : {"tree.translation", "tree.rotation", "tree.scale"})
             addOnce(change.params, paramId(*findParam(key)));
+    }
+    static void count(MemoryCount& memory, const Value& value)
+    {
+        for (const NodeAnimation::TrackPtr& track : value.values.tracks)
+            memory.add(track);
     }
     bool operator==(const PlaceTarget&) const = default;
 };

@@ -23,12 +23,33 @@ struct Block
 class StructureCommand final : public DocumentCommand
 {
 public:
-    /// \p blocks in an order in which each can be put in at its row.
-    StructureCommand(Document& document, CommandId id, std::vector<Block> blocks, const QString& text)
-        : DocumentCommand(document, id, 0, text)
+    /// \p blocks in an order in which each can be put in at its row, at least one.
+    StructureCommand(Document& document, std::vector<Block> blocks, const QString& text)
+        : DocumentCommand(document, 0, text)
         , m_blocks(std::move(blocks))
-        , m_inside(id == CommandId::RemoveNodes)
+        , m_inside(m_blocks.front().nodes.empty())
     {
+    }
+    void swap() override
+    {
+        document().applyChange(describe(), [this](Scene& scene) {
+            if (m_inside)
+                for (auto block = m_blocks.rbegin(); block != m_blocks.rend(); ++block)
+                    block->nodes = scene.remove(block->ids.front());
+            else
+                for (Block& block : m_blocks)
+                    scene.insert(std::exchange(block.nodes, {}), block.parent, block.row);
+        });
+        m_inside = !m_inside;
+    }
+    void countMemory(MemoryCount& memory) const override
+    {
+        memory.add(sizeof(*this));
+        for (const Block& block : m_blocks) {
+            memory.add(sizeof(Block) + block.ids.size() * sizeof(NodeId));
+            for (const Node& node : block.nodes)
+                memory.add(node);
+        }
     }
 
 private:
@@ -47,18 +68,6 @@ private:
             change.kinds |= changeSelection;
         return change;
     }
-    void swap() override
-    {
-        document().applyChange(describe(), [this](Scene& scene) {
-            if (m_inside)
-                for (auto block = m_blocks.rbegin(); block != m_blocks.rend(); ++block)
-                    block->nodes = scene.remove(block->ids.front());
-            else
-                for (Block& block : m_blocks)
-                    scene.insert(std::exchange(block.nodes, {}), block.parent, block.row);
-        });
-        m_inside = !m_inside;
-    }
 
     std::vector<Block> m_blocks;
     bool m_inside;
@@ -76,7 +85,7 @@ public:
     };
 
     MoveCommand(Document& document, NodeId node, const Place& place)
-        : DocumentCommand(document, CommandId::MoveNode, 0, DocumentCommand::tr("Move"))
+        : DocumentCommand(document, 0, DocumentCommand::tr("Move"))
         , m_node(node)
         , m_place(place)
     {
@@ -86,6 +95,16 @@ public:
         const Node& present = *scene.find(node);
         return {present.parent, scene.row(node), present.params.tree};
     }
+    void swap() override
+    {
+        document().applyChange(describe(), [this](Scene& scene) {
+            const Place before = placeOf(scene, m_node);
+            scene.move(m_node, m_place.parent, m_place.row);
+            scene.find(m_node)->params.tree = m_place.placement;
+            m_place = before;
+        });
+    }
+    void countMemory(MemoryCount& memory) const override { memory.add(sizeof(*this)); }
 
 private:
     [[nodiscard]] Change describe() const
@@ -104,15 +123,6 @@ private:
             if (def.get(params) != def.get(moved))
                 change.params.push_back(paramId(def));
         return change;
-    }
-    void swap() override
-    {
-        document().applyChange(describe(), [this](Scene& scene) {
-            const Place before = placeOf(scene, m_node);
-            scene.move(m_node, m_place.parent, m_place.row);
-            scene.find(m_node)->params.tree = m_place.placement;
-            m_place = before;
-        });
     }
 
     NodeId m_node;
@@ -245,8 +255,7 @@ Expected<NodeId> edit::insertNodes(Document& document, std::vector<Node> subtree
     const QString text = DocumentCommand::tr("Add %1").arg(QString::fromStdString(block.nodes.front().name));
     std::vector<Block> blocks;
     blocks.push_back(std::move(block));
-    document.undoStack()->push(
-        new StructureCommand(document, CommandId::InsertNodes, std::move(blocks), text));
+    document.push(std::make_unique<StructureCommand>(document, std::move(blocks), text));
     selectNodes(document, {top});
     return top;
 }
@@ -269,8 +278,7 @@ Expected<void> edit::removeNodes(Document& document, const std::vector<NodeId>& 
     if (blocks.empty())
         return {};
     const QString text = DocumentCommand::tr("Delete %n node(s)", nullptr, static_cast<int>(blocks.size()));
-    document.undoStack()->push(
-        new StructureCommand(document, CommandId::RemoveNodes, std::move(blocks), text));
+    document.push(std::make_unique<StructureCommand>(document, std::move(blocks), text));
     return {};
 }
 
@@ -300,8 +308,7 @@ Expected<std::vector<NodeId>> edit::duplicateNodes(Document& document, const std
         return tops;
     const QString text =
         DocumentCommand::tr("Duplicate %n node(s)", nullptr, static_cast<int>(blocks.size()));
-    document.undoStack()->push(
-        new StructureCommand(document, CommandId::InsertNodes, std::move(blocks), text));
+    document.push(std::make_unique<StructureCommand>(document, std::move(blocks), text));
     selectNodes(document, tops);
     return tops;
 }
@@ -324,7 +331,7 @@ Expected<void> edit::moveNode(Document& document, NodeId node, NodeId newParent,
         place.placement = *kept;
     }
     if (place != MoveCommand::placeOf(scene, node))
-        document.undoStack()->push(new MoveCommand(document, node, place));
+        document.push(std::make_unique<MoveCommand>(document, node, place));
     return {};
 }
 

@@ -9,20 +9,17 @@ class TimelineCommand final : public DocumentCommand
 {
 public:
     TimelineCommand(Document& document, const TimelineSettings& settings, GestureId gesture)
-        : DocumentCommand(document, CommandId::SetTimeline, gesture, DocumentCommand::tr("Change Timeline"))
+        : DocumentCommand(document, gesture, DocumentCommand::tr("Change Timeline"))
         , m_settings(settings)
     {
     }
-    bool mergeWith(const QUndoCommand* other) override
+    bool mergeWith(const DocumentCommand& next) override
     {
-        const auto* next = dynamic_cast<const TimelineCommand*>(other);
-        if (!next || next->gesture() != gesture())
+        if (!dynamic_cast<const TimelineCommand*>(&next) || next.gesture() != gesture())
             return false;
         setObsolete(m_settings == document().scene().timeline());
         return true;
     }
-
-private:
     void swap() override
     {
         Change change;
@@ -33,7 +30,9 @@ private:
             m_settings = before;
         });
     }
+    void countMemory(MemoryCount& memory) const override { memory.add(sizeof(*this)); }
 
+private:
     TimelineSettings m_settings;
 };
 
@@ -44,7 +43,7 @@ Expected<void> edit::setTimeline(Document& document, const TimelineSettings& set
     if (auto fine = checkTimeline(settings); !fine)
         return fine;
     if (!(settings == document.scene().timeline()))
-        document.undoStack()->push(new TimelineCommand(document, settings, gesture));
+        document.push(std::make_unique<TimelineCommand>(document, settings, gesture));
     return {};
 }
 

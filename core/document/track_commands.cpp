@@ -21,7 +21,6 @@ struct HeldTrack
 struct TrackTarget
 {
     using Value = HeldTrack;
-    static constexpr CommandId id = CommandId::SetTracks;
 
     NodeId node;
     Channel channel;
@@ -37,6 +36,7 @@ struct TrackTarget
         if (channel.part == ChannelPart::Parameter)
             addOnce(change.params, channel.param);
     }
+    static void count(MemoryCount& memory, const Value& value) { memory.add(value.track); }
     bool operator==(const TrackTarget&) const = default;
 };
 using TrackEntry = SetCommand<TrackTarget>::Entry;

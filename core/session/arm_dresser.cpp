@@ -126,13 +126,12 @@ Expected<void> ArmDresser::Work::putOn(Document& document) const
     const Node& from = *document.scene().find(worn);
     const QString text = DocumentCommand::tr("Wear \"%1\"").arg(QString::fromStdString(from.name));
     const std::vector<std::pair<const ParamDef*, ParamValue>> looks = looksOf(from);
-    document.undoStack()->beginMacro(text);
+    const OneStep step(document, text);
     auto done = edit::setArmMesh(document, arm, made, text);
     if (done)
         done = edit::setParams(document, {arm}, looks, text);
     // Refused where it is locked: it stays, and is only in the way.
     [[maybe_unused]] const auto hidden = edit::setNodeVisible(document, {worn}, false);
-    document.undoStack()->endMacro();
     return done;
 }
 

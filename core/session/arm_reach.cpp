@@ -144,7 +144,8 @@ void ArmReach::advance(int ticks)
         m_way->motion.tick();
         report();
     }
-    if (m_way->motion.isStill())
+    // An arm that arrives while a hand drags something else waits: it does not end that drag.
+    if (m_way->motion.isStill() && (!m_document->isHolding() || m_document->isHeld(m_way->gesture)))
         land();
     emit moved();
 }

@@ -6,6 +6,7 @@
 
 #include <QFile>
 #include <algorithm>
+#include <optional>
 
 namespace ramure {
 
@@ -69,14 +70,14 @@ Expected<NodeId> ImportTask::apply(const BlenderImport& result)
 {
     const TimelineSettings timeline = timelineFor(m_document->scene(), result.timeline);
     const std::vector<NodeId> before = m_document->scene().children(noNode);
-    QUndoStack* stack = m_document->undoStack();
-    stack->beginMacro(tr("Import %1").arg(QString::fromStdString(result.nodes.front().name)));
+    std::optional<OneStep> step(std::in_place, *m_document,
+                                tr("Import %1").arg(QString::fromStdString(result.nodes.front().name)));
     auto top = edit::insertNodes(*m_document, result.nodes, noNode,
                                  static_cast<int>(m_document->scene().children(noNode).size()));
     if (top && result.keyCount > 0)
         if (auto set = edit::setTimeline(*m_document, timeline); !set)
             top = fail(std::move(set.error()));
-    stack->endMacro();
+    step.reset();
     if (!top || m_stays)
         return top;
     std::vector<NodeId> added = m_document->scene().children(noNode);

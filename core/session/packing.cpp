@@ -104,13 +104,12 @@ Expected<std::size_t> edit::packPictures(Document& document)
             return fail(std::move(copy.error()));
         copies.emplace(worn.path, *copy);
     }
-    document.undoStack()->beginMacro(DocumentCommand::tr("Pack pictures"));
+    const OneStep step(document, DocumentCommand::tr("Pack pictures"));
     Expected<void> done;
     for (const Worn& worn : all)
         if (done)
             done = setParam(document, {worn.node}, *worn.def,
                             QFile::encodeName(copies.at(worn.path)).toStdString());
-    document.undoStack()->endMacro();
     if (!done)
         return fail(std::move(done.error()));
     return copies.size();

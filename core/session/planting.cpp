@@ -9,7 +9,6 @@
 #include "core/scene/object_mesh.h"
 #include "core/scene/preset_scene.h"
 #include <QCoreApplication>
-#include <QUndoStack>
 #include <algorithm>
 #include <glm/vector_relational.hpp>
 #include <string_view>
@@ -51,7 +50,7 @@ Box crownOf(const Document& document, const Node& node)
 /// Trees stand on a terrain, and nobody stumbles over a camera.
 bool isObstacle(const Scene& scene, const Node& node)
 {
-    return node.kind != NodeKind::Group && node.kind != NodeKind::Camera && node.kind != NodeKind::Terrain &&
+    return (node.kind == NodeKind::Tree || isShape(node.kind)) && node.kind != NodeKind::Terrain &&
            scene.isShown(node.id);
 }
 
@@ -132,20 +131,18 @@ Expected<double> edit::moveBeside(Document& document, const std::vector<NodeId>&
     if (std::ranges::none_of(boxes, [&](const Box& box) { return overlap(own, box); }))
         return 0.0;
     const double by = others.max.x - own.min.x + gap * own.size().x;
-    QUndoStack* stack = document.undoStack();
-    stack->beginMacro(QCoreApplication::translate("ramure::Planting", "Move beside the others"));
+    const OneStep step(document, QCoreApplication::translate("ramure::Planting", "Move beside the others"));
     Expected<void> moved;
     for (const NodeId top : tops) {
         const Node& node = *scene.find(top);
         const glm::dmat4 above = worldMatrix(scene, node.parent);
-        const glm::dvec3 step = decomposePlacement(above)
-                                    ? glm::dvec3(glm::inverse(above) * glm::dvec4(by, 0.0, 0.0, 0.0))
-                                    : glm::dvec3(by, 0.0, 0.0);
+        const glm::dvec3 way = decomposePlacement(above)
+                                   ? glm::dvec3(glm::inverse(above) * glm::dvec4(by, 0.0, 0.0, 0.0))
+                                   : glm::dvec3(by, 0.0, 0.0);
         if (moved)
-            moved = setParam(document, {top}, *findParam("tree.translation"),
-                             node.params.tree.translation + step);
+            moved =
+                setParam(document, {top}, *findParam("tree.translation"), node.params.tree.translation + way);
     }
-    stack->endMacro();
     return moved ? Expected<double>(by) : fail(std::move(moved.error()));
 }
 
@@ -174,11 +171,10 @@ Expected<void> edit::makeTreesLike(Document& document, const std::vector<NodeId>
     for (const ParamDef& def : paramTable())
         if (isOfSpecies(def))
             values.emplace_back(&def, def.get(like.params));
-    const auto ids = editable(document.scene(), trees); // an empty macro would stay a step
+    const auto ids = editable(document.scene(), trees);
     if (!ids)
         return fail(ids.error());
-    QUndoStack& steps = *document.undoStack();
-    steps.beginMacro(step);
+    const OneStep all(document, step);
     auto done = setParams(document, trees, values, step);
     for (const NodeId id : *ids) {
         const Node* tree = done ? document.scene().find(id) : nullptr;
@@ -187,7 +183,6 @@ Expected<void> edit::makeTreesLike(Document& document, const std::vector<NodeId>
         done =
             setNodeOrigin(document, id, isNamedByPreset(*tree) ? like.name : tree->name, like.preset, step);
     }
-    steps.endMacro();
     return done;
 }
 

@@ -280,6 +280,10 @@ constexpr Rule rules[] = {
     {"work on another thread is a Job's",
      R"((core/(?!session/job\.|base/parallel)|widgets/|app/(?!cli/work\.)).*)",
      R"(std::(jthread|async|thread(?!::))\b)"},
+    {"only the document makes, undoes and redoes steps",
+     R"((core/(?!document/undo_steps\.)|widgets/|app/).*)",
+     R"(\bQUndo(View|Group)\b|\bnew (QUndo\w+|UndoStep)\b|\b(begin|end)Macro\b|)"
+     R"([uU]ndo[sS]tack(\(\))?\s*(\.|->)\s*(push|undo|redo|setIndex)\b|QUndoStack::(push|undo|redo|setIndex)\b)"},
     {"tests wait for what is to happen, not for a time", R"(tests/(?!support/waits\.h).*)",
      R"((qWait|[sS]leep(_for|_until)?)\()"},
     {"suites skip through RAMURE_CANNOT_RUN", R"(tests/(?!support/cannot_run\.h).*)", R"(\bQSKIP\b)"},

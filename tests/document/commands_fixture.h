@@ -42,7 +42,7 @@ struct Fixture
     }
     Document document;
     Recorder recorder{document};
-    QUndoStack& stack = *document.undoStack();
+    const QUndoStack& stack = *document.undoStack();
 };
 
 } // namespace ramure::test

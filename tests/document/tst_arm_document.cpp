@@ -120,7 +120,7 @@ void TestArmDocument::jointsAreSetByCommand()
     QVERIFY(edit::setJoints(document, 1, unusualJoints(), QStringLiteral("x")));
     QCOMPARE(news.nodes, std::vector<NodeId>{1});
     QVERIFY(document.scene().find(1)->params.joints == unusualJoints());
-    document.undoStack()->undo();
+    document.undo();
     QVERIFY(document.scene().find(1)->params.joints == before);
     QVERIFY(edit::setNodeLocked(document, {1}, true));
     QVERIFY(!edit::setJoints(document, 1, unusualJoints(), QStringLiteral("x")));

@@ -138,7 +138,7 @@ void TestBranchPlaces::lostOnesAreListedAndComeBack()
     f.setAxiom("F");
     QVERIFY(edit::removeBranchEdits(f.trees.document(), f.tree, {name}));
     QVERIFY(f.params().branches.empty());
-    f.trees.document().undoStack()->undo();
+    f.trees.document().undo();
     QCOMPARE(unplacedEdits(f.trees.document()).size(), std::size_t{1});
 }
 
@@ -205,9 +205,9 @@ void TestBranchPlaces::randomEditsUndoToTheSameBytes()
             QVERIFY(f.params().branches.contains(edit.name) && !names.contains(edit.name));
     }
     const QByteArray after = writeProject(document.project());
-    document.undoStack()->setIndex(1); // the first one made the tree
+    document.goToStep(1); // the first one made the tree
     QCOMPARE(writeProject(document.project()), before);
-    document.undoStack()->setIndex(document.undoStack()->count());
+    document.goToStep(document.undoStack()->count());
     QCOMPARE(writeProject(document.project()), after);
 }
 

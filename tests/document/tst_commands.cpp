@@ -189,12 +189,12 @@ void TestCommands::everyParameter()
     QVERIFY(edit::setParam(f.document, {2}, def, after)); // the same again is no step
     QCOMPARE(f.stack.count(), 1);
     QVERIFY(f.recorder.changes.empty());
-    f.stack.undo();
+    f.document.undo();
     QVERIFY(present() == before);
     QCOMPARE(fileOf(f.document), file);
     QVERIFY(!f.document.isModified());
     checkNews();
-    f.stack.redo();
+    f.document.redo();
     QVERIFY(present() == after);
     checkNews();
     QVERIFY(f.recorder.paired());
@@ -227,7 +227,7 @@ void TestCommands::gesturesMerge()
     QVERIFY(edit::setParam(f.document, {4}, def,
                            otherValue(def, def.get(f.document.scene().find(4)->params), random)));
     while (f.stack.canUndo())
-        f.stack.undo();
+        f.document.undo();
     QCOMPARE(fileOf(f.document), file);
     QVERIFY(f.recorder.paired());
 }
@@ -245,7 +245,7 @@ void TestCommands::gestureBackToTheStartLeavesNothing()
     QVERIFY(edit::setParam(f.document, {2}, theta, 0.6, drag)); // and on in the same drag
     QVERIFY(edit::setParam(f.document, {2}, theta, 0.7, drag));
     QCOMPARE(f.stack.count(), 1);
-    f.stack.undo();
+    f.document.undo();
     QCOMPARE(f.document.scene().find(2)->params.turtle.theta, start);
 }
 
@@ -255,10 +255,10 @@ void TestCommands::gesturesDoNotMergeAcrossSaving()
     const ParamDef& theta = *findParam("turtle.theta");
     const GestureId drag = newGesture();
     QVERIFY(edit::setParam(f.document, {2}, theta, 0.4, drag));
-    f.stack.setClean();
+    f.document.markSaved();
     QVERIFY(edit::setParam(f.document, {2}, theta, 0.5, drag));
     QVERIFY(f.document.isModified());
-    f.stack.undo();
+    f.document.undo();
     QVERIFY(!f.document.isModified());
     QCOMPARE(f.document.scene().find(2)->params.turtle.theta, 0.4);
 }
@@ -270,11 +270,11 @@ void TestCommands::severalNodes()
     QVERIFY(edit::setParam(f.document, {3}, alpha, 0.5));
     QVERIFY(edit::setParam(f.document, {2, 3, 2, 4}, alpha, 0.5)); // one has it already
     QCOMPARE(f.stack.count(), 2);
-    f.stack.undo();
+    f.document.undo();
     QCOMPARE(f.document.scene().find(2)->params.turtle.alpha, 0.2);
     QCOMPARE(f.document.scene().find(3)->params.turtle.alpha, 0.5);
     f.recorder.changes.clear();
-    f.stack.redo();
+    f.document.redo();
     QCOMPARE(f.recorder.takeEdit().nodes, (Ids{2, 3, 4}));
     QCOMPARE(f.document.scene().find(4)->params.turtle.alpha, 0.5);
 }
@@ -295,7 +295,7 @@ void TestCommands::severalParameters()
     QCOMPARE(news.params.size(), std::size_t{3});
     QCOMPARE(news.firstStale, findParam("turtle.alpha")->stage);
     QCOMPARE(f.document.scene().find(2)->params.turtle.alpha, 0.6);
-    f.stack.undo();
+    f.document.undo();
     QVERIFY(f.document.scene().find(2)->params == NodeParams{});
 }
 
@@ -314,7 +314,7 @@ void TestCommands::stateOfNodes()
     QVERIFY(!f.document.scene().find(1)->visible);
     QCOMPARE(f.document.shapeRevision(2), quint64{1}); // none of this touches the shape
     while (f.stack.canUndo())
-        f.stack.undo();
+        f.document.undo();
     QCOMPARE(fileOf(f.document), file);
 }
 
@@ -331,18 +331,18 @@ void TestCommands::insertAndRemove()
     QCOMPARE(f.recorder.changes[0].nodes, (Ids{5, 6}));
     QVERIFY(f.document.shapeRevision(6) > 0);
     f.recorder.changes.clear();
-    f.stack.undo();
+    f.document.undo();
     const Change gone = f.recorder.takeEdit();
     QCOMPARE(gone.kinds, quint32{changeStructure | changeSelection});
     QCOMPARE(gone.nodes, (Ids{5, 6}));
     QVERIFY(f.document.selection().nodes.empty());
     QCOMPARE(f.document.shapeRevision(6), quint64{0});
-    f.stack.redo();
+    f.document.redo();
     QCOMPARE(idsOf(f.document), (Ids{1, 2, 5, 6, 3, 4}));
     const QByteArray file = fileOf(f.document);
     QVERIFY(edit::removeNodes(f.document, {3, 2, 4}));
     QCOMPARE(idsOf(f.document), (Ids{1, 5, 6}));
-    f.stack.undo();
+    f.document.undo();
     QCOMPARE(fileOf(f.document), file);
     QVERIFY(f.recorder.paired());
 }
@@ -354,7 +354,7 @@ void TestCommands::removeWithinRemove()
     QVERIFY(edit::removeNodes(f.document, {3, 1, 3}));
     QCOMPARE(idsOf(f.document), (Ids{4}));
     QCOMPARE(f.stack.count(), 1);
-    f.stack.undo();
+    f.document.undo();
     QCOMPARE(fileOf(f.document), file);
 }
 
@@ -376,10 +376,10 @@ void TestCommands::duplicates()
     QCOMPARE(deep->size(), std::size_t{1});
     QCOMPARE(f.document.scene().children(deep->front()).size(), f.document.scene().children(1).size());
     while (f.stack.canUndo())
-        f.stack.undo();
+        f.document.undo();
     QCOMPARE(fileOf(f.document), file);
     while (f.stack.canRedo())
-        f.stack.redo();
+        f.document.redo();
     QCOMPARE(f.document.scene().children(noNode), (Ids{1, deep->front(), 4, 7}));
 }
 
@@ -398,8 +398,8 @@ void TestCommands::moves()
     QCOMPARE(news.kinds, quint32{changeStructure});
     QCOMPARE(news.nodes, (Ids{1, 3, 2}));
     QCOMPARE(f.document.shapeRevision(2), quint64{1}); // moving computes nothing anew
-    f.stack.undo();
-    f.stack.undo();
+    f.document.undo();
+    f.document.undo();
     QCOMPARE(fileOf(f.document), file);
 }
 
@@ -418,7 +418,7 @@ void TestCommands::moveKeepsTheWorld()
     for (int column = 0; column < 4; ++column)
         QVERIFY(glm::length(world[column] - after[column]) < 1e-12);
     QVERIFY(f.recorder.changes.back().has(changeParams) || f.recorder.changes.front().has(changeParams));
-    f.stack.undo();
+    f.document.undo();
     QCOMPARE(fileOf(f.document), file);
     // A squashed parent turned aside cannot be expressed by the child alone.
     QVERIFY(edit::setParam(f.document, {1}, *findParam("tree.scale"), glm::dvec3(1.0, 3.0, 1.0)));

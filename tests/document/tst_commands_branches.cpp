@@ -51,8 +51,8 @@ void TestBranchCommands::branchRolls()
     QVERIFY(f.document.scene().find(2)->params.branches.empty());
     QVERIFY(edit::setBranchRoll(f.document, 2, {5}, 0.5));
     QVERIFY(edit::setBranchRoll(f.document, 2, {5}, 0.0));
-    f.stack.undo();
-    f.stack.undo();
+    f.document.undo();
+    f.document.undo();
     QCOMPARE(fileOf(f.document), file);
 }
 
@@ -78,13 +78,13 @@ void TestBranchCommands::branchBends()
     QVERIFY(edit::setBranchBends(f.document, 2, {{7, {0.0, 0.0, 1.0}}}));
     QVERIFY(f.document.scene().find(2)->params.branches.at(5).bendRad == glm::dvec3(0.0));
     QCOMPARE(f.document.scene().find(2)->params.branches.at(5).rollRad, 0.5);
-    f.stack.undo();
+    f.document.undo();
     QCOMPARE(fileOf(f.document), bent);
-    f.stack.undo();
-    f.stack.undo();
+    f.document.undo();
+    f.document.undo();
     QCOMPARE(fileOf(f.document), file);
-    f.stack.redo();
-    f.stack.redo();
+    f.document.redo();
+    f.document.redo();
     QCOMPARE(fileOf(f.document), bent);
 }
 
@@ -105,9 +105,9 @@ void TestBranchCommands::turnedBranches()
     const auto& branches = f.document.scene().find(2)->params.branches;
     QVERIFY(branches.at(3).bendRad == glm::dvec3(1.0, 0.0, 0.0));
     QVERIFY(branches.at(7).bendRad == glm::dvec3(0.0, 0.3, 0.0));
-    f.stack.undo();
+    f.document.undo();
     QVERIFY(!f.document.scene().find(2)->params.branches.contains(5));
-    f.stack.undo();
+    f.document.undo();
     QCOMPARE(fileOf(f.document), file);
 }
 
@@ -126,7 +126,7 @@ void TestBranchCommands::newTrees()
     }
     QCOMPARE(seeds.size(), std::size_t{3});
     const QByteArray once = fileOf(f.document);
-    f.stack.undo();
+    f.document.undo();
     QCOMPARE(fileOf(f.document), file);
     QVERIFY(edit::newTree(f.document, {1, 2, 3, 4})); // the same way gives the same trees
     QCOMPARE(fileOf(f.document), once);
@@ -176,7 +176,7 @@ void TestBranchCommands::newTreeNeedsSomethingThatVaries()
     QVERIFY(!edit::newTree(document, {1}));
     QVERIFY(edit::setParam(document, {1}, rules, std::string("X -> 1: F | 2: FF")));
     QVERIFY(edit::newTree(document, {1}));
-    document.undoStack()->undo();
+    document.undo();
     QVERIFY(edit::setParam(document, {1}, *findParam("grammar.iterations"), std::int64_t(0)));
     QVERIFY(!edit::newTree(document, {1}));
 }
@@ -298,18 +298,18 @@ void TestBranchCommands::editsOfTheMeshUndoToTheSameBytes()
             if (random.below(6) == 0)
                 gesture = newGesture();
             if (random.below(10) == 0)
-                f.stack.undo();
+                f.document.undo();
             randomMeshEdit(f.document, random, gesture);
             files.resize(static_cast<std::size_t>(f.stack.index()) + 1);
             files.back() = fileOf(f.document);
         }
         QVERIFY(files.size() > 20);
         while (f.stack.canUndo()) {
-            f.stack.undo();
+            f.document.undo();
             QCOMPARE(fileOf(f.document), files[static_cast<std::size_t>(f.stack.index())]);
         }
         for (std::size_t i = 1; i < files.size(); ++i) {
-            f.stack.redo();
+            f.document.redo();
             QCOMPARE(fileOf(f.document), files[i]);
         }
     }
@@ -330,7 +330,7 @@ void TestBranchCommands::randomEditsUndoAndRedo()
         for (; document.undoStack()->index() < 1000 && tries < 20000; ++tries) {
             timer.start();
             if (random.below(16) == 0)
-                document.undoStack()->undo();
+                document.undo();
             else
                 randomEdit(document, random);
             spent += timer.nsecsElapsed();
@@ -340,18 +340,18 @@ void TestBranchCommands::randomEditsUndoAndRedo()
         qInfo("%d edits in %lld us: %d steps, %zu nodes", tries, spent / 1000, document.undoStack()->count(),
               document.scene().nodes().size());
         while (document.undoStack()->canRedo())
-            document.undoStack()->redo();
+            document.redo();
         const QByteArray after = fileOf(document);
         QCOMPARE(document.undoStack()->count(), 1000);
         while (document.undoStack()->canUndo()) {
             const auto index = static_cast<std::size_t>(document.undoStack()->index());
             if (index < states.size())
                 QVERIFY(document.scene() == states[index]);
-            document.undoStack()->undo();
+            document.undo();
         }
         QCOMPARE(fileOf(document), before);
         while (document.undoStack()->canRedo())
-            document.undoStack()->redo();
+            document.redo();
         QCOMPARE(fileOf(document), after);
         QVERIFY(recorder.paired());
         QVERIFY(readProject(after));

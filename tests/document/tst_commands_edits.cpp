@@ -96,9 +96,9 @@ void TestEditCommands::putChangesAndMerges()
     QCOMPARE(f.stack.count(), 1);
     QCOMPARE(editsOf(f.document).size(), std::size_t{2});
     QCOMPARE(editsOf(f.document).front().at, 0.8);
-    f.stack.undo();
+    f.document.undo();
     QCOMPARE(fileOf(f.document), file);
-    f.stack.redo();
+    f.document.redo();
     QCOMPARE(editsOf(f.document).front().at, 0.8);
     QVERIFY(edit::putTreeEdits(f.document, 2, {cut})); // changes nothing
     QCOMPARE(f.stack.count(), 1);
@@ -115,11 +115,11 @@ void TestEditCommands::putChangesAndMerges()
     QCOMPARE(f.stack.count(), 2);
     QCOMPARE(editsOf(f.document).size(), std::size_t{3});
     const QByteArray three = fileOf(f.document);
-    f.stack.undo();
+    f.document.undo();
     QCOMPARE(fileOf(f.document), two);
-    f.stack.redo();
+    f.document.redo();
     QCOMPARE(fileOf(f.document), three);
-    f.stack.undo();
+    f.document.undo();
     // A gesture that ends where it began is no step.
     const GestureId back = newGesture();
     cut.at = 0.1;
@@ -136,12 +136,12 @@ void TestEditCommands::removesAndSwitches()
         *edit::putTreeEdits(f.document, 2, {editOf(EditOperation::Cut, 5), editOf(EditOperation::Remove, 6)});
     QVERIFY(edit::setTreeEditsEnabled(f.document, 2, ids, false));
     QVERIFY(!editsOf(f.document)[0].enabled && !editsOf(f.document)[1].enabled);
-    f.stack.undo();
+    f.document.undo();
     QVERIFY(editsOf(f.document)[0].enabled);
     QVERIFY(edit::removeTreeEdits(f.document, 2, {ids[0]}));
     QCOMPARE(editsOf(f.document).size(), std::size_t{1});
     QCOMPARE(editsOf(f.document).front().id, ids[1]);
-    f.stack.undo();
+    f.document.undo();
     QCOMPARE(editsOf(f.document).front().id, ids[0]);
 }
 
@@ -175,8 +175,8 @@ void TestEditCommands::copiesToOtherTrees()
     QCOMPARE(editsOf(f.document, 3).front().id, ids[1]);
     QVERIFY(edit::copyTreeEdits(f.document, 2, ids, {3}));
     QCOMPARE(editsOf(f.document, 3).size(), std::size_t{2});
-    f.stack.undo();
-    f.stack.undo();
+    f.document.undo();
+    f.document.undo();
     QVERIFY(editsOf(f.document, 3).empty() && editsOf(f.document, 4).empty());
 }
 
@@ -427,11 +427,11 @@ void TestEditCommands::randomEditsUndoAndRedo()
             files.push_back(fileOf(document));
     }
     for (std::size_t i = files.size() - 1; i-- > 0;) {
-        document.undoStack()->undo();
+        document.undo();
         QVERIFY(fileOf(document) == files[i]);
     }
     for (std::size_t i = 1; i < files.size(); ++i) {
-        document.undoStack()->redo();
+        document.redo();
         QVERIFY(fileOf(document) == files[i]);
     }
 }

@@ -156,7 +156,7 @@ void TestDocument::goneNodesLeaveNothing()
     QVERIFY(!document.result(1));
     QCOMPARE(document.selection().nodes, (Ids{2}));
     QVERIFY(document.selection().branches.empty());
-    document.undoStack()->undo();
+    document.undo();
     QVERIFY(!document.isCurrent(1));
     QCOMPARE(document.shapeRevision(1), document.revision());
 }
@@ -181,7 +181,7 @@ void TestDocument::resultsAreCurrentUntilTheShapeChanges()
     failed.revision = document.revision();
     document.setResult(1, failed);
     QVERIFY(document.isCurrent(1)); // the answer is known: there is none
-    document.undoStack()->undo();
+    document.undo();
     QVERIFY(!document.isCurrent(1));
 }
 
@@ -230,7 +230,7 @@ void TestDocument::fileStateIsTold()
     document.setFilePath("/b.ramure");
     document.setFilePath("/b.ramure");
     QCOMPARE(recorder.take().kinds, quint32{changeFile});
-    document.undoStack()->setClean();
+    document.markSaved();
     QCOMPARE(recorder.take().kinds, quint32{changeFile});
     QVERIFY(!document.isModified());
     QVERIFY(recorder.paired());

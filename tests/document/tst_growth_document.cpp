@@ -52,20 +52,49 @@ private slots:
 
         QVERIFY(edit::setParam(document, {box}, *findParam("tree.translation"), glm::dvec3(3, 1, 0)));
         QVERIFY(!(space() == around));
-        document.undoStack()->undo();
+        document.undo();
         QVERIFY(space() == around);
         QCOMPARE(regrown.size(), std::size_t(3));
         QVERIFY(edit::removeNodes(document, {box}));
         QVERIFY(space().hash == 0);
-        document.undoStack()->undo();
+        document.undo();
         QVERIFY(space() == around);
-        document.undoStack()->undo();
+        document.undo();
         QVERIFY(document.scene() == before);
 
         regrown.clear();
         QVERIFY(edit::setParam(document, {box}, *findParam("surface.color"), glm::dvec3(1, 0, 0)));
         QVERIFY(edit::setNodeVisible(document, {box}, false));
         QVERIFY(regrown.empty()); // nothing that matters to growth
+    }
+    /// Vertices are looked at when a mesh is made, not at every edit.
+    void aMeshKnowsItsShape()
+    {
+        TriangleMesh ball;
+        ball.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+        ball.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
+        const SharedValue<TriangleMesh> mesh(ball), same(ball);
+        QVERIFY(!(mesh == SharedValue<TriangleMesh>()) && SharedValue<TriangleMesh>().hash() == 0);
+        QVERIFY(mesh == same && mesh.pointer() != same.pointer());
+        QCOMPARE(mesh.hash(), hashOf(ball));
+        ball.positions[0].x = 0.25f;
+        const SharedValue<TriangleMesh> other(ball);
+        QVERIFY(other.hash() != mesh.hash() && !(other == mesh));
+
+        Document document;
+        Node solid = node(2, NodeKind::Mesh, "Solid");
+        solid.mesh = mesh;
+        solid.params.growthRole = GrowthRole::Obstacle;
+        const auto openWith = [&](const SharedValue<TriangleMesh>& wanted) {
+            solid.mesh = wanted;
+            document.reset(*Scene::fromNodes({node(1, NodeKind::Tree, "Tree"), solid}), {});
+            return document.scene().find(1)->params.colonisation.space;
+        };
+        const GrowthSpaceLink link = openWith(mesh);
+        QVERIFY(link.hash != 0 && link.space);
+        QVERIFY(openWith(same) == link);
+        QVERIFY(!(openWith(other) == link));
+        QVERIFY(openWith(SharedValue<TriangleMesh>(TriangleMesh())).hash == 0);
     }
     void filesKnowTheSolidsAlone()
     {

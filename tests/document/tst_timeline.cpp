@@ -76,10 +76,10 @@ void TestTimeline::settingsAreUndoable()
     QVERIFY(document.scene().timeline() == after);
     QCOMPARE(kinds & ~quint32(changeFile), quint32(changeTimeline));
     QVERIFY(document.isModified());
-    document.undoStack()->undo();
+    document.undo();
     QVERIFY(document.scene().timeline() == before);
     QVERIFY(!document.isModified());
-    document.undoStack()->redo();
+    document.redo();
     QVERIFY(document.scene().timeline() == after);
 }
 

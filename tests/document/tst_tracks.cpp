@@ -51,7 +51,7 @@ struct Fixture
             {});
     }
     Document document;
-    QUndoStack& stack = *document.undoStack();
+    const QUndoStack& stack = *document.undoStack();
 };
 
 } // namespace
@@ -87,9 +87,9 @@ private slots:
             QVERIFY(edit::setTracks(f.document, {{2, moveX, slope(last)}}, QStringLiteral("x"), drag));
         QCOMPARE(f.stack.count(), 2);
         QCOMPARE(worldTransformAt(f.document.scene(), 2, 0.5).world[3].x, 2.0);
-        f.stack.undo();
+        f.document.undo();
         QCOMPARE(writeProject(f.document.project()), file);
-        f.stack.redo();
+        f.document.redo();
         QCOMPARE(worldTransformAt(f.document.scene(), 2, 0.5).world[3].x, 2.0);
         const GestureId back = newGesture();
         for (const double last : {9.0, 4.0})
@@ -219,7 +219,7 @@ private slots:
         QVERIFY(player.waitForIdle(20'000));
         QCOMPARE(player.motion()->transforms.at(1).world[3].x, 3.0);
         while (document.undoStack()->canUndo())
-            document.undoStack()->undo();
+            document.undo();
         QVERIFY(player.waitForIdle(20'000));
         QVERIFY(player.motion()->geometryOf(document.scene(), 1) == expected);
     }
@@ -257,7 +257,7 @@ private slots:
         QVERIFY(f.document.scene().timeline().lastFrame >= 480);
         QVERIFY(!task.notes().empty());
         QCOMPARE(f.stack.count(), 1);
-        f.stack.undo();
+        f.document.undo();
         QCOMPARE(writeProject(f.document.project()), before);
         write("B.animation", "0,LINEAR\n");
         task.start(temporary.path());

@@ -40,9 +40,9 @@ void TestViewBookmarks::keepingAndForgettingAreUndoable()
     QCOMPARE(document.undoStack()->count(), 1);
     QVERIFY(edit::setBookmark(document, 2, {}));
     QVERIFY(!document.scene().bookmarks()[2]);
-    document.undoStack()->undo();
+    document.undo();
     QVERIFY(document.scene().bookmarks()[2] == someView());
-    document.undoStack()->undo();
+    document.undo();
     QVERIFY(!document.scene().bookmarks()[2]);
     QVERIFY(!document.isModified());
 }

@@ -129,9 +129,9 @@ private slots:
         QVERIFY(desk.arm().mesh->colours == desk.document.scene().find(3)->mesh->colours);
         QVERIFY(desk.arm().params.surface.color == glm::dvec3(1.0));
         const QByteArray after = desk.bytes();
-        desk.document.undoStack()->undo();
+        desk.document.undo();
         QCOMPARE(desk.bytes(), before);
-        desk.document.undoStack()->redo();
+        desk.document.redo();
         QCOMPARE(desk.bytes(), after);
         const auto again = readProject(after);
         QVERIFY2(again, test::why(again));

@@ -106,14 +106,14 @@ private slots:
         }
         QCOMPARE(worn.uv, box.uv);
         // One step back, one forth.
-        document.undoStack()->undo();
+        document.undo();
         QVERIFY(!arm(document).mesh && document.scene().find(3)->visible);
-        document.undoStack()->redo();
+        document.redo();
         QVERIFY(arm(document).mesh && !document.scene().find(3)->visible);
         QVERIFY(edit::setArmMesh(document, 1, {}, QStringLiteral("cylinder")));
         QVERIFY(!arm(document).mesh);
         while (document.undoStack()->canUndo())
-            document.undoStack()->undo();
+            document.undo();
         QCOMPARE(document.scene(), before);
     }
 

@@ -235,7 +235,7 @@ void TestArmViewport::aLimbFollowsTheHand()
     drag("limb-grabbed");
     QCOMPARE(window.document.undoStack()->count(), 1);
     QVERIFY(!window.document.scene().find(tree.id)->params.branches.empty());
-    window.document.undoStack()->undo();
+    window.document.undo();
     compute();
     player.setPace(PlayPace::EveryFrame);
     player.play();

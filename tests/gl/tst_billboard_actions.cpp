@@ -137,7 +137,7 @@ private slots:
         QCOMPARE(action->toolTip(), usual);
         QVERIFY(edit::setNodeVisible(bench.document, {1}, false));
         QVERIFY(!action->isEnabled());
-        bench.document.undoStack()->undo();
+        bench.document.undo();
         QVERIFY(action->isEnabled());
         bench.chooser.answer = bench.path("tree.glb");
         bench.start({});

@@ -54,7 +54,7 @@ private slots:
         QVERIFY(window.host.settings()->orthographic());
         QVERIFY(set.find(QStringLiteral("view.bookmark.3"))->text().contains(QLatin1String("left")));
 
-        window.document.undoStack()->undo();
+        window.document.undo();
         set.find(QStringLiteral("view.bookmark.3"))->trigger(); // gone: it is said
         QCOMPARE(told.count(), 2);
         QVERIFY(set.find(QStringLiteral("view.bookmark.3"))->text().contains(QLatin1String("empty")));

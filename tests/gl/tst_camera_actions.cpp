@@ -79,7 +79,7 @@ private slots:
         QVERIFY(edit::setParam(window.document, {2}, *findParam("tree.translation"), glm::dvec3(2, 1, 8)));
         window.waitForPicture();
         QVERIFY(glm::length(window.view->camera().eye() - glm::dvec3(2, 1, 8)) < 1e-12);
-        window.document.undoStack()->undo();
+        window.document.undo();
         window.waitForPicture();
         QVERIFY(glm::length(window.view->camera().eye() - glm::dvec3(0, 1, 8)) < 1e-12);
 
@@ -154,7 +154,7 @@ private slots:
         QVERIFY(glm::length(now.eye() - wanted.eye()) < 1e-9);
         QVERIFY(glm::length(now.backward() - wanted.backward()) < 1e-9);
         QVERIFY(glm::length(now.up() - wanted.up()) < 1e-9);
-        window.document.undoStack()->undo();
+        window.document.undo();
         QVERIFY(window.document.scene() == before);
     }
 };

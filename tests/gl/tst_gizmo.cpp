@@ -184,7 +184,7 @@ void TestGizmo::draggingAHandleMovesInOneStep()
         QVERIFY(!window.view->isTransforming());
         QVERIFY(window.document.scene().find(1)->params.tree != before);
         QCOMPARE(window.document.undoStack()->count(), 1);
-        window.document.undoStack()->undo();
+        window.document.undo();
         QCOMPARE(window.document.scene().find(1)->params.tree, before);
     }
 }

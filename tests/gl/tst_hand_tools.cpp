@@ -220,7 +220,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(isSettled(), patienceMs);
         auto* panel = m_window->findChild<EditsPanel*>();
         QCOMPARE(panel->model()->rowCount(), 1);
-        m_document->undoStack()->undo();
+        m_document->undo();
         QCOMPARE(panel->model()->rowCount(), 0);
     }
     /// On the trunk, which stands: what hangs from it stays on its side.

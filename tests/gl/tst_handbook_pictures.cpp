@@ -264,12 +264,12 @@ private slots:
         for (const auto step : {&TestHandbookPictures::wholeWindow, &TestHandbookPictures::tenOaks,
                                 &TestHandbookPictures::bonsai, &TestHandbookPictures::bending,
                                 &TestHandbookPictures::fromBlender}) {
-            m_document->undoStack()->setClean();
+            m_document->markSaved();
             (this->*step)();
             if (QTest::currentTestFailed())
                 break;
         }
-        m_document->undoStack()->setClean();
+        m_document->markSaved();
         m_window.reset();
         m_recompute.reset();
         m_document.reset();

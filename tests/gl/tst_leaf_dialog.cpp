@@ -81,7 +81,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(settled() && view.picture() != before, 60'000);
         QTest::keyClick(&view, Qt::Key_Home);
         QTRY_VERIFY_WITH_TIMEOUT(settled() && view.picture() == before, 60'000);
-        trees.document().undoStack()->undo(); // the tree is gone: the last leaf stays
+        trees.document().undo(); // the tree is gone: the last leaf stays
         QTRY_VERIFY(settled());
         QVERIFY(view.picture() == before);
     }

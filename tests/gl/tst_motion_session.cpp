@@ -130,7 +130,7 @@ private slots:
         session.open("TinyTree");
         session.letCameraRest();
         QVERIFY(edit::setParam(session.document, {1}, *findParam("physics.windStrength"), 0.0));
-        session.document.undoStack()->setClean();
+        session.document.markSaved();
         const int steps = session.document.undoStack()->index();
         session.trigger("play.toggle");
         QVERIFY(session.player()->isPlaying());
@@ -234,7 +234,7 @@ private slots:
         QVERIFY(edit::setParam(session.document, {1}, *findParam("physics.windStrength"), 5.0));
         QVERIFY(session.wait([&] { return session.motion().figures.kineticEnergy > 10.0 * calm + 1e-6; }));
         QVERIFY(session.player()->isPlaying());
-        session.document.undoStack()->undo(); // while it plays
+        session.document.undo(); // while it plays
         QVERIFY(session.player()->isPlaying());
         const qint64 then = session.player()->frame();
         QVERIFY(session.wait([&] { return session.player()->frame() != then; }));
@@ -244,7 +244,7 @@ private slots:
     {
         Session session(m_chooser);
         session.open("TinyTree");
-        session.document.undoStack()->setClean();
+        session.document.markSaved();
         const quint64 revision = session.document.revision();
         TimelineRuler* ruler = session.window->timeline()->ruler();
         const int y = ruler->height() / 2;

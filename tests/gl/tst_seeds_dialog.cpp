@@ -113,7 +113,7 @@ private slots:
         NodeParams expected = reseeded(like.params, dialog.seedOf(4));
         QVERIFY(document.scene().nodes().front().params == expected);
         QVERIFY(document.scene().nodes().back().params.grammar.seed == dialog.seedOf(5));
-        document.undoStack()->undo();
+        document.undo();
         QCOMPARE(document.scene().nodes().size(), std::size_t(1));
 
         const NodeId tree = document.scene().nodes().front().id;
@@ -121,7 +121,7 @@ private slots:
         dialog.choices()[8]->click();
         expected = reseeded(expected, dialog.seedOf(8));
         QVERIFY(document.scene().find(tree)->params == expected);
-        document.undoStack()->undo();
+        document.undo();
         QCOMPARE(document.scene().find(tree)->params.grammar.seed, chosen);
     }
     void aTreeWithoutChanceSaysThatOnlyLeavesVary()

@@ -133,12 +133,12 @@ private slots:
         f.choose(2);
         f.dialog.openAction()->trigger();
         QVERIFY(f.params() == *variedParams(before, f.dialog.model()->at(2)));
-        f.trees.document().undoStack()->undo();
-        f.trees.document().undoStack()->undo();
+        f.trees.document().undo();
+        f.trees.document().undo();
         QVERIFY(f.params() == before);
         // What was opened here goes on; what was changed elsewhere begins anew.
-        f.trees.document().undoStack()->redo();
-        f.trees.document().undoStack()->redo();
+        f.trees.document().redo();
+        f.trees.document().redo();
         f.dialog.starAction()->trigger();
         f.dialog.offerFor(f.tree);
         QVERIFY(f.dialog.model()->isStarred(2));

@@ -198,13 +198,13 @@ private slots:
         window.waitForPicture();
         // With Shift what is thick follows, too: the limb reaches the hand.
         window.drag(at, at + QPoint(25, -10), Qt::LeftButton, Qt::ControlModifier | Qt::ShiftModifier);
-        QUndoStack* undo = window.document.undoStack();
+        const QUndoStack* undo = window.document.undoStack();
         QCOMPARE(undo->count(), 1);
         compute(window.document);
         const glm::dvec3 now = glm::mix(window.skeleton().p0[tip], window.skeleton().p1[tip], 0.8);
         const QPoint moved = window.pixelOf(now) - at;
         QVERIFY2((moved - QPoint(25, -10)).manhattanLength() < 12, qPrintable(QString::number(moved.x())));
-        undo->undo();
+        window.document.undo();
         compute(window.document);
         window.waitForPicture();
         window.click(at, Qt::ControlModifier);

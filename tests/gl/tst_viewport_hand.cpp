@@ -161,7 +161,7 @@ void TestViewportHand::aLimbIsMadeWhileTheHandRests()
     window.release();
     QVERIFY(window.document.scene().nodes().front().params.branches != first);
     QCOMPARE(window.document.undoStack()->count(), 1);
-    window.document.undoStack()->undo();
+    window.document.undo();
     QVERIFY(!window.isBent());
 }
 
@@ -226,7 +226,7 @@ void TestViewportHand::copiesMoveInTheSameStep()
     QTest::keyClick(window.view, Qt::Key_Return);
     QCOMPARE(window.document.scene().nodes().back().params.tree.translation, glm::dvec3(2.0, 0.0, 0.0));
     QCOMPARE(window.document.undoStack()->count(), 1);
-    window.document.undoStack()->undo();
+    window.document.undo();
     QVERIFY(window.document.scene() == before);
     // Given up, the copy stays where its original is.
     copy();

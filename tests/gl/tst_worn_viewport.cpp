@@ -157,7 +157,7 @@ void TestWornViewport::aWornMeshIsSeenBentAndColoured()
     QVERIFY(edit::setParam(window.document, {1}, *findParam("skin.method"), EnumValue{"linear"}));
     window.picture("worn-linear");
     while (window.document.undoStack()->canUndo())
-        window.document.undoStack()->undo();
+        window.document.undo();
     QVERIFY(!window.document.scene().find(1)->mesh);
 }
 

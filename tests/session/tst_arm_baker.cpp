@@ -81,9 +81,9 @@ void TestArmBaker::theKeysAreOneStep()
     QVERIFY(!desk.arm().params.arm.follows);
     QCOMPARE(desk.arm().animation.tracks().size(), std::size_t(6 + 3));
     QVERIFY(keyCount(*desk.arm().animation.find(angleOf(0, true))) > 10);
-    desk.document.undoStack()->undo();
+    desk.document.undo();
     QVERIFY(desk.document.scene() == before);
-    desk.document.undoStack()->redo();
+    desk.document.redo();
     QVERIFY(!desk.arm().animation.empty());
 }
 
@@ -153,7 +153,7 @@ void TestArmBaker::keysMoveWithTheirJoints()
     QVERIFY(edit::removeJoint(desk.document, 1, 0));
     QCOMPARE(desk.arm().animation.find(angleOf(0, false)), second);
     QVERIFY(!desk.arm().animation.find(angleOf(2, false)));
-    desk.document.undoStack()->setIndex(1);
+    desk.document.goToStep(1);
     QVERIFY(desk.document.scene() == baked);
     for (int i = 0; i < 100; ++i)
         (void)edit::addJoint(desk.document, 1, 0);

@@ -117,7 +117,7 @@ private slots:
         QVERIFY(!desk.document.scene().find(4)->visible);
         // The same as at once, in one step.
         const TriangleMesh worn = *desk.arm().mesh;
-        desk.document.undoStack()->undo();
+        desk.document.undo();
         QCOMPARE(desk.arm().mesh.pointer(), before);
         QVERIFY(desk.document.scene().find(4)->visible);
         QVERIFY(edit::wearMesh(desk.document, 1, 4, true));
@@ -171,7 +171,7 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(desk.finished.count(), 2, 20'000);
         QVERIFY(std::abs(desk.top() - 5.9F) < 1e-5F);
         QCOMPARE(desk.document.undoStack()->count(), steps + 1);
-        desk.document.undoStack()->undo();
+        desk.document.undo();
         QVERIFY(std::abs(desk.top() - 4.4F) < 1e-5F);
     }
 

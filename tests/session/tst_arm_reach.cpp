@@ -67,7 +67,7 @@ void TestArmReach::theWayEndsInOneStep()
     QVERIFY(desk.reach.progress()->residual <= 1e-4);
     QVERIFY(glm::distance(desk.tip(), target) <= 1e-4);
     QCOMPARE(desk.document.undoStack()->count(), 1); // the target and the joints
-    desk.document.undoStack()->undo();
+    desk.document.undo();
     QVERIFY(desk.document.scene() == before);
 }
 
@@ -116,8 +116,8 @@ void TestArmReach::aMovedTargetIsFollowed()
     QVERIFY(glm::distance(desk.tip(), glm::dvec3(1.5, 1.9, 1.0)) <= 1e-4);
     QCOMPARE(desk.document.undoStack()->count(), 1);
     const std::vector<ArmJoint> after = desk.params().joints;
-    desk.document.undoStack()->undo();
-    desk.document.undoStack()->redo();
+    desk.document.undo();
+    desk.document.redo();
     QVERIFY(desk.params().joints == after);
 }
 
@@ -136,7 +136,7 @@ void TestArmReach::otherEditsEndIt()
         else if (way == 2)
             desk.document.reset({}, {});
         else
-            desk.document.undoStack()->undo();
+            desk.document.undo();
         QVERIFY(!desk.reach.progress());
     }
 }

@@ -197,7 +197,7 @@ void TestAutosave::savingAndClosingRemoveTheFile()
         setSeed(document, 5);
         QVERIFY(autosave.saveNow());
         QVERIFY(QFile::exists(autosave.recoveryPath()));
-        document.undoStack()->setClean(); // saved
+        document.markSaved(); // saved
         QVERIFY(!QFile::exists(autosave.recoveryPath()));
         setSeed(document, 6);
         QVERIFY(autosave.saveNow());

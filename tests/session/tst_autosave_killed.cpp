@@ -48,7 +48,7 @@ static int runVictim(const QString& folder)
     QObject::connect(&edits, &QTimer::timeout, &edits, [&] {
         setSeed(document, ++seed);
         if (seed % 10 == 0 && saveProjectFile(document.project(), path)) {
-            document.undoStack()->setClean();
+            document.markSaved();
             say(seed);
         }
         if (auto kept = seed % 7 == 0 ? autosave.saveNow() : Expected<void>{}; seed % 7 == 0 && kept)

@@ -159,7 +159,7 @@ private slots:
             QVERIFY(bench.recompute.waitForFull(patienceMs));
             QVERIFY2(bench.settled(BakeState::Stale), key);
             bench.seek(120);
-            bench.document.undoStack()->undo();
+            bench.document.undo();
             QVERIFY(bench.recompute.waitForFull(patienceMs));
             QVERIFY2(bench.settled(BakeState::Good), key);
             bench.seek(100);

@@ -111,7 +111,7 @@ private slots:
 
         // Again there is nothing to do; after undo the copies that lie there are taken.
         QCOMPARE(edit::packPictures(document).value_or(9), std::size_t(0));
-        document.undoStack()->undo();
+        document.undo();
         QVERIFY(document.scene() == before);
         QCOMPARE(edit::packPictures(document).value_or(0), std::size_t(2));
         QCOMPARE(folder.entryList(QDir::Files).size(), 2);

@@ -63,7 +63,7 @@ private slots:
         QVERIFY(std::abs(placeOf(document, inside).x - 3.7 - *moved) < 1e-9);
         QCOMPARE(placeOf(document, inside).z, 0.0);
         QCOMPARE(*edit::moveBeside(document, {group}), 0.0); // now there is room
-        document.undoStack()->undo();
+        document.undo();
         QVERIFY(std::abs(placeOf(document, inside).x - 3.7) < 1e-9);
     }
     /// In one step; where they stand and what holds them stays.
@@ -83,7 +83,7 @@ private slots:
         QVERIFY(document.scene().find(tree)->params == expected);
         QCOMPARE(document.scene().find(tree)->preset, like.preset); // what its arrows go back to
         QCOMPARE(document.scene().find(tree)->name, like.name);
-        document.undoStack()->undo();
+        document.undo();
         QCOMPARE(document.scene().find(tree)->name, presetTree("TinyTree")->name);
         QCOMPARE(document.scene().find(tree)->preset, std::string("TinyTree"));
         QVERIFY(document.scene().find(tree)->params == before);
@@ -101,7 +101,7 @@ private slots:
             QVERIFY(edit::setNodeName(document, tree, QString::fromLatin1(name)));
             QVERIFY(edit::makeTreesLike(document, {tree}, like, QStringLiteral("Make it")));
             QCOMPARE(document.scene().find(tree)->name, std::string(name));
-            document.undoStack()->undo();
+            document.undo();
         }
         const std::string usual = presetTree("TinyTree")->name + " 2";
         QVERIFY(edit::setNodeName(document, tree, QString::fromStdString(usual)));
@@ -138,7 +138,7 @@ private slots:
             const double reach = usualReach(document.scene().find(*second)->params);
             QVERIFY(reach > 0.5);
             QVERIFY(std::abs(placeOf(document, *second).x - (right + reach)) < 1e-9);
-            document.undoStack()->undo();
+            document.undo();
             QVERIFY(!document.scene().find(*second));
         }
     }

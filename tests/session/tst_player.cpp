@@ -147,7 +147,7 @@ void TestPlayer::anyOrderGivesTheSameFrames()
 void TestPlayer::playingTouchesNoUndoAndNoStar()
 {
     addTree("TinyTree");
-    m_document->undoStack()->setClean();
+    m_document->markSaved();
     const int steps = m_document->undoStack()->count();
     const quint64 revision = m_document->revision();
     m_player->play();
@@ -262,7 +262,7 @@ void TestPlayer::bandTellsCachedStaleAndMissing()
     QTRY_VERIFY(m_player->band().size() >= 2);
     QCOMPARE(m_player->band()[0], (FrameRange{0, 0, FrameState::Cached}));
     QCOMPARE(m_player->band()[1].state, FrameState::Stale);
-    m_document->undoStack()->undo();
+    m_document->undo();
     QVERIFY(m_player->waitForIdle(20000));
     QTRY_COMPARE(m_player->band()[0].state, FrameState::Cached);
     QVERIFY(m_player->band()[0].last >= 50);
@@ -276,7 +276,7 @@ void TestPlayer::physicsEditsChangeTheFrameOnShow()
     QVERIFY(edit::setParam(*m_document, {tree}, *findParam("physics.windStrength"), 4.0));
     QVERIFY(m_player->waitForIdle(20000));
     QTRY_VERIFY(*motion(tree).bones != before);
-    m_document->undoStack()->undo();
+    m_document->undo();
     QVERIFY(m_player->waitForIdle(20000));
     QTRY_VERIFY(*motion(tree).bones == before);
 }
@@ -326,7 +326,7 @@ void TestPlayer::removedTreesAreForgotten()
     seek(5);
     QVERIFY(edit::removeNodes(*m_document, {tree}));
     QTRY_VERIFY(m_player->motion()->nodes.empty());
-    m_document->undoStack()->undo();
+    m_document->undo();
     QVERIFY(m_recompute->waitForFull(20000));
     QTRY_VERIFY(m_player->motion()->of(tree));
 }

@@ -409,10 +409,10 @@ void TestRecompute::draftsAreNoMeshes()
     QVERIFY(!draft.branches && !draft.report); // nothing to export or to check
     QVERIFY(draft.draftTubes && !draft.draftTubes->empty());
     QVERIFY(draft.leaves && draft.sections);
-    document.undoStack()->undo(); // its mesh is still there: no draft is shown
+    document.undo(); // its mesh is still there: no draft is shown
     QTRY_VERIFY(document.isCurrent(1));
     QVERIFY(document.result(1)->tree.branches == mesh);
-    document.undoStack()->redo();
+    document.redo();
     QVERIFY(recompute.waitForFull(60000));
     const TreeResult full = document.result(1)->tree;
     QVERIFY(full.branches && full.report->valid && !full.draftTubes);
@@ -470,7 +470,7 @@ void TestRecompute::removedTreesAreForgotten()
     QVERIFY(f.recompute->waitForFull(20000));
     QTRY_VERIFY(!f.recompute->isBusy());
     QVERIFY(!f.document.result(2));
-    f.document.undoStack()->undo();
+    f.document.undo();
     QVERIFY(f.recompute->waitForFull(20000));
     QCOMPARE(f.shown(2), std::to_string(0.3));
 }

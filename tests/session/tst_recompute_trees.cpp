@@ -94,11 +94,11 @@ void TestRecomputeTrees::undoFindsTheCache()
     QVERIFY(recompute.waitForFull(60000));
     const TreeResult after = document.result(1)->tree;
     QVERIFY(after.branches != before.branches);
-    document.undoStack()->undo();
+    document.undo();
     QVERIFY(recompute.waitForFull(60000));
     QVERIFY(document.result(1)->tree.branches == before.branches);
     QVERIFY(document.result(1)->tree.leaves == before.leaves);
-    document.undoStack()->redo();
+    document.redo();
     QVERIFY(recompute.waitForFull(60000));
     QVERIFY(document.result(1)->tree.branches == after.branches);
 }

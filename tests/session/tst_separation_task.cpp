@@ -84,9 +84,9 @@ void TestSeparationTask::theOutcomeIsOneUndoStep()
     const auto read = readProject(after);
     QVERIFY(read);
     QCOMPARE(writeProject(*read), after);
-    bench.document.undoStack()->undo();
+    bench.document.undo();
     QCOMPARE(bench.file(), before);
-    bench.document.undoStack()->redo();
+    bench.document.redo();
     QCOMPARE(bench.file(), after);
     // Nothing collides any more: no further step.
     QVERIFY(bench.task.start(bench.tree));

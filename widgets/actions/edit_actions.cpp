@@ -70,13 +70,10 @@ EditActions::EditActions(Document* document, Chooser* chooser, ActionSet* set, Q
     , m_locked(set->add({"edit.locked", QT_TRANSLATE_NOOP("Actions", "Loc&k or unlock"), "lock",
                          QKeySequence(Qt::CTRL | Qt::Key_L)}))
 {
-    QUndoStack* stack = document->undoStack();
-    connect(m_undo, &QAction::triggered, stack, &QUndoStack::undo);
-    connect(m_redo, &QAction::triggered, stack, &QUndoStack::redo);
-    connect(stack, &QUndoStack::canUndoChanged, m_undo, &QAction::setEnabled);
-    connect(stack, &QUndoStack::canRedoChanged, m_redo, &QAction::setEnabled);
-    connect(stack, &QUndoStack::undoTextChanged, this, &EditActions::updateUndoTexts);
-    connect(stack, &QUndoStack::redoTextChanged, this, &EditActions::updateUndoTexts);
+    const QUndoStack* stack = document->undoStack();
+    connect(m_undo, &QAction::triggered, document, &Document::undo);
+    connect(m_redo, &QAction::triggered, document, &Document::redo);
+    connect(stack, &QUndoStack::indexChanged, this, &EditActions::updateUndoTexts);
     connect(m_newTree, &QAction::triggered, this, &EditActions::newTree);
     for (const NodeKindRow* row : nodeKinds()) {
         if (*row->addId == '\0')
@@ -150,6 +147,7 @@ void EditActions::retranslate()
 
 void EditActions::follow(const Change& change)
 {
+    m_undo->setEnabled(m_document->canUndo()); // also what a hand is doing now
     const bool isVaried = change.has(changeParams) && change.firstStale <= Stage::Skeleton;
     if (isVaried || change.has(changeSelection | changeStructure | changeReset | changeNodeState |
                                changeBranches | changeResults))
@@ -220,7 +218,7 @@ int EditActions::goingBranches() const
 void EditActions::updateUndoTexts()
 {
     const QUndoStack* stack = m_document->undoStack();
-    m_undo->setEnabled(stack->canUndo());
+    m_undo->setEnabled(m_document->canUndo());
     m_redo->setEnabled(stack->canRedo());
     const auto name = [](const QString& base, const QString& what) {
         return what.isEmpty() ? base : QStringLiteral("%1: %2").arg(base, what);

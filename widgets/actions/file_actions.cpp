@@ -185,6 +185,7 @@ void FileActions::reportError(const QString& what, const Error& error)
 
 bool FileActions::mayDiscard()
 {
+    m_document->settleGesture();
     if (!m_document->isModified())
         return true;
     switch (m_chooser->unsavedChanges(documentName())) {
@@ -359,6 +360,7 @@ bool FileActions::saveAs()
 
 bool FileActions::saveTo(const QString& path)
 {
+    m_document->settleGesture();
     if (const auto done = saveProjectFile(m_document->project(), path); !done) {
         reportError(tr("“%1” could not be saved. Nothing is lost: the file on disk is as it was, and your "
                        "changes are "
@@ -368,7 +370,7 @@ bool FileActions::saveTo(const QString& path)
         return false;
     }
     m_document->setFilePath(QFileInfo(path).absoluteFilePath());
-    m_document->undoStack()->setClean();
+    m_document->markSaved();
     remember(path);
     return true;
 }

@@ -161,6 +161,12 @@ void MainWindow::connectPanels()
                           tr("The preferences cannot be stored. They hold until the program ends.") + u'\n' +
                               errorTextWithPlace(error));
     });
+    connect(m_document, &Document::stepsForgotten, this, [this] {
+        m_chooser->report(Severity::Info,
+                          tr("The oldest steps can no longer be undone: all steps together held more than "
+                             "%1 of memory.")
+                              .arg(locale().formattedDataSize(qint64(Document::usualUndoMemory), 0)));
+    });
     applyUnits();
     m_plays->setView(m_host->settings());
     m_scene->setTime([this] { return m_player->timeSeconds(); });

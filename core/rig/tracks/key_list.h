@@ -67,6 +67,14 @@ public:
     /// The same for those from \p first on; pages that would not change stay.
     void overwrite(std::size_t first, std::span<const KeyType> keys);
 
+    /// Calls \p visit(address, bytes) for the memory of each page: lists that share a page say the same
+    /// address.
+    template <class Visit> void eachPage(Visit&& visit) const
+    {
+        for (const PageRef& ref : m_pages)
+            visit(ref.page.get(), ref.page->keys.size() * (sizeof(KeyType) + sizeof(Ticks)));
+    }
+
     /// Pages that both share are not looked at.
     bool operator==(const KeyList& other) const;
 

@@ -89,7 +89,7 @@ void dropTenThousandAndUndo(benchmark::State& state)
     for (auto _ : state) {
         selectTenThousand();
         dock().commands.retime({0, 1.0, ticksPerSecond * 30}, false);
-        dock().document.undoStack()->undo();
+        dock().document.undo();
     }
 }
 BENCHMARK(dropTenThousandAndUndo)->Unit(benchmark::kMillisecond);

@@ -182,7 +182,7 @@ private slots:
         edit();
         m_set->find(QStringLiteral("file.save"))->trigger();
         QCOMPARE(m_chooser->saves, 1);
-        m_document->undoStack()->undo();
+        m_document->undo();
         QVERIFY(m_document->isModified());
         QVERIFY(m_files->newFromPreset(QStringLiteral("SmallTree")) == false); // asked: Cancel
         m_chooser->unsaved = Chooser::Unsaved::Save;

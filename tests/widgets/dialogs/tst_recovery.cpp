@@ -137,7 +137,7 @@ private slots:
         QVERIFY(document.project().extras.empty()); // the note is gone
         // A second crash would find it again, under the name of this program.
         QCOMPARE(files(), QStringList(QFileInfo(recovery.autosave()->recoveryPath()).fileName()));
-        document.undoStack()->setClean(); // saved
+        document.markSaved(); // saved
         QVERIFY(files().isEmpty());
     }
 
@@ -180,7 +180,7 @@ private slots:
             document.markModified();
             QVERIFY(edit::setParam(document, {1}, *findParam("grammar.seed"), std::int64_t(i + 2)));
             test::anyMoment(i % 4);
-            document.undoStack()->setClean();
+            document.markSaved();
         }
         recovery.autosave()->setInterval(0);
         test::letHappen(30); // what is on its way may still arrive, but goes then

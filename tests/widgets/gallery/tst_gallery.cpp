@@ -190,7 +190,7 @@ private:
         show(whole, "arm-panel");
         whole.resize(whole.minimumSizeHint().width(), 760);
         look(&whole, "arm-panel-narrow");
-        m_document->undoStack()->setIndex(0);
+        m_document->goToStep(0);
         m_document->setSelection({});
     }
     /// All groups unfolded, advanced rows too, a wrong grammar with its message: as long as the panel gets.
@@ -310,7 +310,7 @@ private slots:
         for (auto* welcome : m_window->findChildren<QFrame*>(QStringLiteral("welcome")))
             welcome->hide();
         m_window->edits()->addKind(kindRow(NodeKind::Group));
-        m_document->undoStack()->undo();
+        m_document->undo();
         panels();
         openMenus(m_window->menuBar()->actions(), QStringLiteral("menu-"));
         properties();

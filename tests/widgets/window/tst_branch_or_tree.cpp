@@ -82,7 +82,7 @@ private slots:
             QVERIFY(m_recompute->waitForFull(20'000));
         }
         while (m_document->undoStack()->canUndo())
-            m_document->undoStack()->undo();
+            m_document->undo();
         QVERIFY(m_recompute->waitForFull(20'000));
         select({tree()}, {});
         QCOMPARE(text("edit.delete"), QStringLiteral("Delete tree"));
@@ -109,7 +109,7 @@ private slots:
         QVERIFY(m_document->selection().nodes.empty() && m_document->selection().branches.empty());
         QTest::keyClick(m_window.get(), Qt::Key_Delete);
         QCOMPARE(m_document->scene().nodes().size(), std::size_t(1));
-        m_document->undoStack()->undo();
+        m_document->undo();
         QVERIFY(m_recompute->waitForFull(20'000));
         QCOMPARE(count(), all);
         QCOMPARE(m_document->selection().branches, std::vector{limb});
@@ -121,15 +121,15 @@ private slots:
         select({node}, {});
         action("edit.delete")->trigger();
         QVERIFY(m_document->selection().nodes.empty());
-        m_document->undoStack()->undo();
+        m_document->undo();
         QCOMPARE(m_document->selection().nodes, std::vector{node});
-        m_document->undoStack()->redo();
-        m_document->undoStack()->undo();
+        m_document->redo();
+        m_document->undo();
         QCOMPARE(m_document->selection().nodes, std::vector{node});
         // Not where another step has taken the place of that one.
         select({}, {});
         QVERIFY(edit::setNodeVisible(*m_document, {node}, false));
-        m_document->undoStack()->undo();
+        m_document->undo();
         QVERIFY(m_document->selection().nodes.empty());
     }
     void aNewTreeHasNoBranchOfTheOneBefore()

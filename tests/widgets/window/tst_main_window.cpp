@@ -266,7 +266,7 @@ private slots:
         m_window->setFocus();
         QTest::keyClick(m_window.get(), Qt::Key_Space);
         QCOMPARE(m_document->undoStack()->count(), steps);
-        m_document->undoStack()->undo();
+        m_document->undo();
         QVERIFY(action->isEnabled());
         QCOMPARE(action->toolTip(), usual);
     }

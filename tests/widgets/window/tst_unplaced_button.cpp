@@ -79,7 +79,7 @@ private slots:
         QTest::keyClick(list, Qt::Key_Delete); // the first is selected
         QCOMPARE(list->topLevelItemCount(), 2);
         QCOMPARE(trees.document().scene().find(tree)->params.branches.size(), std::size_t{2});
-        trees.document().undoStack()->undo();
+        trees.document().undo();
         QCOMPARE(list->topLevelItemCount(), 3);
         list->clearSelection();
         auto* remove = dialog.findChild<QPushButton*>(QStringLiteral("deleteEdits"));

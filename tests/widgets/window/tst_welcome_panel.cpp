@@ -107,7 +107,7 @@ private slots:
         };
         pick("TinyTree");
         change();
-        m_document->undoStack()->undo();
+        m_document->undo();
         pick("FanTree");
         change();
         m_chooser.answer = folder.filePath(QStringLiteral("fan.ramure"));

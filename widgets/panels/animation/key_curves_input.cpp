@@ -193,6 +193,7 @@ void KeyCurves::finishBox(bool adds)
     m_model->setSelection(selection);
 }
 
+/// Also where the document has ended the gesture.
 void KeyCurves::giveUp()
 {
     if (std::exchange(m_drag, Drag::None) == Drag::Handle)

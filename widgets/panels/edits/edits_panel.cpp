@@ -12,9 +12,9 @@
 #include <QStackedWidget>
 #include <QToolButton>
 #include <QTreeView>
-#include <QUndoStack>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <optional>
 
 namespace ramure {
 
@@ -164,14 +164,13 @@ void EditsPanel::removeSelected()
         return bend != nullptr;
     });
     const bool both = !ids.empty() && !straight.empty(); // one step
+    std::optional<OneStep> step;
     if (both)
-        m_document->undoStack()->beginMacro(tr("Delete edits"));
+        step.emplace(*m_document, tr("Delete edits"));
     if (!straight.empty())
         report(edit::turnBranches(*m_document, m_model->tree(), straight));
     if (!ids.empty())
         report(edit::removeTreeEdits(*m_document, m_model->tree(), ids));
-    if (both)
-        m_document->undoStack()->endMacro();
 }
 
 bool EditsPanel::hasBend(const std::vector<std::uint64_t>& ids) const

@@ -4,11 +4,12 @@
 
 #include <QWidget>
 
-class QUndoView;
+class QListView;
 
 namespace ramure {
 
 class Document;
+class HistoryModel;
 
 class HistoryDock : public QWidget
 {
@@ -26,7 +27,8 @@ private:
     void retranslate();
     void drawCleanIcon();
 
-    QUndoView* m_view = nullptr;
+    HistoryModel* m_model;
+    QListView* m_view;
 };
 
 } // namespace ramure

@@ -6,7 +6,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QShortcut>
-#include <QUndoStack>
 #include <QVBoxLayout>
 
 namespace ramure {
@@ -31,9 +30,8 @@ LeafDialog::LeafDialog(Document* document, QWidget* parent)
     layout->addLayout(foot);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
     // A window of its own does not hear the keys of the main window.
-    QUndoStack* stack = document->undoStack();
-    connect(new QShortcut(QKeySequence::Undo, this), &QShortcut::activated, stack, &QUndoStack::undo);
-    connect(new QShortcut(QKeySequence::Redo, this), &QShortcut::activated, stack, &QUndoStack::redo);
+    connect(new QShortcut(QKeySequence::Undo, this), &QShortcut::activated, document, &Document::undo);
+    connect(new QShortcut(QKeySequence::Redo, this), &QShortcut::activated, document, &Document::redo);
     connect(document, &Document::changed, this, [this](const Change& change) {
         if (change.has(changeParams | changeReset | changeStructure | changeNodeState))
             refresh();

@@ -3,6 +3,7 @@
 #include "core/document/commands.h"
 #include <QCoreApplication>
 #include <algorithm>
+#include <optional>
 #include <set>
 
 namespace ramure {
@@ -12,28 +13,6 @@ QString stepText(const char* english)
 {
     return QCoreApplication::translate("NodeEdits", english);
 }
-
-/// The undo step of several commands; with one of them alone it would only be a shell.
-class Macro
-{
-public:
-    Macro(Document& document, const QString& text, bool needed)
-        : m_stack(needed ? document.undoStack() : nullptr)
-    {
-        if (m_stack)
-            m_stack->beginMacro(text);
-    }
-    ~Macro()
-    {
-        if (m_stack)
-            m_stack->endMacro();
-    }
-    Macro(const Macro&) = delete;
-    Macro& operator=(const Macro&) = delete;
-
-private:
-    QUndoStack* m_stack;
-};
 
 struct Shift
 {
@@ -77,7 +56,9 @@ Expected<void> edit::shiftNodes(Document& document, const std::vector<NodeId>& n
             return fail(ErrorCode::Invalid, RAMURE_NOOP("\"%1\" is locked"),
                         {document.scene().find(shift.node)->name});
     }
-    const Macro macro(document, stepText(QT_TRANSLATE_NOOP("NodeEdits", "Move nodes")), shifts.size() > 1);
+    std::optional<OneStep> all;
+    if (shifts.size() > 1)
+        all.emplace(document, stepText(QT_TRANSLATE_NOOP("NodeEdits", "Move nodes")));
     for (const Shift& shift : shifts) {
         const NodeId parent = document.scene().find(shift.node)->parent;
         if (const auto done = moveNode(document, shift.node, parent, shift.row, false); !done)
@@ -108,7 +89,7 @@ Expected<void> edit::isolateNodes(Document& document, const std::vector<NodeId>&
     });
     if (hide.empty() && show.empty())
         return showAllNodes(document);
-    const Macro macro(document, stepText(QT_TRANSLATE_NOOP("NodeEdits", "Isolate")), true);
+    const OneStep step(document, stepText(QT_TRANSLATE_NOOP("NodeEdits", "Isolate")));
     if (!hide.empty()) {
         if (const auto done = setNodeVisible(document, hide, false); !done)
             return done;

@@ -4,10 +4,13 @@
 #include "widgets/base/core_text.h"
 #include "widgets/base/icons.h"
 #include "widgets/panels/scene/scene_model.h"
+#include <QGuiApplication>
 #include <QIODevice>
 #include <QLocale>
 #include <QMimeData>
+#include <QPalette>
 #include <algorithm>
+#include <optional>
 
 namespace ramure {
 namespace {
@@ -60,6 +63,8 @@ QVariant SceneModel::data(const QModelIndex& index, int role) const
 QVariant SceneModel::nodeData(const Node& node, int column, int role) const
 {
     const bool shown = m_document->scene().isShown(node.id);
+    if (role == Qt::ForegroundRole && node.kind == NodeKind::Unknown)
+        return QGuiApplication::palette().color(QPalette::Disabled, QPalette::Text);
     switch (column) {
     case NameColumn:
         if (role == Qt::DisplayRole || role == Qt::EditRole)
@@ -290,8 +295,9 @@ bool SceneModel::dropMimeData(const QMimeData* data, Qt::DropAction action, int 
     if (nodes.empty())
         return false;
     int to = row < 0 ? static_cast<int>(scene.children(target).size()) : row;
+    std::optional<OneStep> step;
     if (nodes.size() > 1)
-        m_document->undoStack()->beginMacro(tr("Move nodes"));
+        step.emplace(*m_document, tr("Move nodes"));
     const double time = m_time ? m_time() : 0.0;
     bool moved = true;
     for (const NodeId node : nodes) {
@@ -301,8 +307,6 @@ bool SceneModel::dropMimeData(const QMimeData* data, Qt::DropAction action, int 
         moved = report(edit::moveNode(*m_document, node, target, to, m_dropKeepsWorld, time)) && moved;
         ++to;
     }
-    if (nodes.size() > 1)
-        m_document->undoStack()->endMacro();
     return moved;
 }
 

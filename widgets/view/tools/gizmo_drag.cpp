@@ -300,13 +300,9 @@ void GizmoDrag::keep()
     m_document.keepGesture(m_gesture);
 }
 
-/// Its nodes may have been taken away by a step of undo: nothing is pushed in the middle of that.
 GizmoDrag::~GizmoDrag()
 {
-    if (m_document.isHeld(m_gesture))
-        QMetaObject::invokeMethod(
-            &m_document, [document = &m_document, gesture = m_gesture] { document->keepGesture(gesture); },
-            Qt::QueuedConnection);
+    keep();
 }
 
 void GizmoDrag::cancel()
@@ -315,16 +311,7 @@ void GizmoDrag::cancel()
     m_transform = {};
     m_amount = glm::dvec3(0.0);
     m_transform.pivot = m_place.pivot;
-    if (!m_document.giveUpGesture(m_gesture))
-        apply(); // its step stands on the stack: undone by one more of it
-}
-
-bool GizmoDrag::isWhole() const
-{
-    return std::all_of(m_starts.begin(), m_starts.end(), [this](const TransformStart& start) {
-        const Scene& scene = m_document.scene();
-        return scene.find(start.node) && !scene.isLocked(start.node);
-    });
+    m_document.giveUpGesture(m_gesture);
 }
 
 /// The same axis again: the other space; a third time: free.

@@ -43,10 +43,11 @@ public:
     /// Digits, point, minus, Backspace, Tab (the next number), X Y Z (with Shift the plane across; once more
     /// the other space, a third time free again), Enter, Escape.
     KeyResult key(int key, const QString& text, Qt::KeyboardModifiers modifiers);
-    /// What was done becomes one step of undo; nothing where it ended where it began. A drag that ends
-    /// without a word is kept, too, at the next turn of the event loop.
+    /// What was done becomes one step of undo; nothing where it ended where it began. A drag that is
+    /// destroyed is kept, too.
     void keep();
-    /// Everything back to the last bit; the undo stack is as it was before the drag, redo included.
+    /// Brings everything back to the last bit; the undo stack is as it was before the drag, redo included.
+    /// Does nothing where the document has ended the gesture (Document::gestureEnded).
     void cancel();
 
     [[nodiscard]] TransformTool tool() const { return m_tool; }
@@ -62,8 +63,6 @@ public:
     [[nodiscard]] QString readout() const;
     [[nodiscard]] double angleRad() const { return m_transform.angleRad; }
     [[nodiscard]] glm::dvec3 turnAxis() const { return m_transform.axis; }
-    /// The nodes are all still there and as they were put.
-    [[nodiscard]] bool isWhole() const;
 
 private:
     GizmoDrag(Document& document, const GizmoSettings& settings, TransformTool tool,

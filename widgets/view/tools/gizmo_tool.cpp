@@ -226,14 +226,9 @@ void GizmoTool::key(const QKeyEvent& event, bool pressed)
     m_context.host.repaint();
 }
 
-/// Somebody else may take the nodes away under the hand.
-void GizmoTool::documentChanged(const Change& change)
+void GizmoTool::documentChanged(const Change&)
 {
     m_stale = true;
-    if (m_drag && (change.has(changeReset) || !m_drag->isWhole())) {
-        m_drag.reset();
-        end();
-    }
 }
 
 /// Whoever goes on elsewhere in the program is content with where things are.

@@ -17,6 +17,7 @@ ToolManager::ToolManager(ToolContext& context)
         for (const auto& tool : m_tools)
             tool->documentChanged(change);
     });
+    QObject::connect(&context.document, &Document::gestureEnded, &m_picks, [this] { cancel(); });
 }
 
 ToolManager::~ToolManager()
@@ -103,7 +104,9 @@ bool ToolManager::wheel(const ToolPoint& point, double turn)
 bool ToolManager::takesKey(const QKeyEvent& event) const
 {
     const Tool* tool = current();
-    return tool && (tool->takesKeys() || (event.key() == Qt::Key_Escape && tool->goesOn()));
+    if (!tool || event.matches(QKeySequence::Undo) || event.matches(QKeySequence::Redo))
+        return false; // the document gives up what goes on
+    return tool->takesKeys() || (event.key() == Qt::Key_Escape && tool->goesOn());
 }
 
 bool ToolManager::key(const QKeyEvent& event, bool pressed)
@@ -114,10 +117,19 @@ bool ToolManager::key(const QKeyEvent& event, bool pressed)
     if (event.key() != Qt::Key_Escape) {
         tool->key(event, pressed);
     } else if (pressed) {
-        tool->end();
-        tool->cancel();
+        cancel();
     }
     return true;
+}
+
+/// Where the document has kept or given up the gesture already, the tool finds nothing to take back.
+void ToolManager::cancel()
+{
+    Tool* tool = current();
+    if (!tool)
+        return;
+    tool->end();
+    tool->cancel();
 }
 
 void ToolManager::focusLost()

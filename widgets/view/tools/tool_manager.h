@@ -56,6 +56,8 @@ public:
     void paint(QPainter& painter, const PickView& view) const;
 
 private:
+    void cancel();
+
     ToolContext& m_context;
     PendingPick m_picks;
     std::vector<std::unique_ptr<Tool>> m_tools;

@@ -52,7 +52,7 @@ void TestParametricGrammar::errorsNameTheirPlace_data()
     };
     const char* const axiom = "grammar.axiom";
     const char* const rules = "grammar.rules";
-    const char* const constants = "grammar.constants";
+    const char* constants = "grammar.constants";
     add("a module that never ends", "A", "\nA(l) -> F(l", "", rules, 2, 12);
     add("a module of the axiom that never ends", "F\nA(1,", "", "", axiom, 2, 5);
     add("a context of three letters", "A", "ABC < D -> F", "", rules, 1, 2);

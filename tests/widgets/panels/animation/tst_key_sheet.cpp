@@ -151,7 +151,7 @@ void TestKeySheet::aDragIsOneStepAtItsEnd()
     QCOMPARE(dock.frames(2), (Frames{0, 10, 27, 30, 40}));
     QCOMPARE(dock.frames(3), (Frames{0, 10, 27, 30, 40}));
     QCOMPARE(dock.selected(), 2u); // still the dragged ones
-    dock.document.undoStack()->undo();
+    dock.document.undo();
     QCOMPARE(dock.bytes(), before);
 }
 
@@ -231,7 +231,7 @@ void TestKeySheet::keysTakeThePlaceOfOthers()
     KeyDock dock(test::keyScene(1, 3, 10));
     dock.dragMouse(dock.at(2, 10), dock.at(2, 20));
     QCOMPARE(dock.frames(2), (Frames{0, 20}));
-    dock.document.undoStack()->undo();
+    dock.document.undo();
     QCOMPARE(dock.frames(2), (Frames{0, 10, 20}));
 }
 
@@ -307,9 +307,9 @@ void TestKeySheet::modesOfManyKeys()
     const int steps = dock.steps();
     QCOMPARE(steps, keyModeCount + 2);
     for (int i = 0; i < steps; ++i)
-        dock.document.undoStack()->undo();
+        dock.document.undo();
     for (int i = 0; i < steps; ++i)
-        dock.document.undoStack()->redo();
+        dock.document.redo();
     QCOMPARE(dock.bytes(), after);
 }
 
@@ -442,11 +442,11 @@ void TestKeySheet::randomGesturesAreUndone()
         gestures[random.below(std::uint32_t(gestures.size()))]();
         QVERIFY(dock.document.undoStack()->index() <= steps + 1);
         if (random.below(5) == 0)
-            dock.document.undoStack()->undo();
+            dock.document.undo();
     }
     QVERIFY(dock.document.undoStack()->index() > 10);
     while (dock.document.undoStack()->canUndo())
-        dock.document.undoStack()->undo();
+        dock.document.undo();
     QCOMPARE(dock.bytes(), before);
 }
 

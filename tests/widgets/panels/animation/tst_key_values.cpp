@@ -66,9 +66,9 @@ private slots:
         dock.player.seek(0);
         QVERIFY(std::get<double>(keys.value(node, radius)) != 2.0);
         dock.player.seek(20);
-        dock.document.undoStack()->undo();
+        dock.document.undo();
         QCOMPARE(dock.bytes(), before);
-        dock.document.undoStack()->redo();
+        dock.document.redo();
         QVERIFY(keys.toggle({node}, radius));
         QVERIFY(keys.state({node}, radius) == KeyState::Animated);
     }
@@ -95,8 +95,8 @@ private slots:
             emit row->editor()->componentEdited(1, 2.0 + i, gesture);
         QCOMPARE(dock.steps(), 2); // the button, and all of the drag
         QCOMPARE(std::get<glm::dvec3>(keys.value(node, row->def())).y, 6.0);
-        dock.document.undoStack()->undo();
-        dock.document.undoStack()->undo();
+        dock.document.undo();
+        dock.document.undo();
         QCOMPARE(dock.bytes(), before);
     }
 
@@ -149,9 +149,9 @@ private slots:
         QCOMPARE(dock.steps(), 1);
         QVERIFY(keys.state({node.id}, place) == KeyState::Here);
         QCOMPARE(values(dock, 1), std::vector<double>{2.0});
-        dock.document.undoStack()->undo();
+        dock.document.undo();
         QCOMPARE(dock.bytes(), before);
-        dock.document.undoStack()->redo();
+        dock.document.redo();
 
         dock.player.seek(20);
         QVERIFY(keys.state({node.id}, place) == KeyState::Animated);
@@ -172,7 +172,7 @@ private slots:
         dock.player.seek(0);
         QCOMPARE(std::get<glm::dvec3>(keys.value(node.id, place)), glm::dvec3(1.0, 2.0, 3.0));
         while (dock.document.undoStack()->canUndo())
-            dock.document.undoStack()->undo();
+            dock.document.undo();
         QCOMPARE(dock.bytes(), before);
     }
 
@@ -221,7 +221,7 @@ private slots:
         QCOMPARE(dock.steps(), 1);
         QVERIFY(values(dock, 0)[1] > value);
         QCOMPARE(dock.frames(2), (std::vector<double>{0, 10, 20}));
-        dock.document.undoStack()->undo();
+        dock.document.undo();
         QCOMPARE(dock.bytes(), before);
     }
 
@@ -240,7 +240,7 @@ private slots:
         QCOMPARE(dock.steps(), 1);
         QCOMPARE(key().behind, HandleType::Aligned);
         QVERIFY(key().out.dv < 0.0);
-        dock.document.undoStack()->undo();
+        dock.document.undo();
         QCOMPARE(dock.bytes(), before);
     }
 
@@ -253,7 +253,7 @@ private slots:
         const auto key = [&] { return std::get<Track>(*keys::find(dock.document.scene(), ref)).keys()[1]; };
         dock.model.setSelection({{ref, {key().time}}});
         dock.commands.nudge(1);
-        dock.document.undoStack()->undo();
+        dock.document.undo();
         dock.model.setSelection({{ref, {key().time}}});
         const QByteArray before = dock.bytes();
         const QPointF end =
@@ -334,7 +334,7 @@ private slots:
                      qPrintable(QStringLiteral("angle %1: %2").arg(c).arg(same, 0, 'g', 12)));
             QVERIFY(glm::length(anglesDegrees(0) - first) < 1e-9);
             QCOMPARE(dock.frames(2 + 3), (std::vector<double>{0, 10, 20}));
-            dock.document.undoStack()->undo();
+            dock.document.undo();
             QCOMPARE(dock.bytes(), before);
         }
         dock.commands.selectAll(); // all of a turn's keys at once, in time

@@ -63,7 +63,7 @@ private slots:
         emit desk.choice->activated(0);
         QVERIFY(!desk.arm().mesh);
         QCOMPARE(desk.choice->currentIndex(), 0);
-        desk.document.undoStack()->undo();
+        desk.document.undo();
         QCOMPARE(desk.choice->currentIndex(), 1);
         QVERIFY(!desk.problem()->isVisibleTo(&desk.row));
     }
@@ -81,7 +81,7 @@ private slots:
         };
         emit desk.choice->activated(1);
         QVERIFY(std::abs(top() - 4.4F) < 1e-4F);
-        desk.document.undoStack()->undo();
+        desk.document.undo();
         fit->setChecked(false);
         emit desk.choice->activated(1);
         QVERIFY(std::abs(top() - 1.0F) < 1e-4F);
@@ -118,7 +118,7 @@ private slots:
         QVERIFY(width() > 4.0F); // 0.2 long became 4.4
         QCOMPARE(axis->currentIndex(), 1);
         QVERIFY(desk.arm().params.armSkin.axis == MeshAxis::X);
-        desk.document.undoStack()->undo();
+        desk.document.undo();
         QCOMPARE(axis->currentIndex(), 0);
         QVERIFY(std::abs(width() - 0.88F) < 1e-4F);
         // Without the object only the choice is kept, and that is said.

@@ -88,7 +88,7 @@ void TestArmPanel::jointsAreAddedAndRemoved()
     for (int i = 0; i < 100; ++i)
         desk.panel.removeJoint();
     QCOMPARE(desk.joints().size(), leastArmJoints);
-    desk.document.undoStack()->setIndex(0);
+    desk.document.goToStep(0);
     QVERIFY(desk.joints()[2].length == 1.2);
     QCOMPARE(desk.panel.findChild<QListWidget*>()->count(), 3);
 }
@@ -239,7 +239,7 @@ void TestArmPanel::theMotionIsBaked()
     QCOMPARE(desk.document.scene().find(1)->animation.tracks().size(), std::size_t(9));
     QVERIFY(!bake->isEnabled()); // it follows no target any more
     QCOMPARE(desk.document.undoStack()->count(), 1);
-    desk.document.undoStack()->undo();
+    desk.document.undo();
     QVERIFY(bake->isEnabled());
     QTRY_VERIFY(!desk.panel.findChild<BakeKeysDialog*>());
     bake->click();
@@ -272,7 +272,7 @@ void TestArmPanel::aTypedTargetSendsTheArm()
     QVERIFY(glm::distance(ArmChain(desk.joints()).tip(), desk.document.scene().find(1)->params.arm.target) <
             1e-3);
     QCOMPARE(desk.document.undoStack()->count(), 1);
-    desk.document.undoStack()->undo();
+    desk.document.undo();
     QVERIFY(desk.joints() == before);
     emit row->editor()->valueEdited(glm::dvec3(1.0, 1.0, 1.0), 0);
     QVERIFY(desk.reach.progress()->moves);

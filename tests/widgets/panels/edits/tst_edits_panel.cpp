@@ -105,7 +105,7 @@ private slots:
         QCOMPARE(bench.steps(), steps + 1);
         const auto& branches = bench.document.scene().find(1)->params.branches;
         QVERIFY(branches.at(name).bendRad == glm::dvec3(0.0) && branches.at(name).rollRad == 0.2);
-        bench.document.undoStack()->undo();
+        bench.document.undo();
         QCOMPARE(bench.panel.model()->rowCount(), 4);
         bench.panel.view()->selectAll(); // edits and bends: one step again
         bench.button("editDelete")->click();
@@ -122,7 +122,7 @@ private slots:
         QVERIFY(bench.text(1).startsWith(QStringLiteral("Length ×")));
         QCOMPARE(bench.text(2), QStringLiteral("Leaves off"));
         QVERIFY(!bench.text(0, EditModel::Limb).isEmpty());
-        bench.document.undoStack()->undo();
+        bench.document.undo();
         QCOMPARE(bench.panel.model()->rowCount(), 2);
     }
     void namesAreGiven()
@@ -132,7 +132,7 @@ private slots:
         const QModelIndex row = bench.panel.model()->index(1, 0);
         QVERIFY(bench.panel.model()->setData(row, QStringLiteral("  Longer  "), Qt::EditRole));
         QCOMPARE(bench.text(1), QStringLiteral("Longer"));
-        bench.document.undoStack()->undo();
+        bench.document.undo();
         QVERIFY(bench.text(1).startsWith(QStringLiteral("Length")));
         QVERIFY(!bench.panel.model()->setData(row, row.data(Qt::EditRole), Qt::EditRole));
     }
@@ -144,7 +144,7 @@ private slots:
         QVERIFY(bench.panel.model()->setData(row, Qt::Unchecked, Qt::CheckStateRole));
         QVERIFY(!bench.edits().front().enabled);
         QCOMPARE(row.data(Qt::CheckStateRole).toInt(), int(Qt::Unchecked));
-        bench.document.undoStack()->undo();
+        bench.document.undo();
         QVERIFY(bench.edits().front().enabled);
     }
     void rowsAreMoved()
@@ -176,7 +176,7 @@ private slots:
         QTest::keyClick(bench.panel.view(), Qt::Key_Delete);
         QCOMPARE(bench.panel.model()->rowCount(), 2);
         QCOMPARE(bench.document.scene().nodes().size(), std::size_t(1));
-        bench.document.undoStack()->undo();
+        bench.document.undo();
         QCOMPARE(bench.panel.model()->rowCount(), 3);
         bench.panel.view()->selectAll();
         bench.button("editDelete")->click();
@@ -203,7 +203,7 @@ private slots:
         QCOMPARE(menu->actions().size(), 1);
         menu->actions().front()->trigger();
         QCOMPARE(bench.edits(2).size(), std::size_t(3));
-        bench.document.undoStack()->undo();
+        bench.document.undo();
         QVERIFY(bench.edits(2).empty());
     }
     void whatHasNoPlaceIsMarked()

@@ -386,7 +386,7 @@ void TestBranchInspector::manyRandomChoices()
             bench.trees.compute(bench.tree, 2 + static_cast<int>(random.below(5)));
             break;
         case 1:
-            bench.document().undoStack()->undo();
+            bench.document().undo();
             break;
         case 2:
             emit bench.part<NumberField>("rollField")->valueEdited(random.range(-4.0, 4.0));

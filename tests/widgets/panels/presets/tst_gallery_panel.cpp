@@ -200,7 +200,7 @@ private slots:
         }
         QCOMPARE(m_document->scene().nodes().size(), presets().size());
         while (m_document->undoStack()->canUndo())
-            m_document->undoStack()->undo();
+            m_document->undo();
         QVERIFY(m_document->scene().nodes().empty());
     }
 
@@ -275,7 +275,7 @@ private slots:
         expected.tree = before.tree;
         expected.physics = before.physics;
         QVERIFY(m_document->scene().find(tree)->params == expected);
-        m_document->undoStack()->undo();
+        m_document->undo();
         QVERIFY(m_document->scene().find(tree)->params == before);
     }
 

@@ -238,7 +238,7 @@ private slots:
         QVERIFY(isShown("primitive.size") && !isShown("primitive.radius") && !isShown("primitive.sides"));
         QVERIFY(edit::setParam(*m_document, {1}, param("primitive.shape"), EnumValue{"sphere"}));
         QVERIFY(!isShown("primitive.size") && isShown("primitive.radius") && !isShown("primitive.height"));
-        m_document->undoStack()->undo();
+        m_document->undo();
         QVERIFY(isShown("primitive.size") && !isShown("primitive.radius"));
         m_panel->findChild<QLineEdit*>()->setText(QStringLiteral("primitive.radius"));
         QVERIFY(isShown("primitive.radius"));
@@ -329,9 +329,9 @@ private slots:
         QVERIFY2(after != before, formatValue(after).c_str());
         QCOMPARE(m_document->undoStack()->count(), 1);
         QCOMPARE(row->isChanged(), after != defaultValue(def));
-        m_document->undoStack()->undo();
+        m_document->undo();
         QVERIFY(valueOf(*m_document, 1, def) == before);
-        m_document->undoStack()->redo();
+        m_document->redo();
         QVERIFY(valueOf(*m_document, 1, def) == after);
     }
 
@@ -351,7 +351,7 @@ private slots:
             widget->clearFocus();
             if (changed) {
                 ++steps;
-                m_document->undoStack()->undo();
+                m_document->undo();
             }
             return changed && valueOf(*m_document, 1, def) == before;
         };
@@ -378,7 +378,7 @@ private slots:
             changeByMouse(m_panel->row(def));
         QVERIFY(valueOf(*m_document, 1, def) != before);
         QCOMPARE(m_document->undoStack()->count(), 1);
-        m_document->undoStack()->undo();
+        m_document->undo();
         QVERIFY(valueOf(*m_document, 1, def) == before);
     }
 
@@ -444,7 +444,7 @@ private slots:
         QCOMPARE(m_document->undoStack()->count(), 2);
         if (!isVector)
             QVERIFY(valueOf(*m_document, 1, def) == valueOf(*m_document, 2, def));
-        m_document->undoStack()->undo();
+        m_document->undo();
         QVERIFY(valueOf(*m_document, 1, def) == first);
         QVERIFY(valueOf(*m_document, 2, def) == second);
     }

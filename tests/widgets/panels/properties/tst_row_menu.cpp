@@ -156,8 +156,8 @@ private slots:
         QCOMPARE(m_document->undoStack()->count(), 1);
         test::drag(label, {10, 8}, {70, 8});
         QCOMPARE(m_document->undoStack()->count(), 2);
-        m_document->undoStack()->undo();
-        m_document->undoStack()->undo();
+        m_document->undo();
+        m_document->undo();
         QCOMPARE(params().turtle.theta, 0.15);
         auto* letter = row("tree.translation")->findChild<QLabel*>(QStringLiteral("axisY"));
         test::drag(letter, {2, 8}, {62, 8});

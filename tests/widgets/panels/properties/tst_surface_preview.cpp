@@ -131,7 +131,7 @@ private slots:
                     : surface == Surface::Fruit ? set("foliage.fruit", EnumValue{"pear"})
                                                 : set("bark.moss", 0.8));
             QTRY_VERIFY(preview->picture() != before);
-            trees.document().undoStack()->undo();
+            trees.document().undo();
             QTRY_VERIFY(preview->picture() == before);
             preview->setNode(noNode);
             QVERIFY(preview->isHidden());

@@ -73,7 +73,7 @@ private slots:
         setAxiom("F");
         QVERIFY(isolation.branches().empty()); // shown whole meanwhile
         QVERIFY(isolation.isActive());
-        trees.document().undoStack()->undo();
+        trees.document().undo();
         QVERIFY(trees.compute(tree));
         QCOMPARE(isolation.branches().size(), std::size_t{1});
     }

@@ -135,7 +135,7 @@ void TestSceneDrops::theWorldPlaceIsKeptAtTheTime()
         QCOMPARE(m_document->scene().find(2)->parent, onto);
         QVERIFY(difference(world(2), before) < 1e-9);
         QCOMPARE(m_document->undoStack()->count(), 1);
-        m_document->undoStack()->undo();
+        m_document->undo();
         QCOMPARE(m_document->scene().find(2)->params.tree, placement);
         QCOMPARE(m_document->scene().find(2)->parent, noNode);
         m_panel->view()->expandAll();

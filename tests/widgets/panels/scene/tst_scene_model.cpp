@@ -260,6 +260,20 @@ class TestSceneModel : public QObject
 private slots:
     void init() { test::failOnWidgetWarning(); }
 
+    void aNodeOfAnUnknownKindIsGrey()
+    {
+        Node odd;
+        odd.id = 1;
+        odd.kind = NodeKind::Unknown;
+        odd.name = "Sky";
+        Document document;
+        document.reset(*Scene::fromNodes({odd}), {});
+        const SceneModel model(&document);
+        const QModelIndex row = model.nodeIndex(1);
+        QCOMPARE(row.data(Qt::ForegroundRole).value<QColor>(),
+                 QGuiApplication::palette().color(QPalette::Disabled, QPalette::Text));
+        QVERIFY(row.data(Qt::ToolTipRole).toString().contains(QStringLiteral("does not know")));
+    }
     void emptyScenesHaveNoRows()
     {
         Document document;
@@ -451,7 +465,7 @@ private slots:
         QVERIFY(!drop({model.nodeIndex(1)}, -1, model.nodeIndex(2))); // below itself
         QVERIFY(!drop({}, -1, model.nodeIndex(2)));
         while (document.undoStack()->canUndo())
-            document.undoStack()->undo();
+            document.undo();
         QCOMPARE(shownRows(model), QStringList({"A", ".D", "B", "C"}));
     }
 
@@ -506,10 +520,10 @@ private slots:
                 (void)edit::duplicateNodes(document, {node});
                 break;
             case 7:
-                document.undoStack()->undo();
+                document.undo();
                 break;
             default:
-                document.undoStack()->redo();
+                document.redo();
                 break;
             }
             // Sometimes edits come before the trees of the last ones are there.

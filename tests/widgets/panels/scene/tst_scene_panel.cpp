@@ -256,7 +256,7 @@ private slots:
         m_document->setSelection(both);
         click(2, SceneModel::LockedColumn);
         QVERIFY(m_document->scene().find(1)->locked && m_document->scene().find(2)->locked);
-        m_document->undoStack()->undo();
+        m_document->undo();
         QVERIFY(!m_document->scene().find(1)->locked && !m_document->scene().find(2)->locked);
     }
 
@@ -266,7 +266,7 @@ private slots:
         QVERIFY(edit::removeNodes(*m_document, {1}));
         const Selection after = m_document->selection();
         QCOMPARE(m_panel->model()->rowCount(), 1);
-        m_document->undoStack()->undo();
+        m_document->undo();
         QCOMPARE(m_panel->model()->rowCount(), 2);
         for (const NodeId node : after.nodes)
             QVERIFY(m_document->scene().find(node));

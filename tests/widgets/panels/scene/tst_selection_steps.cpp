@@ -101,8 +101,8 @@ private slots:
         QCOMPARE(document().undoStack()->count(), steps + 1);
         QVERIFY(edit::shiftNodes(document(), {b}, -1));
         QCOMPARE(names(), QStringList({"T", "B", "A"}));
-        document().undoStack()->undo();
-        document().undoStack()->undo();
+        document().undo();
+        document().undo();
         QCOMPARE(names(), QStringList({"A", "B", "T"}));
         QVERIFY(edit::setNodeLocked(document(), {a}, true));
         const int locked = document().undoStack()->count();
@@ -126,7 +126,7 @@ private slots:
         QVERIFY(shown(inside) && shown(m_tree));
         QCOMPARE(document().undoStack()->count(), steps + 3);
         for (int i = 0; i < 3; ++i)
-            document().undoStack()->undo();
+            document().undo();
         QVERIFY(shown(inside) && shown(group) && shown(m_tree));
     }
 };

@@ -164,8 +164,8 @@ void TestTimelinePanel::handlesChangeTheRangeAsOneStep()
     QTest::mouseMove(ruler(), at(500, low)); // no further than the last frame
     QTest::mouseRelease(ruler(), Qt::LeftButton, {}, at(500, low));
     QCOMPARE(timeline().firstFrame, std::int64_t(120));
-    m_document->undoStack()->undo();
-    m_document->undoStack()->undo();
+    m_document->undo();
+    m_document->undo();
     QVERIFY(timeline() == TimelineSettings{});
     QCOMPARE(m_player->frame(), std::int64_t(0)); // no scrubbing meanwhile
 }
@@ -193,8 +193,8 @@ void TestTimelinePanel::theRulerShowsKeysOfWhatIsSelected()
     QCOMPARE(ruler()->keys(), (Frames{0.0, rate}));
     // Where the diamond is, something is drawn that was not.
     const QImage with = ruler()->grab().toImage();
-    m_document->undoStack()->undo();
-    m_document->undoStack()->undo();
+    m_document->undo();
+    m_document->undo();
     QCOMPARE(ruler()->keys(), Frames());
     const QRect place(at(0, ruler()->height() - 15), QSize(2, 9));
     QVERIFY(with.copy(place) != ruler()->grab().toImage().copy(place));
@@ -278,7 +278,7 @@ void TestTimelinePanel::loopActionsAreUndoable()
     m_set->find("play.pingPong")->trigger();
     QCOMPARE(timeline().loop, PlayLoop::PingPong);
     QVERIFY(m_set->find("play.pingPong")->isChecked());
-    m_document->undoStack()->undo();
+    m_document->undo();
     QCOMPARE(timeline().loop, PlayLoop::Loop);
     QVERIFY(m_set->find("play.loop")->isChecked());
 }
@@ -396,8 +396,8 @@ void TestTimelinePanel::theRulersMenuIsAboutTheFrameClicked()
     choose(QStringLiteral("Last frame of the range: 90"));
     QCOMPARE(timeline().lastFrame, 90);
     QCOMPARE(m_document->undoStack()->count(), 2);
-    m_document->undoStack()->undo();
-    m_document->undoStack()->undo();
+    m_document->undo();
+    m_document->undo();
     QVERIFY(timeline() == TimelineSettings());
     clickAt(50.0);
     QMenu* displays = menu->actions().back()->menu();
@@ -448,7 +448,7 @@ void TestTimelinePanel::plotSaysHowToGetACurve()
     QVERIFY(edit::setParam(*m_document, {1}, *findParam("arm.follows"), ParamValue(false)));
     QVERIFY(!armResiduals(m_document->scene(), *m_player, nullptr));
     QVERIFY(!plot->hint().isEmpty() && plot->hint() != toPlay);
-    m_document->undoStack()->undo();
+    m_document->undo();
     QCOMPARE(plot->hint(), toPlay);
     m_player->seek(48); // nothing was played, but what lies before is computed
     QVERIFY(m_player->waitForIdle(20'000));
@@ -470,7 +470,7 @@ void TestTimelinePanel::plotFollowsAnArmThatReaches()
     const auto there = armResiduals(m_document->scene(), *m_player, &reach);
     QVERIFY(there && there->now < 1e-3 && there->way.size() > 10);
     QVERIFY(there->way.front() > there->way.back());
-    m_document->undoStack()->undo(); // at rest again
+    m_document->undo(); // at rest again
     QVERIFY(!plot->hint().isEmpty());
 }
 

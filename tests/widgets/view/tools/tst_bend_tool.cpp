@@ -86,7 +86,7 @@ void TestBendTool::aDragBowsTheLimb()
     const std::size_t before = bench.context.limbs.limb(bench.document, 1, limb.address).size();
     bench.grow();
     QVERIFY(bench.context.limbs.limb(bench.document, 1, limb.address).size() > before); // a curve
-    bench.document.undoStack()->undo();
+    bench.document.undo();
     QVERIFY(bench.edits().empty());
 }
 

@@ -69,7 +69,7 @@ void TestBrushTool::aMagnetIsOneEdit()
     QVERIFY(bench.edits().front().strength > 0.0);
     QCOMPARE(bench.document.undoStack()->count(), 1);
     bench.grow();
-    bench.document.undoStack()->undo();
+    bench.document.undo();
     QVERIFY(bench.edits().empty());
 }
 

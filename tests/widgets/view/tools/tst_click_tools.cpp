@@ -80,7 +80,7 @@ void TestClickTools::theTrunkCannotBeRemoved()
     if (bench.edits().empty())
         QVERIFY(!bench.messages.empty() && !bench.messages.back().isEmpty());
     else // then there is nothing left, and undo brings it back
-        bench.document.undoStack()->undo();
+        bench.document.undo();
     QVERIFY(bench.edits().empty());
 }
 
@@ -243,7 +243,7 @@ void TestClickTools::theWheelTakesTheLimbThatATwigGrowsOn()
     bench.click(at);
     QCOMPARE(bench.edits().size(), std::size_t(1));
     QCOMPARE(bench.edits().front().target.address, axes.axes[limb].address);
-    bench.document.undoStack()->undo();
+    bench.document.undo();
     bench.grow();
     for (Index order = axes.axes[own.axis].order; order > 1; --order)
         QVERIFY(bench.tools.wheel(shifted, -120.0));
@@ -266,7 +266,7 @@ void TestClickTools::stepsAreUndone()
     }
     QCOMPARE(bench.document.undoStack()->count(), 3);
     while (bench.document.undoStack()->canUndo())
-        bench.document.undoStack()->undo();
+        bench.document.undo();
     QVERIFY(bench.document.scene().find(1)->params == before);
     bench.grow();
     QVERIFY(bench.skeleton() == skeleton);

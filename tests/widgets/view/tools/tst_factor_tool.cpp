@@ -72,7 +72,7 @@ void TestFactorTool::aDragToTheSideMakesItThicker()
     bench.drag(at, at + QPointF(140.0, 0.0));
     QVERIFY(std::abs(bench.edits().front().factor - 2.0) < 0.05);
     QVERIFY(bench.edits().front().below);
-    bench.document.undoStack()->undo();
+    bench.document.undo();
     bench.grow();
     HandOptions options = bench.hand.options();
     options.withBelow = false;
@@ -146,7 +146,7 @@ void TestFactorTool::anglesAreTyped()
     bench.key(Qt::Key_Return);
     QCOMPARE(bench.edits().front().from, 0.4);
     QVERIFY(std::abs(glm::length(bench.edits().front().rotation) - 1.5708) < 1e-4);
-    bench.document.undoStack()->undo();
+    bench.document.undo();
     QVERIFY(bench.edits().empty());
 }
 
@@ -223,7 +223,7 @@ void TestFactorTool::theSameLimbGoesOn()
     QCOMPARE(bench.edits().size(), std::size_t(1)); // no row for each drag
     QVERIFY(std::abs(bench.edits().front().factor - 4.0) < 0.2);
     QCOMPARE(bench.document.undoStack()->count(), 2);
-    bench.document.undoStack()->undo();
+    bench.document.undo();
     QVERIFY(std::abs(bench.edits().front().factor - 2.0) < 0.1);
     bench.grow();
     bench.press(at);
@@ -254,7 +254,7 @@ void TestFactorTool::handlesTakeThinLimbs()
     QVERIFY(after > 1.2 * before && after < 2.0 * before);
     // Far from the limb its handles are no more.
     bench.tools.leave();
-    bench.document.undoStack()->undo();
+    bench.document.undo();
     bench.grow();
     bench.drag(beyond, beyond + QPointF(30.0, 0.0)); // at most another one behind is hit
     QVERIFY(std::ranges::none_of(bench.edits(),

@@ -64,7 +64,7 @@ void TestJointTool::aDragTurnsTheJointInOneStep()
     bench.drag(from, to);
     QVERIFY(std::abs(bench.angle() - before - 0.5) < 0.01);
     QCOMPARE(bench.document.undoStack()->count(), 1);
-    bench.document.undoStack()->undo();
+    bench.document.undo();
     QCOMPARE(bench.angle(), before);
 }
 

@@ -45,7 +45,7 @@ struct Desk
         node.params.tree.translation = {1.0, 0.5, -2.0};
         node.params.tree.rotation = {0.0, 0.7, 0.0};
         tree = edit::insertNodes(document, {node}, noNode, 0).value_or(noNode);
-        document.undoStack()->clear();
+        document.reset(document.scene(), {}); // no steps
         view.size = {800.0, 600.0};
         compute();
         Box box;
@@ -147,9 +147,9 @@ void TestLimbDrag::aDragIsOneStep()
     tool->keep();
     QCOMPARE(desk.document.undoStack()->count(), 1);
     const Scene bent = desk.document.scene();
-    desk.document.undoStack()->undo();
+    desk.document.undo();
     QVERIFY(desk.document.scene().find(desk.tree)->params.branches.empty());
-    desk.document.undoStack()->redo();
+    desk.document.redo();
     QVERIFY(desk.document.scene() == bent);
     tool = nullptr;
     desk.compute();

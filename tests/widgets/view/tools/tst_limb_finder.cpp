@@ -130,7 +130,7 @@ void TestLimbFinder::aGestureIsOneStepOrNone()
         keeps ? (*gesture)->keep() : (*gesture)->cancel();
         QCOMPARE(bench.document.undoStack()->count(), keeps ? 1 : 0);
     }
-    bench.document.undoStack()->undo();
+    bench.document.undo();
     QVERIFY(bench.document.scene().find(1)->params == before);
 }
 

@@ -142,7 +142,7 @@ void TestMoveTool::severalSlideTogether()
     QVERIFY2(bench.edits().size() > 1, qPrintable(bench.messages.join(u'\n')));
     QCOMPARE(bench.document.undoStack()->count(), 1);
     bench.grow();
-    bench.document.undoStack()->undo();
+    bench.document.undo();
     QVERIFY(bench.edits().empty());
 }
 

@@ -55,7 +55,7 @@ void TestPlaceTool::aLeafGrowsWhereItIsClicked()
     const glm::dvec3 clicked = glm::mix(bench.skeleton().p0[twig], bench.skeleton().p1[twig], 0.6);
     const glm::dvec3 along = glm::normalize(bench.skeleton().p1[twig] - bench.skeleton().p0[twig]);
     QVERIFY(std::abs(glm::dot(placed->position - clicked, along)) < 0.01); // petioles hang
-    bench.document.undoStack()->undo();
+    bench.document.undo();
     bench.grow();
     QCOMPARE(bench.document.result(1)->tree.foliage->leaves.size(), before);
 }

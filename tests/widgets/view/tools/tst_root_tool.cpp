@@ -49,7 +49,7 @@ void TestRootTool::theFootFollowsTheHand()
     bench.grow();
     QVERIFY(glm::length(bench.skeleton().p0[0] - wanted) < 1e-6);
     QVERIFY(glm::length(bench.skeleton().p1[twig] - tip - (wanted - foot)) < 1e-6);
-    bench.document.undoStack()->undo();
+    bench.document.undo();
     QVERIFY(bench.edits().empty());
 }
 

@@ -100,7 +100,7 @@ void TestStrokeTools::theSawCutsWhatItCrosses()
     QCOMPARE(bench.document.undoStack()->count(), 1);
     bench.grow();
     QVERIFY(bench.skeleton().size() < before);
-    bench.document.undoStack()->undo();
+    bench.document.undo();
     QVERIFY(bench.edits().empty());
 }
 
@@ -156,7 +156,7 @@ void TestStrokeTools::whatComesIntoAnAreaIsCut()
         bench.grow();
         for (Index b = 0; b < bench.skeleton().size(); ++b)
             QVERIFY(bench.on(b, 1.0).y() > cut - 14.0);
-        bench.document.undoStack()->undo();
+        bench.document.undo();
         QVERIFY(bench.edits().empty());
     }
 }
@@ -338,7 +338,7 @@ void TestStrokeTools::aBranchGoesAnotherWay()
              qPrintable(QStringLiteral("%1 %2").arg(tip.x()).arg(tip.y())));
     QVERIFY(std::hypot(foot.x(), foot.y()) < 1.0);
     QVERIFY(bench.skeleton().size() >= before); // what grows on it has come along
-    bench.document.undoStack()->undo();
+    bench.document.undo();
     QVERIFY(bench.edits().empty());
 }
 
@@ -476,7 +476,7 @@ void TestStrokeTools::whatAShapeWouldTakeIsShownFirst()
     QCOMPARE(bench.edits().size(), std::size_t(1));
     bench.grow();
     QVERIFY(bench.skeleton().size() <= before - goes / 2 && bench.skeleton().size() < before);
-    bench.document.undoStack()->undo();
+    bench.document.undo();
     QVERIFY(bench.edits().empty());
 }
 

@@ -169,7 +169,7 @@ void TestSymmetry::everyToolActsOnAll()
     QCOMPARE(heights.size(), std::size_t{4});
     const auto [least, most] = std::ranges::minmax(heights);
     QVERIFY2(most - least < 0.25, qPrintable(QString::number(most - least)));
-    bench.document.undoStack()->undo();
+    bench.document.undo();
     QVERIFY(bench.edits().empty());
 }
 

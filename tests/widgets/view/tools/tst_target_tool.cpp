@@ -77,7 +77,7 @@ void TestTargetTool::aDragMovesTheTargetInOneStep()
     QCOMPARE(bench.document.undoStack()->count(), 1);
     bench.reach.finish();
     QCOMPARE(bench.document.undoStack()->count(), 1);
-    bench.document.undoStack()->undo();
+    bench.document.undo();
     QCOMPARE(bench.target(), before);
 }
 
@@ -132,7 +132,7 @@ void TestTargetTool::theMarkIsDraggedAcrossTheView()
     QVERIFY(bench.document.selection().nodes.empty());
     bench.reach.finish();
     QCOMPARE(bench.document.undoStack()->count(), 1);
-    bench.document.undoStack()->undo();
+    bench.document.undo();
     QCOMPARE(bench.target(), before);
     bench.press(from);
     bench.move(to);

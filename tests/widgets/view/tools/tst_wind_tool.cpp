@@ -17,6 +17,7 @@ private slots:
     void whatIsNotShownCannotBeTaken();
     void aDragSetsTheWindInOneStep();
     void escapeTakesItBack();
+    void aTreeThatIsDeletedUnderTheHandComesBackAsItWas();
 };
 
 namespace {
@@ -76,7 +77,7 @@ void TestWindTool::aDragSetsTheWindInOneStep()
     bench.release(from);
     QVERIFY(bench.strength() != 4.0);
     QCOMPARE(bench.document.undoStack()->count(), 1);
-    bench.document.undoStack()->undo();
+    bench.document.undo();
     QCOMPARE(bench.strength(), 4.0);
 }
 
@@ -89,6 +90,23 @@ void TestWindTool::escapeTakesItBack()
     QVERIFY(bench.key(Qt::Key_Escape));
     QCOMPARE(bench.strength(), 4.0);
     QCOMPARE(bench.document.undoStack()->count(), 0);
+}
+
+void TestWindTool::aTreeThatIsDeletedUnderTheHandComesBackAsItWas()
+{
+    Bench bench;
+    const QPointF from = bench.head();
+    bench.press(from);
+    bench.move(from + QPointF(30.0, 5.0));
+    const double dragged = bench.strength();
+    QVERIFY(dragged != 4.0);
+    QVERIFY(edit::removeNodes(bench.document, {1}));
+    bench.release(from);
+    bench.document.undo();
+    QCOMPARE(bench.strength(), dragged);
+    bench.document.undo();
+    QCOMPARE(bench.strength(), 4.0);
+    QVERIFY(!bench.document.isModified());
 }
 
 RAMURE_SUITE(TestWindTool)
