@@ -23,6 +23,7 @@ private slots:
     void runsByItself();
     void aMovedTargetIsFollowed();
     void otherEditsEndIt();
+    void anArmThatArrivesWaitsForTheHand();
     void outOfReachIsTold();
     void aimingAsksTheTimeline();
 };
@@ -119,6 +120,25 @@ void TestArmReach::aMovedTargetIsFollowed()
     desk.document.undo();
     desk.document.redo();
     QVERIFY(desk.params().joints == after);
+}
+
+/// Somebody drags another node when the arm arrives: the drag is not cut in two.
+void TestArmReach::anArmThatArrivesWaitsForTheHand()
+{
+    Desk desk;
+    const glm::dvec3 target(1.0, 2.0, 1.0);
+    desk.reach.setPaused(true);
+    QVERIFY(desk.reach.reachFor(1, target, 0));
+    const GestureId drag = newGesture();
+    desk.document.holdGesture(drag);
+    QVERIFY(edit::setParam(desk.document, {2}, *findParam("tree.translation"), glm::dvec3(1.0), drag));
+    desk.reach.finish();
+    QVERIFY(desk.document.isHeld(drag));
+    desk.document.keepGesture(drag);
+    QCOMPARE(desk.document.undoStack()->count(), 2);
+    desk.reach.step();
+    QVERIFY(!desk.reach.progress()->moves);
+    QVERIFY(glm::distance(desk.tip(), target) <= 1e-4);
 }
 
 void TestArmReach::otherEditsEndIt()

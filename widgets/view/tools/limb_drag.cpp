@@ -101,6 +101,12 @@ void LimbDrag::pull()
     m_shortBy = m_limb.pullTo(m_skeleton->skeleton.p1[m_branch] + by);
 }
 
+std::vector<glm::dvec3> LimbDrag::bendsNow() const
+{
+    const Node* node = m_document.scene().find(m_node);
+    return node ? byBranch(m_skeleton->skeleton, bendsOf(*node)) : m_atGrab;
+}
+
 std::vector<glm::dvec3> LimbDrag::bends() const
 {
     std::vector<glm::dvec3> all = m_atGrab;

@@ -44,12 +44,14 @@ public:
 
     /// The document gets the bends; the whole drag is one undo step. \return false where it has them already
     bool apply();
-    void keep();   ///< what was applied becomes a step of undo
-    void cancel(); ///< everything as it was, the undo stack too
+    void keep(); ///< what was applied becomes a step of undo
+    /// Everything as it was, the undo stack too; nothing where the document has ended the gesture.
+    void cancel();
 
     [[nodiscard]] NodeId node() const { return m_node; }
-    /// By branch of skeleton(): as they were, and as the hand wants them.
+    /// By branch of skeleton(): as they were, as the document has them, and as the hand wants them.
     [[nodiscard]] const std::vector<glm::dvec3>& bendsAtGrab() const { return m_atGrab; }
+    [[nodiscard]] std::vector<glm::dvec3> bendsNow() const;
     [[nodiscard]] std::vector<glm::dvec3> bends() const;
     [[nodiscard]] const std::shared_ptr<const SimplifiedSkeleton>& skeleton() const { return m_skeleton; }
     [[nodiscard]] std::size_t branches() const { return m_limb.branchCount(); } ///< that follow

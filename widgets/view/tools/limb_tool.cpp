@@ -172,7 +172,7 @@ void LimbTool::apply()
         m_context.limbPose->noteEdit(m_context.document.revision(), m_drag->bends());
 }
 
-/// \param keep else everything is as it was
+/// \param keep else everything is as it was, or as the document has kept it
 void LimbTool::finish(bool keep)
 {
     m_rest.stop();
@@ -181,7 +181,7 @@ void LimbTool::finish(bool keep)
         apply();
     } else {
         m_drag->cancel();
-        pose.noteEdit(m_context.document.revision(), m_drag->bendsAtGrab());
+        pose.noteEdit(m_context.document.revision(), m_drag->bendsNow());
     }
     m_drag.reset();
     pose.setBends(pose.latest());
