@@ -1,5 +1,4 @@
 // Mouse and keys go to the tools; the viewport is their host.
-#include "core/document/joined_steps.h"
 #include "widgets/view/viewport_private.h"
 #include <QContextMenuEvent>
 #include <QKeyEvent>
@@ -122,7 +121,7 @@ void Viewport::beginMovingCopies()
 {
     beginTransform(TransformTool::Move);
     if (isTransforming())
-        joinToLastStep(*d->document, d->tools.tool<GizmoTool>().gesture());
+        d->document->joinToLastStep(d->tools.tool<GizmoTool>().gesture());
 }
 
 /// Only what the mouse does not say: the same event follows as that of a mouse.
