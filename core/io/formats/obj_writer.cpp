@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <optional>
 #include <set>
+#include <unordered_map>
+#include <utility>
 
 namespace ramure {
 
@@ -100,10 +102,22 @@ struct Before
     Index vertices = 0, normals = 0, texture = 0;
 };
 
-/// Triangles of one mesh that follow each other.
+/// Triangles of one material, which follow each other in the order of a mesh.
 struct Run
 {
     std::size_t begin, end;
+};
+
+/// Which triangle is written when: each material once, so that viewers draw an object in few calls.
+struct Order
+{
+    std::vector<Run> runs;
+    std::vector<Index> triangles; ///< numbers of triangles; empty: as they stand in the mesh
+
+    [[nodiscard]] std::size_t operator[](std::size_t place) const
+    {
+        return triangles.empty() ? place : triangles[place];
+    }
 };
 
 /// Do triangles need materials of their own? Tones do not: leaves are one material.
@@ -112,30 +126,47 @@ bool hasOwnColours(const MeshPart& part)
     return writing::hasColours(*part.mesh) && !part.material.tones;
 }
 
-/// Those of one colour together; all of them where there are no colours.
-std::vector<Run> runsOf(const MeshPart& part)
+/// Those of one colour together, colours and triangles in the order of the mesh; all of them where there are
+/// no colours.
+Order orderOf(const MeshPart& part)
 {
     const TriangleMesh& mesh = *part.mesh;
-    const std::size_t count = mesh.triangles.size();
-    if (!hasOwnColours(part))
-        return {{0, count}};
-    std::vector<Run> runs;
-    for (std::size_t i = 0; i < count; ++i) {
-        if (runs.empty() || mesh.colours[i] != mesh.colours[runs.back().begin])
-            runs.push_back({i, i});
-        runs.back().end = i + 1;
+    Order out;
+    if (!hasOwnColours(part)) {
+        out.runs = {{0, mesh.triangles.size()}};
+        return out;
     }
-    return runs;
+    const auto number = [](const glm::u8vec3& c) {
+        return Index(c.r) << 16U | Index(c.g) << 8U | Index(c.b);
+    };
+    std::unordered_map<Index, std::size_t> runOf;
+    std::vector<std::size_t> of;
+    for (const glm::u8vec3& colour : mesh.colours) {
+        const auto [run, isNew] = runOf.try_emplace(number(colour), out.runs.size());
+        if (isNew)
+            out.runs.push_back({0, 0});
+        of.push_back(run->second);
+        ++out.runs[run->second].end;
+    }
+    std::size_t before = 0;
+    for (Run& run : out.runs) {
+        run.begin = before;
+        before += std::exchange(run.end, before); // a run ends where its next triangle goes
+    }
+    out.triangles.resize(of.size());
+    for (std::size_t i = 0; i < of.size(); ++i)
+        out.triangles[out.runs[of[i]].end++] = static_cast<Index>(i);
+    return out;
 }
 
 /// Faces v/vt/vn or v/vt.
-bool writeTexturedFaces(FileWriter& out, const TriangleMesh& mesh, const Run& run, const Before& before,
-                        bool hasNormals, Ticker& ticker)
+bool writeTexturedFaces(FileWriter& out, const TriangleMesh& mesh, const Order& order, const Run& run,
+                        const Before& before, bool hasNormals, Ticker& ticker)
 {
     const std::vector<glm::uvec3>& texture = writing::textureTriangles(mesh);
     constexpr std::size_t faceRoom = 32 + 9 * (maxIndexText + 2);
     return forEach(run.end - run.begin, faceRoom, ticker, out, [&](char* to, std::size_t number) {
-        const std::size_t i = run.begin + number;
+        const std::size_t i = order[run.begin + number];
         *to++ = 'f';
         for (int k = 0; k < 3; ++k) {
             *to++ = ' ';
@@ -153,12 +184,12 @@ bool writeTexturedFaces(FileWriter& out, const TriangleMesh& mesh, const Run& ru
 }
 
 /// Faces v//vn or v.
-bool writePlainFaces(FileWriter& out, const TriangleMesh& mesh, const Run& run, const Before& before,
-                     CornerTexts& corners, Ticker& ticker)
+bool writePlainFaces(FileWriter& out, const TriangleMesh& mesh, const Order& order, const Run& run,
+                     const Before& before, CornerTexts& corners, Ticker& ticker)
 {
     constexpr std::size_t faceRoom = 8 + 4 * CornerTexts::room;
     return forEach(run.end - run.begin, faceRoom, ticker, out, [&](char* to, std::size_t i) {
-        const glm::uvec3 t = mesh.triangles[run.begin + i] + (before.vertices + 1u);
+        const glm::uvec3 t = mesh.triangles[order[run.begin + i]] + (before.vertices + 1u);
         *to++ = 'f';
         to = corners.append(to, t.x);
         to = corners.append(to, t.y);
@@ -185,15 +216,15 @@ bool writePart(FileWriter& out, const MeshPart& part, const Before& before, bool
         (hasTexture && !writeVectors("vt ", mesh.uv, ticker, out)) ||
         (hasNormals && !writeVectors("vn ", mesh.normals, ticker, out)))
         return false;
-    const std::vector<Run> runs = runsOf(part);
+    const Order order = orderOf(part);
     CornerTexts corners(hasNormals, before.vertices - before.normals);
-    for (const Run& run : runs) {
+    for (const Run& run : order.runs) {
         if (hasMaterials)
-            out.append("usemtl " + oneLine(materialOf(part, run.begin).name) + "\n");
-        if (hasNormals && &run == &runs.front())
+            out.append("usemtl " + oneLine(materialOf(part, order[run.begin]).name) + "\n");
+        if (hasNormals && &run == &order.runs.front())
             out.append("s 1\n"); // smooth: some programs look at this alone and not at the normals
-        if (!(hasTexture ? writeTexturedFaces(out, mesh, run, before, hasNormals, ticker)
-                         : writePlainFaces(out, mesh, run, before, corners, ticker)))
+        if (!(hasTexture ? writeTexturedFaces(out, mesh, order, run, before, hasNormals, ticker)
+                         : writePlainFaces(out, mesh, order, run, before, corners, ticker)))
             return false;
     }
     return true;
@@ -263,12 +294,14 @@ void writeMaterials(FileWriter& out, std::span<const MeshPart> parts, const Writ
 {
     out.append("# Ramure " RAMURE_VERSION "\n# Kd in sRGB\n");
     std::set<std::string> written;
-    for (const MeshPart& part : parts)
-        for (const Run& run : runsOf(part)) {
-            const Material material = materialOf(part, run.begin);
+    for (const MeshPart& part : parts) {
+        const Order order = orderOf(part);
+        for (const Run& run : order.runs) {
+            const Material material = materialOf(part, order[run.begin]);
             if (written.insert(material.name).second)
                 writeMaterial(out, material, hasMaps(part, options) ? options.mapSize : 0);
         }
+    }
 }
 
 /// Of all parts, into the folder of the file.

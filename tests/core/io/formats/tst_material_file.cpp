@@ -179,6 +179,43 @@ private slots:
         }
     }
 
+    /// However colours follow each other, a viewer changes its material once for each.
+    void materialsStandTogether()
+    {
+        TriangleMesh mesh;
+        for (int i = 0; i < 300; ++i) {
+            const auto first = static_cast<Index>(mesh.positions.size());
+            for (const glm::vec3& p : {glm::vec3(0, 0, i), glm::vec3(1, 0, i), glm::vec3(0, 1, i)}) {
+                mesh.positions.push_back(p);
+                mesh.uv.emplace_back(p.x, p.z);
+            }
+            mesh.triangles.emplace_back(first, first + 1, first + 2);
+            mesh.colours.push_back(i % 3 == 0 ? red : i % 3 == 1 ? blue : plain);
+        }
+        for (const bool isTextured : {true, false}) {
+            if (!isTextured)
+                mesh.uv.clear();
+            const std::vector<MeshPart> parts{{"a", &mesh, barkMaterial()}, {"b", &mesh, barkMaterial()}};
+            QVERIFY(writeObj(path("out.obj").toStdString(), parts));
+            QCOMPARE(test::fileBytes(path("out.obj")).count("usemtl "), 6);
+            QCOMPARE(test::fileBytes(path("out.mtl")).count("newmtl "), 3);
+            const auto back = read("out.obj");
+            QVERIFY2(back, test::why(back));
+            // The same triangles with the same colours and texture, those of a material in their order.
+            for (const ReadObject& object : back->objects) {
+                int number = 0;
+                for (std::size_t t = 0; t < object.mesh.triangles.size(); ++t, number += 3) {
+                    number = number >= 300 ? number % 3 + 1 : number;
+                    const glm::uvec3& corners = object.mesh.triangles[t];
+                    QCOMPARE(object.mesh.positions[corners.x], glm::vec3(0, 0, number));
+                    QVERIFY(object.mesh.colours[t] == mesh.colours[std::size_t(number)]);
+                    if (isTextured)
+                        QCOMPARE(object.mesh.uv[corners.y], glm::vec2(1, number));
+                }
+            }
+        }
+    }
+
     void oneColourIsThatOfTheNode()
     {
         test::writeBytes(path("three.obj"), threeFaces);
