@@ -3186,10 +3186,6 @@
         <translation>le sommet %1 n’existe pas (il y en a %2)</translation>
     </message>
     <message>
-        <source>normal %1 does not exist (there are %2)</source>
-        <translation>la normale %1 n’existe pas (il y en a %2)</translation>
-    </message>
-    <message>
         <source>a corner v, v/vt, v//vn or v/vt/vn expected, found &quot;%1&quot;</source>
         <translation>un coin v, v/vt, v//vn ou v/vt/vn attendu, trouvé «&#xa0;%1&#xa0;»</translation>
     </message>
@@ -7390,14 +7386,6 @@
         <translation>%1 ne montre aucun maillage</translation>
     </message>
     <message>
-        <source>the picture stands in another file</source>
-        <translation>l’image est dans un autre fichier</translation>
-    </message>
-    <message>
-        <source>the picture is neither a PNG nor a JPEG</source>
-        <translation>l’image n’est ni un PNG ni un JPEG</translation>
-    </message>
-    <message>
         <source>a hundred other pictures of this name are there</source>
         <translation>cent autres images de ce nom sont là</translation>
     </message>
@@ -7540,6 +7528,26 @@
     <message>
         <source>%1: this version of Ramure does not know its kind</source>
         <translation>%1 : cette version de Ramure ne connaît pas ce genre de nœud</translation>
+    </message>
+    <message>
+        <source>points without faces: a group stands in their place</source>
+        <translation>des points sans faces : un groupe est à leur place</translation>
+    </message>
+    <message>
+        <source>the meshes of the file have no triangles: there is no surface to read</source>
+        <translation>les maillages du fichier n’ont pas de triangles : il n’y a pas de surface à lire</translation>
+    </message>
+    <message>
+        <source>the picture &quot;%1&quot; stands in another file</source>
+        <translation>l’image « %1 » est dans un autre fichier</translation>
+    </message>
+    <message>
+        <source>the picture &quot;%1&quot; is neither a PNG nor a JPEG</source>
+        <translation>l’image « %1 » n’est ni un PNG ni un JPEG</translation>
+    </message>
+    <message>
+        <source>the file holds %1 points and no faces: there is no surface to read</source>
+        <translation>le fichier contient %1 points et aucune face : il n’y a pas de surface à lire</translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,7 @@
 #include "core/io/file_space.h"
 
 #include "core/base/number_text.h"
+#include "core/base/plain_text.h"
 
 #include <algorithm>
 #include <charconv>
@@ -105,13 +106,10 @@ Expected<double> fileScaleOf(double number)
 
 std::optional<FileSpace> fileSpaceIn(std::string_view head)
 {
-    head = head.substr(0, headSize);
-    while (!head.empty()) {
-        const std::size_t end = std::min(head.find('\n'), head.size());
-        if (auto space = spaceIn(commentOf(head.substr(0, end))))
+    const PlainText plain(head.substr(0, headSize));
+    for (TextLines lines(plain.view()); lines.next();)
+        if (auto space = spaceIn(commentOf(lines.line())))
             return space;
-        head.remove_prefix(std::min(end + 1, head.size()));
-    }
     return std::nullopt;
 }
 

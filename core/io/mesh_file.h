@@ -56,7 +56,7 @@ Expected<void> writePly(const std::string& path, std::span<const MeshPart> parts
                         const Progress& progress = {});
 Expected<void> writePlyLines(const std::string& path, const LinePart& lines, const WriteOptions& options);
 
-/// One object as read: polygons are split into fans, positions are shared as in the file.
+/// One object as read: polygons are cut into triangles, positions are shared as in the file.
 struct ReadObject
 {
     std::string name;
@@ -68,6 +68,9 @@ struct ReadMesh
 {
     std::vector<ReadObject> objects; ///< at least one
     std::vector<std::string> notes;  ///< what was skipped or guessed, with line numbers
+    /// Positions are those of the file less this: 0 unless the file is so far from the origin that single
+    /// precision would lose its shape.
+    glm::dvec3 origin{0.0};
     /// All objects as one mesh, for validation: vertices that objects share in the file are one again.
     [[nodiscard]] TriangleMesh joined() const;
 };
@@ -79,10 +82,11 @@ MaterialSource materialsBeside(const std::string& path);
 
 /// Reads a file of a format of meshes (core/io/formats/file_format.h) by the ending. What the program does
 /// not use (unknown PLY properties) is skipped; texture coordinates are kept where every corner of an object
-/// has them. Of materials the diffuse colour is kept, for each triangle; where none is to be had there are no
-/// colours, and a material file that is missing or broken is a note. Indices may be negative. Errors with
-/// file and line (or byte offset): Io, Syntax, Invalid (index out of range, non-finite number), Unknown
-/// (ending), Cancelled.
+/// has them. Colours of vertices, faces and materials are kept, for each triangle; where none is to be had
+/// there are no colours, and a material file that is missing or broken is a note. Normals that do not exist
+/// or are no directions, and pictures that cannot be read, are notes. Indices may be negative. Errors with
+/// file and line (or byte offset): Io, Syntax, Invalid (index out of range, non-finite position, points
+/// without faces), Unknown (ending), Cancelled.
 Expected<ReadMesh> readMeshFile(const std::string& path, const Progress& progress = {});
 /// \param materials what mtllib is read from; none: it is skipped
 Expected<ReadMesh> parseObj(std::string_view text, const std::string& file, const Progress& progress = {},

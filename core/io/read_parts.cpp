@@ -1,4 +1,5 @@
 #include "core/io/read_parts.h"
+#include "core/base/plain_text.h"
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
@@ -161,6 +162,8 @@ Expected<std::string_view> LineBlocks::next()
         m_used += *got;
         m_isAtEnd = *got < room;
         if (m_isAtEnd) {
+            m_padding = paddingOf({m_buffer.data(), m_used});
+            m_used -= m_padding;
             m_given = m_used + 1;
             m_buffer[m_used] = '\n';
             std::fill_n(m_buffer.data() + m_given, tail - 1, '\0');
@@ -171,6 +174,7 @@ Expected<std::string_view> LineBlocks::next()
             break;
         grow();
     }
+    mendLineEnds(m_buffer.data(), m_given - 1);
     return std::string_view(m_buffer.data(), m_given);
 }
 

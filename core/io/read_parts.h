@@ -76,9 +76,11 @@ public:
     {
     }
     /// The next block, or nothing when there is none; bytes behind it are readable. The last block ends in a
-    /// line feed that the file need not have. Error: Io.
+    /// line feed that the file need not have. Lone carriage returns have become line feeds. Error: Io.
     Expected<std::string_view> next();
     [[nodiscard]] bool isLast() const { return m_isAtEnd; }
+    /// Of zeros and end marks behind the text, which are left out; known with the last block.
+    [[nodiscard]] std::size_t padding() const { return m_padding; }
 
 private:
     static constexpr std::size_t tail = 64; ///< room for the last line feed and what is read behind it
@@ -89,6 +91,7 @@ private:
     LargeBuffer<char> m_buffer;
     std::size_t m_used = 0;  ///< bytes in the buffer
     std::size_t m_given = 0; ///< of which those in front were given out
+    std::size_t m_padding = 0;
     bool m_isAtEnd = false;
 };
 

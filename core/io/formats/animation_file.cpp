@@ -1,6 +1,7 @@
 #include "core/io/formats/animation_file.h"
 
 #include "core/base/number_text.h"
+#include "core/base/plain_text.h"
 #include "core/io/read_parts.h"
 
 #include <algorithm>
@@ -28,7 +29,7 @@ constexpr std::array<Axis, 4> orientationAxes{Axis{6, 1.0}, Axis{3, 1.0}, Axis{5
 constexpr std::array<Axis, 3> scaleAxes{Axis{7, 1.0}, Axis{9, 1.0}, Axis{8, 1.0}};
 
 /// One line.
-struct Row
+struct KeyRow
 {
     KeyShape shape;
     std::array<double, 10> values{};
@@ -48,14 +49,11 @@ public:
 
     Expected<AnimationFile> parse(std::string_view text)
     {
-        if (text.starts_with("\xEF\xBB\xBF"))
-            text.remove_prefix(3);
-        while (!text.empty()) {
-            const std::size_t end = text.find('\n');
-            ++m_line;
-            if (auto read = readLine(reading::trimmed(text.substr(0, end))); !read)
+        const PlainText plain(text);
+        for (TextLines lines(plain.view()); lines.next();) {
+            m_line = lines.number();
+            if (auto read = readLine(lines.line()); !read)
                 return fail(std::move(read.error()));
-            text = end == std::string_view::npos ? std::string_view() : text.substr(end + 1);
         }
         if (auto made = makeTracks(); !made)
             return fail(std::move(made.error()));
@@ -135,7 +133,7 @@ private:
                 ErrorCode::Syntax,
                 RAMURE_NOOP("%1 columns, %2 are expected: time,MODE and ten numbers with decimal points"),
                 {std::to_string(count), std::to_string(plainColumns)});
-        Row row;
+        KeyRow row;
         row.line = m_line;
         const auto time = number(cells[0]);
         if (!time)
@@ -161,9 +159,9 @@ private:
     void readMode(KeyShape& shape, std::string_view name)
     {
         for (int i = 0; i < keyModeCount; ++i)
-            if (name == keyModeName(static_cast<KeyMode>(i)))
+            if (isWord(name, lowered(keyModeName(static_cast<KeyMode>(i)))))
                 shape.mode = static_cast<KeyMode>(i);
-        const bool known = name == keyModeName(shape.mode);
+        const bool known = isWord(name, lowered(keyModeName(shape.mode)));
         if (known && shape.mode != KeyMode::CubicEase)
             return;
         const bool easing =
@@ -177,11 +175,11 @@ private:
                   : note(RAMURE_NOOP("the mode \"%1\" is not known: read as a CUBIC spline"),
                          {std::string(name)}, m_line);
     }
-    Expected<void> readMore(Row& row, const std::vector<std::string_view>& cells)
+    Expected<void> readMore(KeyRow& row, const std::vector<std::string_view>& cells)
     {
         bool known = false;
         for (int i = 0; i < easingCount; ++i)
-            if (cells[plainColumns] == easingName(static_cast<Easing>(i))) {
+            if (isWord(cells[plainColumns], lowered(easingName(static_cast<Easing>(i))))) {
                 row.shape.easing = static_cast<Easing>(i);
                 known = true;
             }
@@ -205,7 +203,7 @@ private:
         }
         return {};
     }
-    Expected<void> checkRotation(const Row& row)
+    Expected<void> checkRotation(const KeyRow& row)
     {
         double square = 0.0;
         for (std::size_t i = 3; i < 7; ++i)
@@ -229,14 +227,14 @@ private:
                 break;
             }
         std::stable_sort(m_rows.begin(), m_rows.end(),
-                         [](const Row& a, const Row& b) { return a.shape.time < b.shape.time; });
-        const auto kept = std::unique(m_rows.rbegin(), m_rows.rend(), [](const Row& a, const Row& b) {
+                         [](const KeyRow& a, const KeyRow& b) { return a.shape.time < b.shape.time; });
+        const auto kept = std::unique(m_rows.rbegin(), m_rows.rend(), [](const KeyRow& a, const KeyRow& b) {
             return a.shape.time == b.shape.time;
         });
         m_rows.erase(m_rows.begin(), kept.base());
     }
     static Handle turned(const Handle& handle, double sign) { return {handle.dt, sign * handle.dv}; }
-    static KeyShape shapeOf(const Row& row)
+    static KeyShape shapeOf(const KeyRow& row)
     {
         KeyShape shape = row.shape;
         if (row.hasHandles)
@@ -255,7 +253,7 @@ private:
             const Axis& axis = axes[c];
             std::vector<Key> keys(m_rows.size());
             for (std::size_t i = 0; i < keys.size(); ++i) {
-                const Row& row = m_rows[i];
+                const KeyRow& row = m_rows[i];
                 static_cast<KeyShape&>(keys[i]) = shapeOf(row);
                 keys[i].value = axis.sign * row.values[axis.column];
                 keys[i].in = turned(row.in[axis.column], axis.sign);
@@ -272,7 +270,7 @@ private:
     {
         std::vector<OrientationKey> keys(m_rows.size());
         for (std::size_t i = 0; i < keys.size(); ++i) {
-            const Row& row = m_rows[i];
+            const KeyRow& row = m_rows[i];
             static_cast<KeyShape&>(keys[i]) = shapeOf(row);
             double q[4];
             for (std::size_t c = 0; c < 4; ++c) {
@@ -299,7 +297,7 @@ private:
         }
         sortRows();
         m_out.keyCount = m_rows.size();
-        const bool bezier = std::any_of(m_rows.begin(), m_rows.end(), [](const Row& row) {
+        const bool bezier = std::any_of(m_rows.begin(), m_rows.end(), [](const KeyRow& row) {
             return row.shape.mode == KeyMode::Bezier && !row.hasHandles;
         });
         if (bezier)
@@ -315,7 +313,7 @@ private:
     std::string m_file;
     CubicMeaning m_cubic;
     AnimationFile m_out;
-    std::vector<Row> m_rows;
+    std::vector<KeyRow> m_rows;
     std::set<std::string> m_unknown;
     double m_loopSeconds = 0.0;
     int m_line = 0;

@@ -1,5 +1,5 @@
 // OBJ with a TRANSFORM.
-#include "core/base/number_text.h"
+#include "core/base/plain_text.h"
 #include "core/io/formats/blender_scene.h"
 
 #include <array>
@@ -9,7 +9,7 @@
 namespace ramure {
 namespace {
 
-constexpr std::string_view keyword = "TRANSFORM";
+constexpr std::string_view keyword = "transform"; // in capitals, as a rule
 constexpr std::string_view blanks = " \t\r\n";
 
 /// Finds the TRANSFORM, and takes it out of the text without moving any line.
@@ -53,7 +53,7 @@ private:
     }
     static bool isKeyword(std::string_view word)
     {
-        return word.starts_with(keyword) &&
+        return isWord(word.substr(0, keyword.size()), keyword) &&
                (word.size() == keyword.size() || blanks.find(word[keyword.size()]) != std::string_view::npos);
     }
     tl::unexpected<Error> problem(ErrorCode code, int line, const char* text,
@@ -111,11 +111,11 @@ private:
 
 } // namespace
 
-/// Any vertex: a file that only places something has none.
-static bool hasVertices(std::string_view text)
+/// Any line of this keyword: a file that only places something has no vertices, a curve no faces.
+static bool hasLine(std::string_view text, std::string_view word)
 {
-    for (std::size_t at = text.find("v "); at != std::string_view::npos; at = text.find("v ", at + 1))
-        if (at == 0 || text[at - 1] == '\n' || text[at - 1] == ' ' || text[at - 1] == '\t')
+    for (TextLines lines(text); lines.next();)
+        if (isWord(lines.line().substr(0, lines.line().find_first_of(" \t")), word))
             return true;
     return false;
 }
@@ -123,14 +123,20 @@ static bool hasVertices(std::string_view text)
 Expected<BlenderObject> parseBlenderObject(std::string_view text, const std::string& file,
                                            const Progress& progress, const MaterialSource& materials)
 {
-    if (text.starts_with("\xEF\xBB\xBF"))
-        text.remove_prefix(3);
-    std::string copy(text);
+    const PlainText plain(text);
+    std::string copy(plain.view());
     BlenderObject object;
     if (auto read = TransformReader(copy, file).read(object); !read)
         return fail(std::move(read.error()));
-    if (object.transform && !hasVertices(copy))
+    if (object.transform && !hasLine(copy, "f")) {
+        if (hasLine(copy, "v")) {
+            object.notes.push_back(
+                fail(ErrorCode::Invalid, RAMURE_NOOP("points without faces: a group stands in their place"))
+                    .value());
+            object.notes.back().file = file;
+        }
         return object;
+    }
     auto mesh = parseObj(copy, file, progress, materials);
     if (!mesh)
         return fail(std::move(mesh.error()));
@@ -140,6 +146,7 @@ Expected<BlenderObject> parseBlenderObject(std::string_view text, const std::str
         object.notes.push_back(std::move(note));
     }
     object.mesh = mesh->joined();
+    object.origin = mesh->origin;
     object.mesh.branch.clear();
     object.mesh.level.clear();
     if (object.mesh.normals.size() != object.mesh.positions.size())

@@ -184,6 +184,7 @@ private:
             m_withoutTransform.push_back(path.string());
         else if (node.animation.empty())
             place(path, node, *object);
+        putBack(node, *object);
         takeColour(node, object->mesh);
         if (object->mesh.empty() && object->mesh.positions.empty())
             node.kind = NodeKind::Group;
@@ -209,6 +210,7 @@ private:
             return fail(std::move(mesh.error()));
         BlenderObject object;
         object.mesh = mesh->joined();
+        object.origin = mesh->origin;
         object.mesh.branch.clear();
         object.mesh.level.clear();
         for (std::string& said : mesh->notes)
@@ -225,6 +227,7 @@ private:
             return;
         const glm::dmat4 back = glm::inverse(intoFile);
         object.mesh = transformed(object.mesh, back);
+        object.origin = glm::dmat3(back) * object.origin;
         if (object.transform)
             object.transform = back * *object.transform * intoFile;
     }
@@ -240,6 +243,21 @@ private:
         if (isOne)
             mesh.colours.clear();
     }
+    /// What was subtracted from the coordinates, as far as it can be added again.
+    void putBack(Node& node, const BlenderObject& object)
+    {
+        if (object.origin == glm::dvec3(0.0))
+            return;
+        NodeParams params = node.params;
+        if (object.transform || !node.animation.empty())
+            params.local.translation = object.origin;
+        else {
+            m_origin = m_origin.value_or(object.origin);
+            params.tree.translation = object.origin - *m_origin;
+        }
+        if (checkParams(params))
+            node.params = std::move(params);
+    }
     /// As a placement where it is one that the parameters allow.
     void place(const fs::path& path, Node& node, BlenderObject& object)
     {
@@ -253,6 +271,7 @@ private:
             }
         }
         object.mesh = transformed(object.mesh, *object.transform);
+        object.origin = glm::dmat3(*object.transform) * object.origin;
         note(path.string(),
              RAMURE_NOOP("the TRANSFORM shears, mirrors or flattens: it was put into the vertices"));
     }
@@ -302,6 +321,7 @@ private:
     bool m_hasTransform = false; ///< some file does, or says what else a script says
     std::vector<std::string> m_withoutTransform;
     double m_saidRate = 0.0;
+    std::optional<glm::dvec3> m_origin; ///< of the first object that was far from the origin
 };
 
 } // namespace

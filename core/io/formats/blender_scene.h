@@ -17,6 +17,7 @@ namespace ramure {
 struct BlenderObject
 {
     TriangleMesh mesh;                   ///< all objects of the file together
+    glm::dvec3 origin{0.0};              ///< as ReadMesh has it
     std::optional<glm::dmat4> transform; ///< in its parent; none where the file says none
     std::string parent;                  ///< of a comment `# parent=NAME`
     std::vector<Note> notes;
@@ -59,6 +60,10 @@ Expected<BlenderImport> importObjects(const std::string& path, const ImportOptio
 /// frame; one without keys where its TRANSFORM says. What no translation, rotation and scale can say (shear,
 /// mirroring, flatness) is put into the vertices of objects without keys. Errors: Io, Invalid (a space asked
 /// for where there are keys), and those of the files; nothing is returned in part.
+///
+/// A mesh far from the origin is moved near it. Where the file says how the object stands, its own position
+/// holds it where it was. All others are moved alike, so that they stand to each other as before; a note says
+/// by how much.
 Expected<BlenderImport> importBlender(const std::string& path, const ImportOptions& options = {},
                                       const Progress& progress = {});
 

@@ -68,9 +68,12 @@ Expected<ReadMesh> readMeshFile(const std::string& path, const Progress& progres
     if (!format)
         return fail(format.error());
     auto mesh = (*format)->read(path, progress);
-    if (const auto space = mesh ? fileSpaceOf(path) : std::nullopt)
+    if (const auto space = mesh ? fileSpaceOf(path) : std::nullopt) {
+        const glm::dmat4 back = glm::inverse(space->matrix());
+        mesh->origin = glm::dmat3(back) * mesh->origin;
         for (ReadObject& object : mesh->objects)
-            object.mesh = transformed(object.mesh, glm::inverse(space->matrix()));
+            object.mesh = transformed(object.mesh, back);
+    }
     return mesh;
 }
 

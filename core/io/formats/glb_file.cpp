@@ -1,5 +1,6 @@
 #include "core/io/formats/glb_file.h"
 
+#include "core/base/plain_text.h"
 #include "core/io/formats/glb_unpack.h"
 
 #include <algorithm>
@@ -25,7 +26,6 @@ constexpr std::array known{
     "EXT_mesh_manifold",
     "EXT_mesh_gpu_instancing",
     "MSFT_lod",
-    "KHR_texture_transform",
 };
 
 std::uint32_t word(std::string_view bytes, std::size_t at)
@@ -35,9 +35,12 @@ std::uint32_t word(std::string_view bytes, std::size_t at)
     return out;
 }
 
-bool isMaterial(std::string_view extension)
+/// Without what it says, the mesh is there all the same: a picture that cannot be read is a note.
+bool isLook(std::string_view extension)
 {
-    return extension.starts_with("KHR_materials_") || extension == "KHR_lights_punctual";
+    constexpr std::array prefixes{"KHR_materials_", "EXT_materials_", "KHR_texture_", "EXT_texture_",
+                                  "MSFT_texture_",  "MSFT_packing_",  "KHR_lights_",  "EXT_lights_"};
+    return std::ranges::any_of(prefixes, [&](const char* begin) { return extension.starts_with(begin); });
 }
 
 std::size_t sizeOf(std::size_t type)
@@ -205,7 +208,7 @@ Expected<File> File::open(const std::string& path, const Progress& progress)
 Expected<void> File::split()
 {
     constexpr std::size_t head = 12, chunkHead = 8;
-    const std::string_view bytes = m_bytes.view();
+    std::string_view bytes = m_bytes.view();
     if (bytes.size() < head + chunkHead || !bytes.starts_with("glTF"))
         return fail(ErrorCode::Syntax, RAMURE_NOOP("this is no GLB file"));
     if (word(bytes, 4) != 2)
@@ -214,6 +217,10 @@ Expected<void> File::split()
     if (const std::size_t said = word(bytes, 8); said > bytes.size())
         return fail(ErrorCode::Syntax, RAMURE_NOOP("the file is cut off: %1 of %2 bytes are there"),
                     {std::to_string(bytes.size()), std::to_string(said)});
+    else if (said < bytes.size() && said >= head + chunkHead) {
+        m_notes.push_back(std::to_string(bytes.size() - said) + " bytes behind the end of the file");
+        bytes = bytes.substr(0, said);
+    }
     std::string_view json;
     bool hasJson = false, hasBinary = false;
     for (std::size_t at = head; at + chunkHead <= bytes.size();) {
@@ -237,7 +244,8 @@ Expected<void> File::split()
 
 Expected<void> File::parse(std::string_view text)
 {
-    m_root = Json::parse(text, nullptr, false);
+    const PlainText plain(text); // some programs fill up with zeros, not with blanks
+    m_root = Json::parse(plain.view(), nullptr, false);
     if (m_root.is_discarded() || !m_root.is_object())
         return fail(ErrorCode::Syntax, RAMURE_NOOP("the JSON of the file is broken"));
     return checkExtensions();
@@ -247,7 +255,7 @@ Expected<void> File::checkExtensions() const
 {
     for (const Json& name : list("extensionsRequired")) {
         const std::string text = name.is_string() ? name.get<std::string>() : std::string();
-        if (std::ranges::find(known, text) == known.end() && !isMaterial(text))
+        if (std::ranges::find(known, text) == known.end() && !isLook(text))
             return wrong("extensionsRequired", RAMURE_NOOP("the file needs %1, which cannot be read"),
                          {reading::excerpt(text)}, ErrorCode::Unknown);
     }
@@ -452,10 +460,16 @@ Expected<std::vector<T>> File::values(std::optional<std::size_t> number, std::si
     return out;
 }
 
+Expected<std::vector<float>> File::anyFloats(std::optional<std::size_t> accessor, std::size_t components,
+                                             const std::string& place)
+{
+    return values<float>(accessor, components, place);
+}
+
 Expected<std::vector<float>> File::floats(std::optional<std::size_t> accessor, std::size_t components,
                                           const std::string& place)
 {
-    auto out = values<float>(accessor, components, place);
+    auto out = anyFloats(accessor, components, place);
     if (out && !std::ranges::all_of(*out, [](float number) { return std::isfinite(number); }))
         return wrong(placeOf("accessors", *accessor), RAMURE_NOOP("a number is not finite"));
     return out;

@@ -40,13 +40,15 @@ class File
 {
 public:
     /// Errors: Io; Syntax (no GLB of version 2, cut off, broken JSON); Limit (JSON of more than 256 MiB, a
-    /// cut of what a file may hold); Unknown (an extension that the file requires and the program does not
-    /// know); Cancelled.
+    /// cut of what a file may hold); Unknown (an extension that the file requires, that is about more than
+    /// materials and pictures, and that the program does not know); Cancelled.
     static Expected<File> open(const std::string& path, const Progress& progress);
 
     /// What stands at the top: "nodes", "meshes" ... An empty list where it is none.
     [[nodiscard]] const Json& list(const char* name) const;
     [[nodiscard]] const Json& root() const { return m_root; }
+    /// What of the file as a whole was left out.
+    [[nodiscard]] const std::vector<std::string>& notes() const { return m_notes; }
     /// An element of a list. Error: Invalid, there is no such element, or it is no object.
     Expected<const Json*> element(const char* listName, std::optional<std::size_t> number,
                                   const std::string& place) const;
@@ -55,6 +57,9 @@ public:
     /// 1. Errors: Invalid (another type, beyond its view), Limit (more than a mesh can be), Unknown.
     Expected<std::vector<float>> floats(std::optional<std::size_t> accessor, std::size_t components,
                                         const std::string& place);
+    /// The same, and some may not be finite.
+    Expected<std::vector<float>> anyFloats(std::optional<std::size_t> accessor, std::size_t components,
+                                           const std::string& place);
     /// Whole numbers as they are.
     Expected<std::vector<Index>> indices(std::optional<std::size_t> accessor, std::size_t components,
                                          const std::string& place);
@@ -82,6 +87,7 @@ private:
     reading::Bytes m_bytes;   ///< the whole file
     std::string_view m_chunk; ///< its binary part
     Json m_root;
+    std::vector<std::string> m_notes;
     std::map<std::size_t, std::string> m_buffers; ///< those that stand in the JSON as text
     std::map<std::size_t, std::string> m_views;   ///< that were unpacked
     std::size_t m_unpacked = 0;

@@ -1,5 +1,7 @@
 #include "core/io/formats/glb_mesh_reader.h"
 
+#include "core/io/mesh_mending.h"
+#include "core/math/finite.h"
 #include "core/math/reproducible.h"
 #include "core/surface/mesh/duplicate_positions.h"
 
@@ -8,6 +10,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <limits>
 
 namespace ramure::glb {
 
@@ -38,6 +41,13 @@ std::vector<Index> trianglesOf(const std::vector<Index>& corners, std::size_t mo
     return out;
 }
 
+/// Long enough to be normalised.
+bool isDirection(const glm::vec3& n)
+{
+    const float square = glm::dot(n, n);
+    return square > std::numeric_limits<float>::min() && std::isfinite(square);
+}
+
 class PrimitiveReader
 {
 public:
@@ -63,11 +73,15 @@ public:
         if (!positions)
             return fail(std::move(positions.error()));
         m_out.positions = vectorsOf<glm::vec3>(*positions);
-        for (const auto part : {&PrimitiveReader::readLook, &PrimitiveReader::readSkin})
-            if (auto done = (this->*part)(); !done)
-                return fail(std::move(done.error()));
+        readLook(notes);
+        if (auto done = readSkin(); !done)
+            return fail(std::move(done.error()));
         if (auto done = readCorners(mode); !done)
             return fail(std::move(done.error()));
+        if (!std::ranges::all_of(m_out.normals, &isDirection))
+            mendNormals(notes);
+        for (glm::vec3& n : m_out.normals)
+            n = glm::normalize(n);
         return m_out.indices.empty() ? std::nullopt : std::optional(std::move(m_out));
     }
 
@@ -85,33 +99,54 @@ private:
             return wrong(m_place + "." + name, RAMURE_NOOP("not as many as there are positions"));
         return out;
     }
-    Expected<void> readLook()
+    /// A mesh is one without these: what is wrong with them is a note, and they are left out.
+    std::vector<float> lookOf(const char* name, std::size_t components, std::vector<std::string>& notes)
     {
-        if (accessorOf("NORMAL")) {
-            const auto normals = attribute("NORMAL", 3);
-            if (!normals)
-                return fail(normals.error());
-            m_out.normals = vectorsOf<glm::vec3>(*normals);
-            for (glm::vec3& n : m_out.normals)
-                n = glm::dot(n, n) > 0.0F ? glm::normalize(n) : glm::vec3(0.0F, 1.0F, 0.0F);
-        }
-        if (accessorOf("TEXCOORD_0")) {
-            const auto uv = attribute("TEXCOORD_0", 2);
-            if (!uv)
-                return fail(uv.error());
-            m_out.uv = vectorsOf<glm::vec2>(*uv);
-            for (glm::vec2& place : m_out.uv)
-                place.y = 1.0F - place.y;
-        }
-        if (const auto colours = accessorOf("COLOR_0")) {
-            const std::size_t components = m_file.components(colours) == 4 ? 4 : 3;
-            const auto read = attribute("COLOR_0", components);
-            if (!read)
-                return fail(read.error());
-            for (std::size_t i = 0; i < read->size(); i += components)
-                m_out.colours.emplace_back((*read)[i], (*read)[i + 1], (*read)[i + 2]);
-        }
+        const std::string place = m_place + "." + name;
+        if (!accessorOf(name))
+            return {};
+        auto out = m_file.anyFloats(accessorOf(name), components, place);
+        if (out && out->size() != components * m_out.positions.size())
+            out = wrong(place, RAMURE_NOOP("not as many as there are positions"));
+        if (out)
+            return std::move(*out);
+        notes.push_back(place + ": " + out.error().message() + ": left out");
         return {};
+    }
+    void readLook(std::vector<std::string>& notes)
+    {
+        m_out.normals = vectorsOf<glm::vec3>(lookOf("NORMAL", 3, notes));
+        m_out.uv = vectorsOf<glm::vec2>(lookOf("TEXCOORD_0", 2, notes));
+        if (!std::ranges::all_of(m_out.uv, &isFinite<2, float>)) {
+            m_out.uv.clear();
+            notes.push_back(m_place + ".TEXCOORD_0: a number is not finite: left out");
+        }
+        for (glm::vec2& place : m_out.uv)
+            place.y = 1.0F - place.y;
+        const std::size_t components = m_file.components(accessorOf("COLOR_0")) == 4 ? 4 : 3;
+        const std::vector<float> colours = lookOf("COLOR_0", components, notes);
+        for (std::size_t i = 0; i < colours.size(); i += components)
+            m_out.colours.emplace_back(colours[i], colours[i + 1], colours[i + 2]);
+        if (!std::ranges::all_of(m_out.colours, &isFinite<3, float>)) {
+            m_out.colours.clear();
+            notes.push_back(m_place + ".COLOR_0: a number is not finite: left out");
+        }
+    }
+    /// Those of no direction get that of their faces.
+    void mendNormals(std::vector<std::string>& notes)
+    {
+        for (glm::vec3& n : m_out.normals)
+            n = isDirection(n) ? n : glm::vec3(0.0F);
+        TriangleMesh mesh;
+        mesh.positions = m_out.positions;
+        for (std::size_t i = 0; i + 2 < m_out.indices.size(); i += 3)
+            mesh.triangles.emplace_back(m_out.indices[i], m_out.indices[i + 1], m_out.indices[i + 2]);
+        mesh.normals = std::move(m_out.normals);
+        const std::size_t before = notes.size();
+        reading::mendNormals(mesh, notes);
+        for (std::size_t i = before; i < notes.size(); ++i)
+            notes[i] = m_place + ".NORMAL: " + notes[i];
+        m_out.normals = std::move(mesh.normals);
     }
     Expected<void> readSkin()
     {

@@ -6,6 +6,7 @@
 #include "core/io/formats/glb_parts.h"
 #include "core/io/formats/glb_surfaces.h"
 #include "core/io/formats/import_parts.h"
+#include "core/io/mesh_mending.h"
 #include "core/math/finite.h"
 #include "core/rig/arm/arm_chain.h"
 #include "core/scene/kinds/node_kinds.h"
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <glm/gtc/matrix_transform.hpp>
 #include <glm/matrix.hpp>
 #include <set>
 
@@ -186,6 +188,10 @@ public:
                     return fail(std::move(added.error()));
         if (m_out.nodes.empty())
             return fail(ErrorCode::Invalid, RAMURE_NOOP("the file shows no mesh, no camera and no node"));
+        const auto isGroup = [](const Node& node) { return node.kind == NodeKind::Group; };
+        if (m_hasBareMesh && std::ranges::all_of(m_out.nodes, isGroup))
+            return fail(ErrorCode::Invalid,
+                        RAMURE_NOOP("the meshes of the file have no triangles: there is no surface to read"));
         tell();
         hang();
         return std::move(m_out);
@@ -327,6 +333,7 @@ private:
             return fail(surfaces.error());
         tellOf(mesh);
         const std::size_t count = mesh.primitives.size();
+        m_hasBareMesh = m_hasBareMesh || count == 0;
         const bool isOne = count <= 1 || std::ranges::none_of(*surfaces, &glb::Surface::hasPictures);
         const NodeId top = m_out.nodes[at].id;
         for (std::size_t p = 0; p < (isOne ? std::min<std::size_t>(count, 1) : count); ++p) {
@@ -358,7 +365,24 @@ private:
             mesh.colours.clear();
         if (hasPictures)
             node.params.surfacePictures = m_pictures.write(*material, m_out.notes);
+        if (node.kind == NodeKind::Mesh)
+            moveNear(node, mesh);
         node.mesh = SharedValue<TriangleMesh>(std::move(mesh));
+    }
+
+    /// What is far from its own origin is moved there, and the node's own position holds it where it was.
+    void moveNear(Node& node, TriangleMesh& mesh)
+    {
+        const glm::dvec3 origin = reading::farOrigin(mesh.positions);
+        if (origin == glm::dvec3(0.0))
+            return;
+        for (glm::vec3& p : mesh.positions)
+            p = glm::vec3(glm::dvec3(p) - origin);
+        NodeParams params = node.params;
+        params.local.translation = origin;
+        if (checkParams(params))
+            node.params = std::move(params);
+        note("%1", {node.name + ": " + reading::farNote(origin)});
     }
 
     /// Skins say where a mesh stands, not its node.
@@ -486,6 +510,8 @@ private:
         };
         if (std::ranges::any_of(m_scene.nodes.all, hasLevels))
             note(RAMURE_NOOP("only the finest level of detail is taken"), {}, remark);
+        for (const std::string& text : m_scene.file.notes())
+            note("%1", {text});
         for (Note& said : m_clip.notes)
             m_out.notes.push_back(std::move(said));
         m_out.keyCount = 0;
@@ -515,6 +541,7 @@ private:
     glb::Clip m_clip;
     std::vector<Own> m_own; ///< by the nodes of the file
     std::set<std::string> m_told;
+    bool m_hasBareMesh = false; ///< one without triangles
     BlenderImport m_out;
 };
 
@@ -525,9 +552,21 @@ template <class T> Expected<T> inFile(Expected<T> result, const std::string& pat
     return result;
 }
 
+/// Where single precision holds the shape of a mesh in the world.
+glm::dvec3 originOf(const TriangleMesh& mesh, const glm::dmat4& world)
+{
+    std::vector<glm::dvec3> positions;
+    positions.reserve(mesh.positions.size());
+    for (const glm::vec3& p : mesh.positions)
+        positions.emplace_back(world * glm::dvec4(p, 1.0));
+    return reading::farOrigin(positions);
+}
+
 Expected<ReadMesh> allMeshes(GlbScene& scene, const std::string& path, const Progress& progress)
 {
     ReadMesh out;
+    out.notes = scene.file.notes();
+    bool isFirst = true;
     double done = 0.0;
     for (const Index number : scene.nodes.inScene) {
         progress.report(0.3 + 0.7 * done++ / double(scene.nodes.inScene.size()));
@@ -545,7 +584,10 @@ Expected<ReadMesh> allMeshes(GlbScene& scene, const std::string& path, const Pro
         auto mesh = scene.copied(node, *posed, 0, posed->primitives.size());
         if (!mesh)
             return fail(std::move(mesh.error()));
-        mesh = placed(*mesh, node.skin ? glm::dmat4(1.0) : node.world, node.name);
+        const glm::dmat4 world = node.skin ? glm::dmat4(1.0) : node.world;
+        if (std::exchange(isFirst, false))
+            out.origin = originOf(*mesh, world);
+        mesh = placed(*mesh, glm::translate(glm::dmat4(1.0), -out.origin) * world, node.name);
         if (!mesh)
             return fail(std::move(mesh.error()));
         if (!mesh->empty()) // of no copies
@@ -553,6 +595,8 @@ Expected<ReadMesh> allMeshes(GlbScene& scene, const std::string& path, const Pro
     }
     if (out.objects.empty())
         return fail(ErrorCode::Invalid, RAMURE_NOOP("%1 shows no mesh"), {path});
+    if (out.origin != glm::dvec3(0.0))
+        out.notes.push_back(reading::farNote(out.origin));
     return out;
 }
 

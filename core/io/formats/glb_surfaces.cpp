@@ -43,6 +43,29 @@ bool isPng(std::string_view bytes)
     return bytes.starts_with("\x89PNG");
 }
 
+/// The picture of a texture, in the form that all programs read or else in that of an extension.
+std::optional<std::size_t> sourceOf(const Json& texture)
+{
+    if (const auto plain = numberOf(texture, "source"))
+        return plain;
+    for (const Json& extension : memberOr(texture, "extensions"))
+        if (const auto other = numberOf(extension, "source"))
+            return other;
+    return std::nullopt;
+}
+
+/// As people know it.
+std::string pictureName(const Json& image, std::size_t number)
+{
+    const std::string name = textOf(image, "name"), uri = textOf(image, "uri"),
+                      type = textOf(image, "mimeType");
+    if (!name.empty())
+        return reading::excerpt(name);
+    if (!uri.empty() && !uri.starts_with("data:"))
+        return reading::excerpt(uri);
+    return placeOf("images", number) + (type.empty() ? "" : ", " + reading::excerpt(type));
+}
+
 /// A picture that a surface wears, and where in a material it stands.
 struct Place
 {
@@ -127,21 +150,22 @@ Expected<std::string_view> PictureFolder::bytesOf(const Json& texture, const std
     const auto sampled = m_file.element("textures", numberOf(texture, "index"), place);
     if (!sampled)
         return fail(sampled.error());
-    const auto number = numberOf(**sampled, "source");
+    const auto number = sourceOf(**sampled);
     const auto image = m_file.element("images", number, place);
     if (!image)
         return fail(image.error());
+    const std::string name = pictureName(**image, *number);
     Expected<std::string_view> bytes = std::string_view();
     if (member(**image, "bufferView"))
         bytes = m_file.view(numberOf(**image, "bufferView"), place);
     else {
         auto text = bytesOfUri(textOf(**image, "uri"));
         if (!text)
-            return wrong(place, RAMURE_NOOP("the picture stands in another file"));
+            return wrong(place, RAMURE_NOOP("the picture \"%1\" stands in another file"), {name});
         bytes = m_fromText.insert_or_assign(*number, std::move(*text)).first->second;
     }
     if (bytes && !isPng(*bytes) && !bytes->starts_with("\xFF\xD8\xFF"))
-        return wrong(place, RAMURE_NOOP("the picture is neither a PNG nor a JPEG"));
+        return wrong(place, RAMURE_NOOP("the picture \"%1\" is neither a PNG nor a JPEG"), {name});
     return bytes;
 }
 

@@ -1,8 +1,10 @@
 #include "core/io/formats/material_file.h"
 
+#include "core/base/plain_text.h"
 #include "core/io/read_parts.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <optional>
 
@@ -36,6 +38,35 @@ std::optional<glm::u8vec3> colourOf(std::string_view words)
     return bytes;
 }
 
+/// Keywords whose value names a file.
+bool isPicture(std::string_view word)
+{
+    constexpr std::array others{"bump", "norm", "disp", "decal", "refl"};
+    return word.starts_with("map_") || std::ranges::find(others, word) != others.end();
+}
+
+/// The pictures of one material, each once: that of the normals stands there under several keywords.
+struct PictureNames
+{
+    int line = 0; ///< of the first
+    std::vector<std::string> names;
+
+    void add(std::string_view name, int at)
+    {
+        std::string quoted = "\"" + reading::excerpt(name) + "\"";
+        line = names.empty() ? at : line;
+        if (names.size() < mostNotes && std::ranges::find(names, quoted) == names.end())
+            names.push_back(std::move(quoted));
+    }
+    [[nodiscard]] std::string text() const
+    {
+        std::string out;
+        for (const std::string& name : names)
+            out += out.empty() ? "the picture " + name + " is not read" : ", nor is " + name;
+        return out;
+    }
+};
+
 /// Programs of other systems part folders with a backslash.
 std::filesystem::path pathOf(std::string name)
 {
@@ -58,28 +89,34 @@ MaterialColours parseMaterials(std::string_view text, const std::string& file)
 {
     MaterialColours out;
     std::string name;
-    int line = 0;
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        const std::string_view content = reading::trimmed(text.substr(0, end));
-        text.remove_prefix(std::min(end + 1, text.size()));
-        ++line;
+    PictureNames pictures;
+    const PlainText plain(text);
+    TextLines lines(plain.view());
+    const auto note = [&](int line, const std::string& what) {
+        if (!what.empty() && out.notes.size() < mostNotes)
+            out.notes.push_back(file + ", line " + std::to_string(line) + ": " + what);
+    };
+    while (lines.next()) {
+        const std::string_view content = lines.line();
         const std::size_t gap = std::min(content.find_first_of(reading::blanksOfLine), content.size());
-        const std::string_view word = content.substr(0, gap), rest = reading::trimmed(content.substr(gap));
-        if (word == "newmtl")
+        const std::string word = lowered(content.substr(0, gap));
+        const std::string_view rest = reading::trimmed(content.substr(gap));
+        if (word == "newmtl") {
+            note(pictures.line, pictures.text());
+            pictures = {};
             name = rest;
-        if (word == "map_Kd" && out.notes.size() < mostNotes)
-            out.notes.push_back(file + ", line " + std::to_string(line) + ": the picture \"" +
-                                reading::excerpt(rest) + "\" is not read");
-        if (word != "Kd")
+        }
+        if (isPicture(word))
+            pictures.add(rest, lines.number());
+        if (word != "kd")
             continue;
         if (const auto colour = colourOf(rest))
             out.colours.insert_or_assign(name, *colour);
-        else if (out.notes.size() < mostNotes)
-            out.notes.push_back(file + ", line " + std::to_string(line) +
-                                ": Kd needs three finite numbers, found \"" + reading::excerpt(rest) +
-                                "\": the colour is left out");
+        else
+            note(lines.number(), "Kd needs three finite numbers, found \"" + reading::excerpt(rest) +
+                                     "\": the colour is left out");
     }
+    note(pictures.line, pictures.text());
     return out;
 }
 

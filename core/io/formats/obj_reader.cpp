@@ -1,5 +1,6 @@
 #include "core/io/formats/material_file.h"
 #include "core/io/formats/obj_scan.h"
+#include "core/io/mesh_mending.h"
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <map>
@@ -100,7 +101,7 @@ void simplifyTexture(TriangleMesh& mesh)
 }
 
 /// The colours of all material files that the OBJ names; of a name in several of them the last counts.
-MaterialColours coloursOf(const ObjLists& lists, const MaterialSource& materials)
+MaterialColours materialColours(const ObjLists& lists, const MaterialSource& materials)
 {
     MaterialColours out;
     const auto take = [&](const std::string& name) {
@@ -133,13 +134,30 @@ MaterialColours coloursOf(const ObjLists& lists, const MaterialSource& materials
 /// Materials without a colour that are noted.
 constexpr std::size_t mostMissing = 20;
 
-/// The colours of the triangles in the file's order; empty where no material has one.
-std::vector<glm::u8vec3> triangleColours(const ObjLists& lists, const MaterialSource& materials,
-                                         std::vector<std::string>& notes)
+/// Of the vertices, where one is not white, as all are where nobody painted; empty else.
+std::vector<glm::u8vec3> paintedColours(ObjLists& lists, std::vector<std::string>& notes)
 {
-    if (!materials || lists.libraries.empty() || lists.materials.empty())
+    if (lists.colours.empty())
         return {};
-    MaterialColours read = coloursOf(lists, materials);
+    float most = 1.0F;
+    for (const glm::vec3& c : lists.colours)
+        most = std::max({most, c.r, c.g, c.b});
+    std::ranges::replace(lists.colours, reading::noColour, glm::vec3(most > 1.0F ? 255.0F : 1.0F));
+    std::vector<glm::u8vec3> bytes = reading::colourBytes(lists.colours, notes);
+    const bool isWhite =
+        std::ranges::all_of(bytes, [](const glm::u8vec3& c) { return c == glm::u8vec3(255); });
+    return isWhite ? std::vector<glm::u8vec3>() : reading::triangleColours(lists.triangles, bytes);
+}
+
+/// The colours of the triangles in the file's order: those of the vertices, else those of the materials;
+/// empty where there are none.
+std::vector<glm::u8vec3> coloursOf(ObjLists& lists, const MaterialSource& materials,
+                                   std::vector<std::string>& notes)
+{
+    std::vector<glm::u8vec3> painted = paintedColours(lists, notes);
+    if (!materials || lists.libraries.empty() || lists.materials.empty() || !painted.empty())
+        return painted;
+    MaterialColours read = materialColours(lists, materials);
     notes.insert(notes.end(), read.notes.begin(), read.notes.end());
     std::vector<glm::u8vec3> out;
     std::set<std::string> missing;
@@ -281,16 +299,27 @@ private:
     bool m_isShared = false;
 };
 
-Expected<ReadMesh> meshOf(Expected<ObjLists> lists, const std::string& file, const MaterialSource& materials,
+/// \param scan gives the lists, with positions from a given origin on
+template <class Scan>
+Expected<ReadMesh> meshOf(Scan&& scan, const std::string& file, const MaterialSource& materials,
                           const Progress& progress)
 {
+    Expected<ObjLists> lists = scan(glm::dvec3(0.0));
+    ReadMesh out;
+    if (lists)
+        out.origin = reading::farOrigin(lists->positions);
+    if (out.origin != glm::dvec3(0.0))
+        lists = scan(out.origin);
     if (!lists)
         return fail(lists.error());
-    ReadMesh out;
+    if (auto checked = reading::checkFaces(lists->positions.size(), lists->triangles.size(), file); !checked)
+        return fail(std::move(checked.error()));
     out.notes = std::move(lists->notes);
+    if (out.origin != glm::dvec3(0.0))
+        out.notes.push_back(reading::farNote(out.origin));
     lists->normals = vertexNormals(*lists, out.notes);
     const Split split = splitOf(*lists, file);
-    std::vector<glm::u8vec3> colours = triangleColours(*lists, materials, out.notes);
+    std::vector<glm::u8vec3> colours = coloursOf(*lists, materials, out.notes);
     const bool isWhole =
         split.ranges.size() == 1 ||
         (split.ranges.size() == 2 && split.ranges[1].firstVertex == 0 && split.ranges[1].firstTriangle == 0);
@@ -315,6 +344,8 @@ Expected<ReadMesh> meshOf(Expected<ObjLists> lists, const std::string& file, con
     } else {
         out.objects = ObjectSplitter(*lists, colours, split).run();
     }
+    for (ReadObject& object : out.objects)
+        reading::mendNormals(object.mesh, out.notes);
     progress.report(1.0);
     return out;
 }
@@ -324,7 +355,11 @@ Expected<ReadMesh> meshOf(Expected<ObjLists> lists, const std::string& file, con
 Expected<ReadMesh> parseObj(std::string_view text, const std::string& file, const Progress& progress,
                             const MaterialSource& materials)
 {
-    return meshOf(reading::scanObj(text, file, progress.part(0.0, 0.9)), file, materials, progress);
+    return meshOf(
+        [&](const glm::dvec3& origin) {
+            return reading::scanObj(text, file, progress.part(0.0, 0.9), origin);
+        },
+        file, materials, progress);
 }
 
 Expected<ReadMesh> reading::readObjFile(const std::string& path, const Progress& progress,
@@ -334,7 +369,12 @@ Expected<ReadMesh> reading::readObjFile(const std::string& path, const Progress&
     if (!input)
         return fail(input.error());
     if (input->isRegular())
-        return meshOf(scanObj(*input, path, progress.part(0.0, 0.9), blockSize), path, materials, progress);
+        return meshOf(
+            [&](const glm::dvec3& origin) {
+                input->rewind();
+                return scanObj(*input, path, progress.part(0.0, 0.9), blockSize, origin);
+            },
+            path, materials, progress);
     const auto bytes = loadFile(*input, path);
     if (!bytes)
         return fail(bytes.error());

@@ -1,7 +1,10 @@
 #include "core/io/formats/obj_scanner.h"
 
+#include "core/base/plain_text.h"
 #include "core/io/float_text_parts.h"
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <cstring>
 
 namespace ramure::reading {
@@ -40,10 +43,10 @@ bool scanPlainCorner(const char*& at, Index vertices, Index normals, Index& vert
 
 constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
 
-/// Lines of old Macintosh files end in a carriage return alone.
-bool isMacintosh(std::string_view text)
+/// Of a keyword: without regard to capitals.
+char lowerOf(char c)
 {
-    return text.find('\n') == std::string_view::npos && text.find('\r') != std::string_view::npos;
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 'a' - 'A') : c;
 }
 
 } // namespace
@@ -151,7 +154,7 @@ bool ObjScanner::scanPlainLine()
     if (m_at[0] != 'v')
         return false;
     if (m_at[1] == ' ')
-        return scanPlainVector(m_at + 2, m_lists.positions);
+        return !m_isFar && scanPlainVector(m_at + 2, m_lists.positions);
     return m_at[1] == 'n' && m_at[2] == ' ' && scanPlainVector(m_at + 3, m_lists.normals);
 }
 
@@ -209,112 +212,144 @@ bool ObjScanner::scanLine()
 {
     while (isBlank(*m_at))
         ++m_at;
-    switch (*m_at) {
-    case 'v':
-        if (endsWord(m_at[1])) {
-            ++m_at;
-            return scanVector(m_lists.positions);
-        }
-        if (m_at[1] == 'n' && endsWord(m_at[2])) {
-            m_at += 2;
-            return scanVector(m_lists.normals);
-        }
-        if (m_at[1] == 't' && endsWord(m_at[2])) {
-            m_at += 2;
-            scanTexture();
-            return true;
-        }
-        break;
-    case 'f':
-        if (endsWord(m_at[1])) {
-            ++m_at;
-            return scanFace();
-        }
-        break;
-    case 'o':
-        if (endsWord(m_at[1])) {
-            ++m_at;
-            scanMark(m_lists.objects);
-            return true;
-        }
-        break;
-    case 'g':
-        if (endsWord(m_at[1])) {
-            ++m_at;
-            scanMark(m_lists.groups);
-            return true;
-        }
-        break;
-    case '#':
-        m_at = static_cast<const char*>(std::memchr(m_at, '\n', static_cast<std::size_t>(m_end - m_at)));
-        return true; // a backslash does not continue a comment
-    case '\n':
+    if (*m_at == '\n')
         return true;
-    default:
-        break;
+    if (*m_at == '#') {
+        scanPolypaint();
+        // A backslash does not continue a comment.
+        m_at = static_cast<const char*>(std::memchr(m_at, '\n', static_cast<std::size_t>(m_end - m_at)));
+        return true;
+    }
+    const char first = lowerOf(*m_at), second = lowerOf(m_at[1]);
+    if (endsWord(m_at[1]) && (first == 'v' || first == 'f' || first == 'o' || first == 'g')) {
+        ++m_at;
+        if (first == 'v')
+            return scanPosition();
+        if (first == 'f')
+            return scanFace();
+        scanMark(first == 'o' ? m_lists.objects : m_lists.groups);
+        return true;
+    }
+    if (first == 'v' && (second == 'n' || second == 't') && endsWord(m_at[2])) {
+        m_at += 2;
+        second == 'n' ? scanNormal() : scanTexture();
+        return true;
     }
     return scanOther();
 }
 
-bool ObjScanner::scanVector(std::vector<glm::vec3>& to)
+/// A number of a position, less the origin.
+bool ObjScanner::scanCoordinate(int axis, float& value)
 {
-    glm::vec3 v;
-    for (int k = 0; k < 3; ++k) {
-        skipBlanks();
-        const char* const begin = m_at;
-        const FloatScan result = scanFloat(m_at, v[k]);
-        const bool ends = endsWord(*m_at);
-        if (result == FloatScan::NotFinite)
-            return fail(ErrorCode::Invalid, RAMURE_NOOP("\"%1\" is not a finite number"),
-                        {excerpt(restOfLine())});
-        if (result == FloatScan::NoNumber || !ends) {
-            m_at = begin;
-            return fail(ErrorCode::Syntax, RAMURE_NOOP("three numbers expected, found \"%1\""),
-                        {excerpt(restOfLine())});
-        }
+    skipBlanks();
+    const char* const begin = m_at;
+    const FloatScan result = scanFloat(m_at, value);
+    if (result == FloatScan::NotFinite)
+        return fail(ErrorCode::Invalid, RAMURE_NOOP("\"%1\" is not a finite number"),
+                    {excerpt(restOfLine())});
+    if (result == FloatScan::NoNumber || !endsWord(*m_at)) {
+        m_at = begin;
+        return fail(ErrorCode::Syntax, RAMURE_NOOP("three numbers expected, found \"%1\""),
+                    {excerpt(restOfLine())});
     }
-    if (to.size() >= maxObjVertices)
-        return fail(ErrorCode::Limit, RAMURE_NOOP("more than %1 vertices"), {std::to_string(maxObjVertices)});
-    to.push_back(v);
+    if (!m_isFar)
+        return true;
+    double wide = 0.0;
+    std::from_chars(begin + (*begin == '+' ? 1 : 0), m_at, wide);
+    value = static_cast<float>(wide - m_origin[axis]);
     return true;
 }
 
-Expected<ObjLists> scanObj(std::string_view text, const std::string& file, const Progress& progress)
+bool ObjScanner::scanPosition()
 {
-    if (text.starts_with(byteOrderMark))
-        text.remove_prefix(byteOrderMark.size());
-    std::string converted;
-    if (isMacintosh(text)) {
-        converted = text;
-        std::replace(converted.begin(), converted.end(), '\r', '\n');
-        text = converted;
+    glm::vec3 v;
+    for (int axis = 0; axis < 3; ++axis)
+        if (!scanCoordinate(axis, v[axis]))
+            return false;
+    if (m_lists.positions.size() >= maxObjVertices)
+        return fail(ErrorCode::Limit, RAMURE_NOOP("more than %1 vertices"), {std::to_string(maxObjVertices)});
+    m_lists.positions.push_back(v);
+    skipBlanks();
+    if (*m_at != '\n')
+        scanColour();
+    return true;
+}
+
+/// What may follow a position: a weight, which says nothing here, or red, green and blue, and perhaps alpha.
+void ObjScanner::scanColour()
+{
+    glm::vec3 colour;
+    for (int channel = 0; channel < 3; ++channel, skipBlanks())
+        if (scanFloat(m_at, colour[channel]) != FloatScan::Ok || !endsWord(*m_at))
+            return;
+    m_lists.colours.resize(m_lists.positions.size(), noColour);
+    m_lists.colours.back() = colour;
+}
+
+/// ZBrush writes colours into comments, "#MRGB " and for each of up to 64 vertices a mask and a colour, all
+/// as two digits of base 16.
+void ObjScanner::scanPolypaint()
+{
+    constexpr std::string_view keyword = "#MRGB ";
+    constexpr std::size_t digits = 8;
+    std::string_view line = restOfLine();
+    if (!line.starts_with(keyword))
+        return;
+    line.remove_prefix(keyword.size());
+    for (; line.size() >= digits; line.remove_prefix(digits)) {
+        std::uint32_t bytes = 0;
+        std::from_chars(line.data(), line.data() + digits, bytes, 16);
+        m_polypaint.push_back(glm::vec3(bytes >> 16 & 0xFFU, bytes >> 8 & 0xFFU, bytes & 0xFFU) / 255.0F);
     }
-    ObjScanner scanner(file, text.size(), progress);
-    const ScanBlocks blocks(text);
-    if (!scanner.scan(blocks.body) || !scanner.scan(blocks.restView()) || !scanner.finish())
+}
+
+/// A normal that is none is as good as zero: no mesh is refused for it.
+void ObjScanner::scanNormal()
+{
+    glm::vec3 n;
+    bool isGood = true;
+    for (int k = 0; k < 3 && isGood; ++k) {
+        skipBlanks();
+        isGood = scanFloat(m_at, n[k]) == FloatScan::Ok && endsWord(*m_at);
+    }
+    if (!isGood && m_badNormalLine == 0)
+        m_badNormalLine = m_line;
+    if (m_lists.normals.size() < maxObjVertices)
+        m_lists.normals.push_back(isGood ? n : glm::vec3(0.0F));
+}
+
+Expected<ObjLists> scanObj(std::string_view text, const std::string& file, const Progress& progress,
+                           const glm::dvec3& origin)
+{
+    const PlainText plain(text);
+    ObjScanner scanner(file, plain.view().size(), progress, origin);
+    const ScanBlocks blocks(plain.view());
+    if (!scanner.scan(blocks.body) || !scanner.scan(blocks.restView()) || !scanner.finish(plain.padding()))
         return ramure::fail(scanner.takeError());
     return scanner.takeLists();
 }
 
 Expected<ObjLists> scanObj(InputFile& input, const std::string& file, const Progress& progress,
-                           std::size_t blockSize)
+                           std::size_t blockSize, const glm::dvec3& origin)
 {
-    ObjScanner scanner(file, input.size(), progress);
+    ObjScanner scanner(file, input.size(), progress, origin);
     LineBlocks blocks(input, blockSize);
     for (bool isFirst = true; isFirst || !blocks.isLast(); isFirst = false) {
         const auto block = blocks.next();
         if (!block)
             return ramure::fail(block.error());
         std::string_view text = *block;
+        if (isFirst && isUtf16(text)) {
+            input.rewind();
+            const auto bytes = loadFile(input, file);
+            return bytes ? scanObj(bytes->view(), file, progress, origin) : ramure::fail(bytes.error());
+        }
         if (isFirst && text.starts_with(byteOrderMark))
             text.remove_prefix(byteOrderMark.size());
-        // A file without a line feed is one block, with one put behind it.
-        if (isFirst && blocks.isLast() && isMacintosh(text.substr(0, text.size() - 1)))
-            return scanObj(text.substr(0, text.size() - 1), file, progress);
         if (!scanner.scan(text))
             return ramure::fail(scanner.takeError());
     }
-    if (!scanner.finish())
+    if (!scanner.finish(blocks.padding()))
         return ramure::fail(scanner.takeError());
     return scanner.takeLists();
 }

@@ -8,6 +8,8 @@
 
 namespace ramure::reading {
 
+inline constexpr glm::vec3 noColour{-1.0F}; ///< of a vertex that says none
+
 /// A line `o` or `g`: what follows belongs to it.
 struct ObjMark
 {
@@ -20,7 +22,8 @@ struct ObjMark
 struct ObjLists
 {
     std::vector<glm::vec3> positions;
-    std::vector<glm::vec3> normals;
+    std::vector<glm::vec3> normals; ///< zero where the file has no numbers
+    std::vector<glm::vec3> colours; ///< of the vertices, from 0 to 1 or to 255, or noColour; or empty
     std::vector<glm::uvec3> triangles;
     /// Each corner with a normal has the normal of its vertex's number, and there are as many normals as
     /// vertices: normals are the vertices' normals, and the two lists that follow are empty.
@@ -38,9 +41,11 @@ struct ObjLists
     std::size_t cornersWithoutNormal = 0;
 };
 
-Expected<ObjLists> scanObj(std::string_view text, const std::string& file, const Progress& progress);
+/// \param origin is subtracted from positions, which are then read in double precision unless it is 0
+Expected<ObjLists> scanObj(std::string_view text, const std::string& file, const Progress& progress,
+                           const glm::dvec3& origin = glm::dvec3(0.0));
 /// The same from a file, \p blockSize bytes at a time.
 Expected<ObjLists> scanObj(InputFile& input, const std::string& file, const Progress& progress,
-                           std::size_t blockSize = lineBlockSize);
+                           std::size_t blockSize = lineBlockSize, const glm::dvec3& origin = glm::dvec3(0.0));
 
 } // namespace ramure::reading

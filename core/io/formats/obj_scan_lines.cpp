@@ -1,5 +1,6 @@
 #include "core/io/formats/obj_scanner.h"
 
+#include "core/base/plain_text.h"
 #include <algorithm>
 
 namespace ramure::reading {
@@ -9,7 +10,6 @@ namespace {
 /// Keywords that are noted by name; a file with more is not described any better by a longer list.
 constexpr std::size_t maxNotedKeywords = 50;
 constexpr const char* noSuchVertex = RAMURE_NOOP("vertex %1 does not exist (there are %2)");
-constexpr const char* noSuchNormal = RAMURE_NOOP("normal %1 does not exist (there are %2)");
 
 } // namespace
 
@@ -39,13 +39,34 @@ bool ObjScanner::scanIndex(std::int64_t& value)
     return true;
 }
 
-/// Counted from 1, or from the end of what was read so far where it is negative.
-bool ObjScanner::resolve(std::int64_t written, std::size_t count, const char* what, std::optional<Index>& out)
+/// Counted from 1, or from the end of what was read so far where it is negative. Nothing where it cannot be.
+static std::optional<Index> placeOf(std::int64_t written, std::size_t count)
 {
-    const std::int64_t index = written < 0 ? written + static_cast<std::int64_t>(count) : written - 1;
-    if (index < 0 || index >= maxObjVertices)
-        return fail(ErrorCode::Invalid, what, {std::to_string(written), std::to_string(count)});
-    out = static_cast<Index>(index);
+    const std::int64_t place = written < 0 ? written + static_cast<std::int64_t>(count) : written - 1;
+    return place < 0 || place >= maxObjVertices ? std::nullopt : std::optional(static_cast<Index>(place));
+}
+
+/// A normal that there is not leaves the corner without one.
+bool ObjScanner::scanCornerNormal(Index vertex, bool& hasNormal)
+{
+    if (endsWord(*m_at)) // "f 1// 2// 3//"
+        return true;
+    std::int64_t written = 0;
+    if (!scanIndex(written))
+        return false;
+    const auto normal = placeOf(written, m_lists.normals.size());
+    hasNormal = normal.has_value();
+    if (!hasNormal && m_missingNormalLine == 0) {
+        m_missingNormal = written;
+        m_missingNormalLine = m_line;
+    }
+    if (!hasNormal)
+        return true;
+    if (*normal >= m_lists.normals.size() && written > m_largestNormal) {
+        m_largestNormal = written;
+        m_largestNormalLine = m_line;
+    }
+    giveNormal(vertex, *normal);
     return true;
 }
 
@@ -61,9 +82,10 @@ bool ObjScanner::scanCorner(Index& vertex, Index& texture)
     std::int64_t written = 0;
     if (!scanIndex(written))
         return syntax();
-    std::optional<Index> v;
-    if (!resolve(written, m_lists.positions.size(), noSuchVertex, v))
-        return false;
+    const auto v = placeOf(written, m_lists.positions.size());
+    if (!v)
+        return fail(ErrorCode::Invalid, noSuchVertex,
+                    {std::to_string(written), std::to_string(m_lists.positions.size())});
     vertex = *v;
     if (vertex >= m_lists.positions.size() && written > m_largestVertex) {
         m_largestVertex = written;
@@ -76,22 +98,11 @@ bool ObjScanner::scanCorner(Index& vertex, Index& texture)
         std::int64_t number = 0;
         if (*m_at != '/' && !scanIndex(number))
             return syntax();
-        const std::int64_t place = number < 0 ? number + std::ssize(m_lists.texture) : number - 1;
-        if (number != 0 && place >= 0 && place < maxObjVertices)
-            texture = static_cast<Index>(place);
+        texture = placeOf(number, m_lists.texture.size()).value_or(noIndex);
         if (*m_at == '/') {
             ++m_at;
-            if (!scanIndex(written))
+            if (!scanCornerNormal(vertex, hasNormal))
                 return syntax();
-            std::optional<Index> normal;
-            if (!resolve(written, m_lists.normals.size(), noSuchNormal, normal))
-                return false;
-            if (*normal >= m_lists.normals.size() && written > m_largestNormal) {
-                m_largestNormal = written;
-                m_largestNormalLine = m_line;
-            }
-            giveNormal(vertex, *normal);
-            hasNormal = true;
         }
     }
     m_lists.cornersWithoutNormal += !hasNormal;
@@ -151,6 +162,8 @@ bool ObjScanner::scanFace()
         return fail(ErrorCode::Syntax, RAMURE_NOOP("a face of fewer than three corners"));
     if (m_lists.triangles.size() > noIndex / 2)
         return fail(ErrorCode::Limit, RAMURE_NOOP("more than %1 triangles"), {std::to_string(noIndex / 2)});
+    if (m_corners > 3)
+        m_polygons.take(m_lists.triangles, static_cast<std::size_t>(m_corners), m_lists.positions);
     return true;
 }
 
@@ -205,7 +218,8 @@ bool ObjScanner::scanOther()
     const char* end = m_at;
     while (end - m_at < 64 && isInWord(*end))
         ++end;
-    const std::string_view word(m_at, static_cast<std::size_t>(end - m_at));
+    const std::string_view said(m_at, static_cast<std::size_t>(end - m_at));
+    const std::string word = lowered(said);
     if (word.empty() || !isLetter(word[0]) || !endsWord(*end))
         return fail(ErrorCode::Syntax, RAMURE_NOOP("not a line of an OBJ file: \"%1\""),
                     {excerpt(restOfLine())});
@@ -222,11 +236,11 @@ bool ObjScanner::scanOther()
                                           "c_interp", "d_interp", "shadow_obj", "trace_obj"})
         if (word == unused)
             return true;
-    if (const auto known = m_skipped.find(word); known != m_skipped.end())
+    if (const auto known = m_skipped.find(said); known != m_skipped.end())
         ++known->second.count;
     else if (m_skipped.size() < maxNotedKeywords)
-        m_skipped.emplace(word, Skipped{m_line, 1});
-    if (word == "TRANSFORM") {
+        m_skipped.emplace(said, Skipped{m_line, 1});
+    if (word == "transform") {
         m_at = end;
         m_transformNumbers = 16;
         skipTransformNumbers();
@@ -242,29 +256,48 @@ void ObjScanner::skipTransformNumbers()
         --m_transformNumbers;
 }
 
-bool ObjScanner::finish()
+/// Corners whose normals the file does not hold are without one.
+void ObjScanner::finishNormals()
+{
+    if (m_missingNormalLine == 0 && m_largestNormal > std::ssize(m_lists.normals)) {
+        m_missingNormal = m_largestNormal;
+        m_missingNormalLine = m_largestNormalLine;
+        ++m_lists.cornersWithoutNormal;
+    }
+    if (m_missingNormalLine > 0)
+        m_lists.notes.push_back("line " + std::to_string(m_missingNormalLine) + ": normal " +
+                                std::to_string(m_missingNormal) + " does not exist (there are " +
+                                std::to_string(m_lists.normals.size()) + "): all are left out");
+    if (m_badNormalLine > 0)
+        m_lists.notes.push_back("line " + std::to_string(m_badNormalLine) +
+                                ": not three finite numbers: no normal");
+    // Without normals there is nothing to be parallel; too many of them belong to no vertex.
+    if (m_hasNormals && m_lists.normals.size() != m_lists.positions.size())
+        endParallel();
+    m_lists.areParallel = m_lists.areParallel && m_hasNormals;
+}
+
+bool ObjScanner::finish(std::size_t padding)
 {
     if (m_largestVertex > static_cast<std::int64_t>(m_lists.positions.size())) {
         m_line = m_largestVertexLine;
         return fail(ErrorCode::Invalid, noSuchVertex,
                     {std::to_string(m_largestVertex), std::to_string(m_lists.positions.size())});
     }
-    if (m_largestNormal > static_cast<std::int64_t>(m_lists.normals.size())) {
-        m_line = m_largestNormalLine;
-        return fail(ErrorCode::Invalid, noSuchNormal,
-                    {std::to_string(m_largestNormal), std::to_string(m_lists.normals.size())});
-    }
     m_line = 0; // what follows is about the whole file
-    // Without normals there is nothing to be parallel; too many of them belong to no vertex.
-    if (m_hasNormals && m_lists.normals.size() != m_lists.positions.size())
-        endParallel();
-    m_lists.areParallel = m_lists.areParallel && m_hasNormals;
+    finishNormals();
     if (m_lists.positions.empty())
         return fail(ErrorCode::Syntax, RAMURE_NOOP("the file holds no vertices"));
     for (const auto& [word, skipped] : m_skipped)
         m_lists.notes.push_back("line " + std::to_string(skipped.firstLine) + ": " + word + " skipped" +
                                 (skipped.count > 1 ? ", " + std::to_string(skipped.count) + " lines" : ""));
     finishTexture();
+    m_polygons.cut(m_lists.positions, m_lists.triangles, m_lists.textureTriangles, m_lists.notes);
+    if (m_lists.colours.empty() && m_polypaint.size() == m_lists.positions.size())
+        m_lists.colours = std::move(m_polypaint);
+    if (!m_lists.colours.empty())
+        m_lists.colours.resize(m_lists.positions.size(), noColour);
+    notePadding(padding, m_lists.notes);
     return true;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/io/formats/obj_scan.h"
+#include "core/io/mesh_mending.h"
 
 namespace ramure::reading {
 
@@ -18,9 +19,11 @@ inline bool endsWord(char c)
 class ObjScanner
 {
 public:
-    ObjScanner(const std::string& file, std::size_t bytes, const Progress& progress)
+    ObjScanner(const std::string& file, std::size_t bytes, const Progress& progress, const glm::dvec3& origin)
         : m_file(file)
         , m_progress(progress)
+        , m_origin(origin)
+        , m_isFar(origin != glm::dvec3(0.0))
         , m_bytes(std::max<std::size_t>(bytes, 1))
     {
         // Typical sizes of lines: memory that stays untouched costs nothing.
@@ -29,7 +32,8 @@ public:
         m_lists.areParallel = true;
     }
     bool scan(std::string_view block);
-    bool finish();
+    /// \param padding bytes behind the text that were left out
+    bool finish(std::size_t padding);
     ObjLists takeLists() { return std::move(m_lists); }
     Error takeError() { return std::move(*m_error); }
 
@@ -43,15 +47,20 @@ private:
     bool scanPlainVector(const char* from, std::vector<glm::vec3>& to);
     bool scanPlainFace();
     bool scanLine();
-    bool scanVector(std::vector<glm::vec3>& to);
+    bool scanPosition();
+    bool scanCoordinate(int axis, float& value);
+    void scanColour();
+    void scanPolypaint();
+    void scanNormal();
     bool scanFace();
     bool scanCorner(Index& vertex, Index& texture);
     void scanTexture();
     void addTexture(const glm::uvec3& corners);
     void finishTexture();
     bool scanIndex(std::int64_t& value);
-    bool resolve(std::int64_t written, std::size_t count, const char* what, std::optional<Index>& out);
+    bool scanCornerNormal(Index vertex, bool& hasNormal);
     void giveNormal(Index vertex, Index normal);
+    void finishNormals();
     void setNormal(Index vertex, Index normal);
     void endParallel();
     void scanMark(std::vector<ObjMark>& marks);
@@ -65,6 +74,8 @@ private:
 
     const std::string& m_file;
     const Progress& m_progress;
+    glm::dvec3 m_origin; ///< is subtracted from positions
+    bool m_isFar;
     std::size_t m_bytes;
     std::size_t m_bytesDone = 0;
     ObjLists m_lists;
@@ -76,12 +87,16 @@ private:
     Index m_face[2] = {};        ///< of the face being scanned, the first corner and the one before
     Index m_faceTexture[2] = {}; ///< the same for texture coordinates
     int m_corners = 0;           ///< and how many there were
-    int m_badTextureLine = 0;    ///< where the first texture coordinate is that nobody can use
-    int m_transformNumbers = 0;  ///< how many numbers the matrix of the TRANSFORM line still lacks
-    bool m_hasNormals = false;   ///< some corner has one
+    PolygonList m_polygons;
+    std::vector<glm::vec3> m_polypaint; ///< colours that ZBrush puts into comments
+    int m_badTextureLine = 0;           ///< where the first texture coordinate is that nobody can use
+    int m_badNormalLine = 0;            ///< and the first normal
+    std::int64_t m_missingNormal = 0;   ///< that the corner at m_missingNormalLine names
+    int m_transformNumbers = 0;         ///< how many numbers the matrix of the TRANSFORM line still lacks
+    bool m_hasNormals = false;          ///< some corner has one
     // References to what the file has not given yet are checked at its end.
     std::int64_t m_largestVertex = 0, m_largestNormal = 0;
-    int m_largestVertexLine = 0, m_largestNormalLine = 0;
+    int m_largestVertexLine = 0, m_largestNormalLine = 0, m_missingNormalLine = 0;
     struct Skipped
     {
         int firstLine;

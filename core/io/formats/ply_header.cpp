@@ -1,4 +1,5 @@
 #include "core/io/formats/ply_header.h"
+#include "core/base/plain_text.h"
 #include "core/io/read_parts.h"
 #include <charconv>
 #include <optional>
@@ -25,7 +26,7 @@ constexpr TypeName typeNames[] = {
 std::optional<PlyType> typeNamed(std::string_view name)
 {
     for (const TypeName& entry : typeNames)
-        if (entry.name == name)
+        if (isWord(name, entry.name))
             return entry.type;
     return std::nullopt;
 }
@@ -58,16 +59,24 @@ public:
 
     Expected<PlyHeader> parse()
     {
+        constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
+        m_at = m_bytes.starts_with(byteOrderMark) ? byteOrderMark.size() : 0;
+        // What lies behind the header may begin with a line feed: the first line says how all of them end.
+        const std::size_t end = std::min(m_bytes.find_first_of("\r\n"), m_bytes.size());
+        m_out.hasReturns = m_bytes.substr(end).starts_with('\r') && !m_bytes.substr(end).starts_with("\r\n");
         std::string_view line;
-        if (!nextLine(line) || wordsOf(line) != std::vector<std::string_view>{"ply"})
+        const auto isFirst = [](const std::vector<std::string_view>& words) {
+            return words.size() == 1 && isWord(words[0], "ply");
+        };
+        if (!nextLine(line) || !isFirst(wordsOf(line)))
             return error(RAMURE_NOOP("not a PLY file: it does not begin with \"ply\""));
         for (bool hasEnded = false; !hasEnded;) {
             if (!nextLine(line))
                 return error(RAMURE_NOOP("the header has no end"));
             const auto words = wordsOf(line);
-            if (words.empty() || words[0] == "comment" || words[0] == "obj_info")
+            if (words.empty() || isWord(words[0], "comment") || isWord(words[0], "obj_info"))
                 continue;
-            hasEnded = words[0] == "end_header";
+            hasEnded = isWord(words[0], "end_header");
             if (!hasEnded)
                 if (const auto taken = take(words); !taken)
                     return ramure::fail(taken.error());
@@ -94,7 +103,7 @@ private:
     {
         constexpr std::size_t longest = 4096; // binary data may come without a line feed for long
         ++m_line;
-        const std::size_t end = m_bytes.substr(m_at, longest).find('\n');
+        const std::size_t end = m_bytes.substr(m_at, longest).find(m_out.hasReturns ? '\r' : '\n');
         if (end == std::string_view::npos)
             return false;
         line = m_bytes.substr(m_at, end);
@@ -103,28 +112,29 @@ private:
     }
     Expected<void> take(const std::vector<std::string_view>& words)
     {
-        if (words[0] == "format" && words.size() == 3)
+        if (isWord(words[0], "format") && words.size() == 3)
             return takeFormat(words[1]);
-        if (words[0] == "element" && words.size() == 3)
-            return takeElement(words[1], words[2]);
-        if (words[0] == "property" && (words.size() == 3 || (words.size() == 5 && words[1] == "list")))
+        if (isWord(words[0], "element") && words.size() == 3)
+            return takeElement(lowered(words[1]), words[2]);
+        if (isWord(words[0], "property") &&
+            (words.size() == 3 || (words.size() == 5 && isWord(words[1], "list"))))
             return takeProperty(words);
         return error(RAMURE_NOOP("not a line of a PLY header: \"%1\""), {excerpt(words[0])});
     }
     Expected<void> takeFormat(std::string_view name)
     {
         m_hasFormat = true;
-        if (name == "ascii")
+        if (isWord(name, "ascii"))
             m_out.format = PlyFormat::Ascii;
-        else if (name == "binary_little_endian")
+        else if (isWord(name, "binary_little_endian"))
             m_out.format = PlyFormat::LittleEndian;
-        else if (name == "binary_big_endian")
+        else if (isWord(name, "binary_big_endian"))
             m_out.format = PlyFormat::BigEndian;
         else
             return error(RAMURE_NOOP("unknown format \"%1\""), {excerpt(name)});
         return {};
     }
-    Expected<void> takeElement(std::string_view name, std::string_view count)
+    Expected<void> takeElement(const std::string& name, std::string_view count)
     {
         PlyElement element;
         element.name = name;
@@ -147,7 +157,7 @@ private:
             return error(RAMURE_NOOP("a property before the first element"));
         PlyProperty property;
         property.isList = words.size() == 5;
-        property.name = words.back();
+        property.name = lowered(words.back());
         const auto type = typeNamed(words[words.size() - 2]);
         const auto countType = property.isList ? typeNamed(words[2]) : PlyType::UInt8;
         if (!type || !countType || !isInteger(*countType))

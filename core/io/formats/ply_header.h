@@ -42,11 +42,13 @@ struct PlyElement
     [[nodiscard]] std::uint64_t smallestSize(PlyFormat format) const;
 };
 
+/// Names are in lower case: some programs write capitals.
 struct PlyHeader
 {
     PlyFormat format = PlyFormat::Ascii;
     std::vector<PlyElement> elements;
-    std::size_t bytes = 0; ///< where the data begin
+    std::size_t bytes = 0;   ///< where the data begin
+    bool hasReturns = false; ///< lines end in carriage returns alone
     int lines = 0;
 };
 

@@ -1,5 +1,6 @@
 #include "core/base/wide_clone.h"
 #include "core/io/formats/ply_source.h"
+#include "core/io/mesh_mending.h"
 #include "core/surface/mesh/largest_index.h"
 #include <iterator>
 #include <utility>
@@ -51,7 +52,8 @@ std::optional<PlainLayout> layoutOf(const PlyElement& vertex)
         out.stride += sizeOf(properties[p].type);
     }
     const bool hasOtherNormals = out.normal < 0 && vertex.find("nx") >= 0;
-    const bool hasOtherColours = out.colour < 0 && vertex.find("red") >= 0;
+    const bool hasOtherColours =
+        out.colour < 0 && (vertex.find("red") >= 0 || vertex.find("diffuse_red") >= 0);
     if (out.position < 0 || hasOtherNormals || hasOtherColours)
         return std::nullopt;
     return out;
@@ -136,8 +138,9 @@ RAMURE_WIDE_CLONE bool areFinite(const float* numbers, std::size_t count)
     return anyBad == 0;
 }
 
-/// Records of \p count vertices, while they are in the cache. False where a number is not finite.
-bool appendVertices(TriangleMesh& mesh, std::vector<glm::u8vec3>& colours, const char* from,
+/// Records of \p count vertices, while they are in the cache. False where a position is not finite or a
+/// normal has no direction.
+bool appendVertices(TriangleMesh& mesh, std::vector<glm::u8vec3>& colours, Bounds& bounds, const char* from,
                     const PlainLayout& layout, std::size_t count)
 {
     const std::size_t before = mesh.positions.size();
@@ -146,8 +149,9 @@ bool appendVertices(TriangleMesh& mesh, std::vector<glm::u8vec3>& colours, const
     appendStrided(mesh.branch, from, layout.branch, layout.stride, count);
     appendStrided(mesh.level, from, layout.level, layout.stride, count);
     appendStrided(colours, from, layout.colour, layout.stride, count);
+    bounds.take(std::span(mesh.positions).subspan(before));
     return areFinite(&mesh.positions[before].x, 3 * count) &&
-           (layout.normal < 0 || areFinite(&mesh.normals[before].x, 3 * count));
+           (layout.normal < 0 || areNormals(std::span(mesh.normals).subspan(before)));
 }
 
 constexpr std::size_t faceBytes = 1 + sizeof(glm::uvec3);
@@ -234,12 +238,14 @@ std::optional<ReadMesh> readPlain(Source source, const PlainLayout& layout, cons
     reserveHuge(mesh.level, layout.level >= 0 ? count : 0);
     std::vector<glm::u8vec3> colours;
     reserveHuge(colours, layout.colour >= 0 ? count : 0);
-    const bool hasVertices = forBlocks(source, vertices, layout.stride, progress.part(0.0, 0.5),
-                                       [&](const char* bytes, std::size_t records) {
-                                           return appendVertices(mesh, colours, bytes, layout, records);
-                                       });
-    if (!hasVertices)
-        return std::nullopt; // the general reader says why
+    Bounds bounds;
+    const bool hasVertices =
+        forBlocks(source, vertices, layout.stride, progress.part(0.0, 0.5),
+                  [&](const char* bytes, std::size_t records) {
+                      return appendVertices(mesh, colours, bounds, bytes, layout, records);
+                  });
+    if (!hasVertices || bounds.origin() != glm::dvec3(0.0))
+        return std::nullopt; // the general reader says why, or mends it
     reserveHuge(mesh.triangles, static_cast<std::size_t>(faces));
     const bool hasFaces = forBlocks(
         source, faces, faceBytes, progress.part(0.5, 1.0), [&](const char* bytes, std::size_t records) {
@@ -247,7 +253,7 @@ std::optional<ReadMesh> readPlain(Source source, const PlainLayout& layout, cons
         });
     if (!hasFaces)
         return std::nullopt;
-    takeVertexColours(mesh, colours);
+    mesh.colours = triangleColours(mesh.triangles, colours);
     ReadMesh out;
     out.objects.push_back({{}, std::move(mesh), {}});
     return out;

@@ -1,6 +1,10 @@
+#include "core/base/plain_text.h"
 #include "core/io/formats/ply_header.h"
 #include "core/io/formats/ply_source.h"
+#include "core/io/mesh_mending.h"
+#include "core/math/finite.h"
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <optional>
@@ -18,6 +22,47 @@ using reading::PlyHeader;
 using reading::PlyProperty;
 using reading::PlyType;
 
+/// Where red, green and blue stand among the properties of a vertex or a face.
+struct ColourSlots
+{
+    std::size_t first[3] = {};
+    double whole = 1.0; ///< what a full colour is in the file
+
+    explicit ColourSlots(const PlyElement& element)
+    {
+        constexpr const char* names[][3] = {
+            {"red", "green", "blue"}, {"diffuse_red", "diffuse_green", "diffuse_blue"}, {"r", "g", "b"}};
+        for (const auto& triple : names) {
+            bool isThere = true;
+            for (int k = 0; k < 3; ++k) {
+                const int slot = element.find(triple[k]);
+                isThere = isThere && slot >= 0 && !element.properties[static_cast<std::size_t>(slot)].isList;
+                first[k] = static_cast<std::size_t>(std::max(slot, 0));
+            }
+            if (isThere) {
+                const PlyType type = element.properties[first[0]].type;
+                whole = !isInteger(type) ? 1.0 : type == PlyType::UInt16 ? 65535.0 : 255.0;
+                m_isThere = true;
+                return;
+            }
+        }
+    }
+    [[nodiscard]] bool areThere() const { return m_isThere; }
+    /// Whole numbers beyond the largest are the largest: only those with a point may mean bytes.
+    [[nodiscard]] glm::vec3 of(const std::vector<double>& values) const
+    {
+        glm::vec3 out;
+        for (int k = 0; k < 3; ++k) {
+            const double share = values[first[k]] / whole;
+            out[k] = static_cast<float>(whole > 1.0 ? std::min(share, 1.0) : share);
+        }
+        return out;
+    }
+
+private:
+    bool m_isThere = false;
+};
+
 /// What a property of a vertex is for.
 struct VertexSlots
 {
@@ -25,22 +70,18 @@ struct VertexSlots
     int normal[3];
     int branch;
     int level;
-    int colour[3];
+    ColourSlots colour;
 
     explicit VertexSlots(const PlyElement& element)
         : position{element.find("x"), element.find("y"), element.find("z")}
         , normal{element.find("nx"), element.find("ny"), element.find("nz")}
         , branch(element.find("branch"))
         , level(element.find("level"))
-        , colour{element.find("red"), element.find("green"), element.find("blue")}
+        , colour(element)
     {
         for (const int slot : {normal[0], normal[1], normal[2]})
             if (slot < 0 || element.properties[static_cast<std::size_t>(slot)].isList)
                 normal[0] = normal[1] = normal[2] = -1;
-        for (const int slot : {colour[0], colour[1], colour[2]})
-            if (slot < 0 || element.properties[static_cast<std::size_t>(slot)].isList ||
-                element.properties[static_cast<std::size_t>(slot)].type != PlyType::UInt8)
-                colour[0] = colour[1] = colour[2] = -1;
         for (int* const slot : {&branch, &level})
             if (*slot >= 0) {
                 const PlyProperty& property = element.properties[static_cast<std::size_t>(*slot)];
@@ -61,9 +102,11 @@ struct VertexSlots
 template <class Source> class PlyBody
 {
 public:
-    PlyBody(Source source, const PlyHeader& header, const Progress& progress)
+    /// \param origin is subtracted from positions
+    PlyBody(Source source, const PlyHeader& header, const glm::dvec3& origin, const Progress& progress)
         : m_source(std::move(source))
         , m_header(header)
+        , m_origin(origin)
         , m_progress(progress)
     {
     }
@@ -77,7 +120,7 @@ public:
         for (const PlyElement& element : m_header.elements) {
             if (element.name == "vertex")
                 isGood = readVertices(element);
-            else if (element.name == "face")
+            else if (element.name == "face" || element.name == "tristrips")
                 isGood = readFaces(element);
             else
                 isGood = skip(element);
@@ -90,7 +133,9 @@ public:
             return fail(m_source.takeError());
         }
         m_source.noteTrailing(m_out.notes);
-        reading::takeVertexColours(m_mesh, m_colours);
+        m_polygons.cut(m_mesh.positions, m_mesh.triangles, m_mesh.uvTriangles, m_out.notes);
+        takeColours();
+        reading::mendNormals(m_mesh, m_out.notes);
         m_out.objects.push_back({{}, std::move(m_mesh), {}});
         return std::move(m_out);
     }
@@ -109,7 +154,7 @@ private:
         m_mesh.normals.resize(slots.normal[0] >= 0 ? count : 0);
         m_mesh.branch.resize(slots.branch >= 0 ? count : 0);
         m_mesh.level.resize(slots.level >= 0 ? count : 0);
-        m_colours.resize(slots.colour[0] >= 0 ? count : 0);
+        m_colours.resize(slots.colour.areThere() ? count : 0);
         std::vector<double> values(element.properties.size());
         for (std::size_t i = 0; i < count; ++i) {
             if (i % reading::chunk == 0 && !goesOn())
@@ -132,19 +177,20 @@ private:
     }
     bool takeVertex(const VertexSlots& slots, const std::vector<double>& values, std::size_t i)
     {
-        const auto take = [&](const int(&from)[3], glm::vec3& to) {
-            for (int k = 0; k < 3; ++k) {
-                to[k] = static_cast<float>(values[static_cast<std::size_t>(from[k])]);
-                if (!std::isfinite(to[k]))
-                    return m_source.fail(ErrorCode::Invalid, RAMURE_NOOP("vertex %1 is not a finite number"),
-                                         {std::to_string(i)});
-            }
-            return true;
+        const auto take = [&](const int(&from)[3], const glm::dvec3& less) {
+            glm::vec3 to;
+            for (int k = 0; k < 3; ++k)
+                to[k] = static_cast<float>(values[static_cast<std::size_t>(from[k])] - less[k]);
+            return to;
         };
-        if (!take(slots.position, m_mesh.positions[i]))
-            return false;
-        if (slots.normal[0] >= 0 && !take(slots.normal, m_mesh.normals[i]))
-            return false;
+        m_mesh.positions[i] = take(slots.position, m_origin);
+        if (!isFinite(m_mesh.positions[i]))
+            return m_source.fail(ErrorCode::Invalid, RAMURE_NOOP("vertex %1 is not a finite number"),
+                                 {std::to_string(i)});
+        if (slots.normal[0] >= 0) {
+            const glm::vec3 normal = take(slots.normal, glm::dvec3(0.0));
+            m_mesh.normals[i] = isFinite(normal) ? normal : glm::vec3(0.0F);
+        }
         // -1 stands for none, as in the program.
         const auto index = [&](int slot) {
             return static_cast<Index>(static_cast<std::int64_t>(values[static_cast<std::size_t>(slot)]));
@@ -153,10 +199,8 @@ private:
             m_mesh.branch[i] = index(slots.branch);
         if (slots.level >= 0)
             m_mesh.level[i] = index(slots.level);
-        for (int k = 0; k < 3 && slots.colour[0] >= 0; ++k) {
-            const double value = values[static_cast<std::size_t>(slots.colour[k])];
-            m_colours[i][k] = static_cast<std::uint8_t>(value > 0.0 ? std::min(value, 255.0) : 0.0);
-        }
+        if (slots.colour.areThere())
+            m_colours[i] = slots.colour.of(values);
         return true;
     }
     bool readFaces(const PlyElement& element)
@@ -172,6 +216,8 @@ private:
                                  RAMURE_NOOP("the faces' vertices are no list of integers"));
         m_mesh.triangles.reserve(m_source.mostTriangles(element, list));
         const int textureSlot = textureList(element);
+        const ColourSlots colour(element);
+        std::vector<double> values(element.properties.size());
         for (std::uint64_t i = 0; i < element.count; ++i) {
             if (i % reading::chunk == 0 && !goesOn())
                 return false;
@@ -179,16 +225,17 @@ private:
                 return false;
             for (std::size_t p = 0; p < element.properties.size(); ++p) {
                 const PlyProperty& property = element.properties[p];
-                double ignored = 0.0;
-                const bool isRead = static_cast<int>(p) == slot          ? readFace(property, i)
+                const bool isRead = static_cast<int>(p) == slot          ? readCorners(element, property, i)
                                     : static_cast<int>(p) == textureSlot ? readTexture(property)
                                     : property.isList                    ? m_source.skipList(property)
-                                                      : m_source.number(property.type, ignored);
+                                                      : m_source.number(property.type, values[p]);
                 if (!isRead)
                     return false;
             }
             if (textureSlot >= 0)
                 takeTexture();
+            if (colour.areThere())
+                m_faceColours.resize(m_mesh.triangles.size(), colour.of(values));
         }
         finishTexture(textureSlot >= 0);
         return true;
@@ -254,11 +301,44 @@ private:
         m_mesh.uvTriangles.clear();
         m_out.notes.push_back("faces without two finite numbers per corner: texture coordinates left out");
     }
-    bool readFace(const PlyProperty& list, std::uint64_t face)
+    bool readCorners(const PlyElement& element, const PlyProperty& list, std::uint64_t number)
     {
         std::uint64_t corners = 0;
         if (!m_source.listSize(list, corners))
             return false;
+        return element.name == "face" ? readFace(list, number, corners) : readStrips(list, corners);
+    }
+    bool readVertex(const PlyProperty& list, std::int64_t& index, std::int64_t least)
+    {
+        if (!m_source.integer(list.type, index))
+            return false;
+        return (index >= least && index < static_cast<std::int64_t>(m_vertexCount)) ||
+               m_source.fail(ErrorCode::Invalid, RAMURE_NOOP("vertex %1 does not exist (there are %2)"),
+                             {std::to_string(index), std::to_string(m_vertexCount)});
+    }
+    /// Each corner makes a triangle with the two before it, every other one turned round; -1 ends a strip.
+    bool readStrips(const PlyProperty& list, std::uint64_t corners)
+    {
+        Index last[2] = {};
+        std::uint64_t inStrip = 0;
+        for (std::uint64_t k = 0; k < corners; ++k) {
+            std::int64_t index = 0;
+            if ((k % reading::chunk == 0 && !goesOn()) || !readVertex(list, index, -1))
+                return false;
+            inStrip = index < 0 ? 0 : inStrip + 1;
+            if (index < 0)
+                continue;
+            const auto vertex = static_cast<Index>(index);
+            const bool isTurned = inStrip % 2 == 0;
+            // Strips are joined by triangles without an area.
+            if (inStrip > 2 && last[0] != last[1] && last[1] != vertex && last[0] != vertex)
+                m_mesh.triangles.emplace_back(last[isTurned ? 1 : 0], last[isTurned ? 0 : 1], vertex);
+            last[0] = std::exchange(last[1], vertex);
+        }
+        return true;
+    }
+    bool readFace(const PlyProperty& list, std::uint64_t face, std::uint64_t corners)
+    {
         if (corners < 3)
             return m_source.fail(ErrorCode::Syntax, RAMURE_NOOP("face %1 has fewer than three corners"),
                                  {std::to_string(face)});
@@ -266,12 +346,8 @@ private:
         Index previous = 0;
         for (std::uint64_t k = 0; k < corners; ++k) {
             std::int64_t index = 0;
-            if (!m_source.integer(list.type, index))
+            if (!readVertex(list, index, 0))
                 return false;
-            if (index < 0 || static_cast<std::uint64_t>(index) >= m_vertexCount)
-                return m_source.fail(ErrorCode::Invalid,
-                                     RAMURE_NOOP("vertex %1 does not exist (there are %2)"),
-                                     {std::to_string(index), std::to_string(m_vertexCount)});
             const auto vertex = static_cast<Index>(index);
             if (k == 0)
                 first = vertex;
@@ -279,7 +355,20 @@ private:
                 m_mesh.triangles.emplace_back(first, previous, vertex);
             previous = vertex;
         }
+        if (corners > 3)
+            m_polygons.take(m_mesh.triangles, static_cast<std::size_t>(corners), m_mesh.positions);
         return true;
+    }
+    /// Those of the faces, unless they are all the same and vertices have some.
+    void takeColours()
+    {
+        const auto isFirst = [this](const glm::vec3& colour) { return colour == m_faceColours.front(); };
+        const bool haveFaces = !m_faceColours.empty() && m_faceColours.size() == m_mesh.triangles.size();
+        if (haveFaces && (m_colours.empty() || !std::ranges::all_of(m_faceColours, isFirst)))
+            m_mesh.colours = reading::colourBytes(m_faceColours, m_out.notes);
+        else if (!m_colours.empty())
+            m_mesh.colours =
+                reading::triangleColours(m_mesh.triangles, reading::colourBytes(m_colours, m_out.notes));
     }
 
     bool skip(const PlyElement& element)
@@ -306,91 +395,94 @@ private:
 
     Source m_source;
     const PlyHeader& m_header;
+    glm::dvec3 m_origin;
     const Progress& m_progress;
     std::uint64_t m_vertexCount = 0;
     TriangleMesh m_mesh;
-    std::vector<glm::u8vec3> m_colours;               ///< of the vertices
+    std::vector<glm::vec3> m_colours;     ///< of the vertices
+    std::vector<glm::vec3> m_faceColours; ///< of the triangles
+    reading::PolygonList m_polygons;
     bool m_hasTexture = true;                         ///< every face up to here has its coordinates
     std::vector<float> m_faceTexture;                 ///< of the face read last
     std::vector<Index> m_firstTexture, m_nextTexture; ///< per vertex a list of its coordinates
     ReadMesh m_out;
 };
 
-/// What the file knows about vertices and the program does not want to.
-void noteSkippedProperties(const PlyHeader& header, std::vector<std::string>& notes)
+/// What the file knows about an element and the program does not want to.
+void noteSkippedProperties(const PlyHeader& header, const char* elementName,
+                           std::initializer_list<std::string_view> used, std::vector<std::string>& notes)
 {
+    constexpr std::array colours{"red",           "green",        "blue", "alpha", "diffuse_red",
+                                 "diffuse_green", "diffuse_blue", "r",    "g",     "b"};
     std::string names;
     for (const PlyElement& element : header.elements)
         for (const PlyProperty& property : element.properties) {
-            bool isKnown = element.name != "vertex";
-            for (const char* known :
-                 {"x", "y", "z", "nx", "ny", "nz", "red", "green", "blue", "alpha", "branch", "level"})
-                isKnown = isKnown || property.name == known;
-            if (!isKnown && names.size() < 200)
+            const bool isUsed = element.name != elementName ||
+                                std::ranges::find(colours, property.name) != colours.end() ||
+                                std::ranges::find(used, property.name) != used.end();
+            if (!isUsed && names.size() < 200)
                 names += (names.empty() ? "" : ", ") + reading::excerpt(property.name);
         }
     if (!names.empty())
-        notes.push_back("vertex properties skipped: " + names);
+        notes.push_back(std::string(elementName) + " properties skipped: " + names);
 }
 
-void named(ReadMesh& mesh, const PlyHeader& header, const std::string& file)
+Expected<ReadMesh> finished(ReadMesh mesh, const PlyHeader& header, const std::string& file,
+                            const Progress& progress)
 {
+    const TriangleMesh& only = mesh.objects.front().mesh;
+    if (auto checked = reading::checkFaces(only.positions.size(), only.triangles.size(), file); !checked)
+        return fail(std::move(checked.error()));
     mesh.objects.front().name = reading::stem(file);
-    noteSkippedProperties(header, mesh.notes);
+    noteSkippedProperties(header, "vertex", {"x", "y", "z", "nx", "ny", "nz", "branch", "level"}, mesh.notes);
+    noteSkippedProperties(header, "face", {"vertex_indices", "vertex_index", "texcoord"}, mesh.notes);
+    progress.report(1.0);
+    return mesh;
+}
+
+/// \param origin 0: as it stands in the file; else in double precision, from there on
+Expected<ReadMesh> bodyOf(std::string_view bytes, const PlyHeader& header, const std::string& file,
+                          const glm::dvec3& origin, const Progress& progress)
+{
+    const bool isFar = origin != glm::dvec3(0.0);
+    if (header.format == PlyFormat::Ascii) {
+        const PlainText plain(bytes.substr(header.bytes));
+        const reading::ScanBlocks blocks(plain.view());
+        auto read = PlyBody(AsciiSource(blocks, file, header.lines, isFar), header, origin, progress).read();
+        if (read)
+            reading::notePadding(plain.padding(), read->notes);
+        return read;
+    }
+    if (header.format == PlyFormat::BigEndian)
+        return PlyBody(BinarySource<true>(bytes, header.bytes, file), header, origin, progress).read();
+    if (!isFar)
+        if (auto plain = reading::readPlainPly(bytes, header, progress))
+            return std::move(*plain);
+    return PlyBody(BinarySource<false>(bytes, header.bytes, file), header, origin, progress).read();
 }
 
 } // namespace
 
-void reading::takeVertexColours(TriangleMesh& mesh, std::span<const glm::u8vec3> colours)
-{
-    if (colours.empty() || mesh.triangles.empty())
-        return;
-    const auto isFirst = [&colours](const glm::u8vec3& colour) { return colour == colours.front(); };
-    if (std::all_of(colours.begin(), colours.end(), isFirst)) {
-        mesh.colours.assign(mesh.triangles.size(), colours.front());
-        return;
-    }
-    std::vector<Index> lastOf(mesh.positions.size(), noIndex);
-    for (Index t = 0; t < mesh.faceCount(); ++t)
-        for (int k = 0; k < 3; ++k)
-            lastOf[mesh.triangles[t][k]] = t;
-    mesh.colours.resize(mesh.triangles.size());
-    for (Index t = 0; t < mesh.faceCount(); ++t) {
-        glm::uvec3 own(0), all(0);
-        unsigned count = 0;
-        for (int k = 0; k < 3; ++k) {
-            const Index vertex = mesh.triangles[t][k];
-            all += glm::uvec3(colours[vertex]);
-            if (lastOf[vertex] == t) {
-                own += glm::uvec3(colours[vertex]);
-                ++count;
-            }
-        }
-        mesh.colours[t] = glm::u8vec3(count > 0 ? (own + count / 2) / count : (all + 1U) / 3U);
-    }
-}
-
 Expected<ReadMesh> parsePly(std::string_view bytes, const std::string& file, const Progress& progress)
 {
+    if (isUtf16(bytes)) {
+        const PlainText plain(bytes);
+        return parsePly(plain.view(), file, progress);
+    }
     const auto header = reading::parsePlyHeader(bytes, file, bytes.size());
     if (!header)
         return fail(header.error());
-    auto result = [&]() -> Expected<ReadMesh> {
-        if (header->format == PlyFormat::Ascii) {
-            const reading::ScanBlocks blocks(bytes.substr(header->bytes));
-            return PlyBody(AsciiSource(blocks, file, header->lines), *header, progress).read();
+    auto result = bodyOf(bytes, *header, file, glm::dvec3(0.0), progress);
+    const glm::dvec3 origin =
+        result ? reading::farOrigin(result->objects.front().mesh.positions) : glm::dvec3(0.0);
+    if (origin != glm::dvec3(0.0)) {
+        result = bodyOf(bytes, *header, file, origin, progress);
+        if (result) {
+            result->origin = origin;
+            result->notes.push_back(reading::farNote(origin));
         }
-        if (header->format == PlyFormat::BigEndian)
-            return PlyBody(BinarySource<true>(bytes, header->bytes, file), *header, progress).read();
-        if (auto plain = reading::readPlainPly(bytes, *header, progress))
-            return std::move(*plain);
-        return PlyBody(BinarySource<false>(bytes, header->bytes, file), *header, progress).read();
-    }();
-    if (!result)
-        return result;
-    named(*result, *header, file);
-    progress.report(1.0);
-    return result;
+    }
+    return result ? finished(std::move(*result), *header, file, progress) : std::move(result);
 }
 
 Expected<ReadMesh> reading::readPlyFile(const std::string& path, const Progress& progress)
@@ -405,11 +497,8 @@ Expected<ReadMesh> reading::readPlyFile(const std::string& path, const Progress&
         const auto header = parsePlyHeader(begin, path, input->size());
         if (got && *got == begin.size() && header) {
             const auto body = std::string_view(begin).substr(header->bytes);
-            if (auto plain = readPlainPly(*input, body, *header, progress)) {
-                named(*plain, *header, path);
-                progress.report(1.0);
-                return std::move(*plain);
-            }
+            if (auto plain = readPlainPly(*input, body, *header, progress))
+                return finished(std::move(*plain), *header, path, progress);
         }
         input->rewind();
     }

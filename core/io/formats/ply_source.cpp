@@ -1,4 +1,5 @@
 #include "core/io/formats/ply_source.h"
+#include <charconv>
 #include <limits>
 
 namespace ramure::reading {
@@ -52,6 +53,8 @@ bool AsciiSource::number(PlyType type, double& value)
     switch (scanFloat(m_at, single)) {
     case FloatScan::Ok:
         value = static_cast<double>(single);
+        if (m_isExact)
+            std::from_chars(begin + (*begin == '+' ? 1 : 0), m_at, value);
         break;
     case FloatScan::NotFinite: // matters only where it is a position
         value = std::numeric_limits<double>::quiet_NaN();

@@ -59,8 +59,10 @@ class AsciiSource : public PlySource
 {
 public:
     /// \param blocks the text behind the header; must outlive the source. \param headerLines for messages.
-    AsciiSource(const ScanBlocks& blocks, const std::string& file, int headerLines)
+    /// \param isExact read in double precision, which takes longer
+    AsciiSource(const ScanBlocks& blocks, const std::string& file, int headerLines, bool isExact)
         : PlySource(file)
+        , m_isExact(isExact)
         , m_blocks(&blocks)
         , m_at(blocks.body.data())
         , m_end(blocks.body.data() + blocks.body.size())
@@ -89,6 +91,7 @@ private:
     bool badToken();
     [[nodiscard]] bool endsToken() const { return isBlank(*m_at) || *m_at == '\n'; }
 
+    bool m_isExact;
     const ScanBlocks* m_blocks;
     const char* m_at;
     const char* m_end;
@@ -202,10 +205,6 @@ private:
     std::string_view m_bytes;
     std::size_t m_at;
 };
-
-/// Colours of vertices as those of triangles: the mean of the corners whose last triangle it is, as
-/// writePly chooses them, so that what it wrote comes back; of a triangle that is no corner's last, of all.
-void takeVertexColours(TriangleMesh& mesh, std::span<const glm::u8vec3> colours);
 
 /// The common case, in a fraction of the time: little endian, vertices of scalars with float positions,
 /// triangles as a byte and three 32-bit indices, nothing else. Nothing where the file is different, or wrong:

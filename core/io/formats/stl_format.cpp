@@ -2,8 +2,10 @@
 /// STL: triangles and nothing else, what printers take. Written binary; read binary or as text, and corners
 /// at one place become one vertex again.
 
+#include "core/base/plain_text.h"
 #include "core/io/formats/blender_scene.h"
 #include "core/io/formats/file_format.h"
+#include "core/io/mesh_mending.h"
 #include "core/io/read_parts.h"
 #include "core/io/write_parts.h"
 #include "core/math/finite.h"
@@ -11,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <glm/common.hpp>
@@ -93,20 +96,42 @@ Expected<void> exportStl(const std::string& path, const ExportScene& scene, cons
     return out->commit();
 }
 
-Expected<std::vector<glm::vec3>> binaryCorners(std::string_view bytes, const std::string& file,
-                                               const Progress& progress)
+/// The corners of all triangles, three by three, from an origin on.
+struct StlCorners
 {
-    std::vector<glm::vec3> corners((bytes.size() - headSize - countSize) / triangleSize * 3);
+    std::vector<glm::vec3> positions;
+    glm::dvec3 origin{0.0};
+    std::vector<std::string> notes;
+};
+
+Expected<StlCorners> binaryCorners(std::string_view bytes, std::size_t count, const std::string& file,
+                                   const Progress& progress)
+{
+    StlCorners out;
+    std::vector<glm::vec3>& corners = out.positions;
+    corners.resize(3 * count);
+    std::size_t painted = 0;
     for (std::size_t i = 0; i < corners.size(); i += 3) {
         const char* from = bytes.data() + headSize + countSize + i / 3 * triangleSize + sizeof(glm::vec3);
         std::memcpy(&corners[i], from, 3 * sizeof(glm::vec3));
+        const char* colour = from + 3 * sizeof(glm::vec3); // of two bytes, as several programs use them
+        painted += colour[0] != 0 || colour[1] != 0 ? 1 : 0;
         if (!std::all_of(&corners[i], &corners[i] + 3, &isFinite<3, float>))
             return refuse(file, ErrorCode::Invalid, RAMURE_NOOP("triangle %1 is not of finite numbers"),
                           {std::to_string(i / 3)});
         if (i % reading::chunk == 0 && progress.cancelled())
             return refuse(file, ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
     }
-    return corners;
+    if (painted > 0)
+        out.notes.push_back(std::to_string(painted) + " triangles have colours of their own: left out");
+    const std::size_t size = headSize + countSize + count * triangleSize;
+    if (bytes.size() > size)
+        out.notes.push_back(std::to_string(bytes.size() - size) + " bytes behind the last triangle");
+    out.origin = reading::farOrigin(corners);
+    if (out.origin != glm::dvec3(0.0))
+        for (glm::vec3& p : corners)
+            p = glm::vec3(glm::dvec3(p) - out.origin);
+    return out;
 }
 
 /// The corners of an STL that is text.
@@ -115,87 +140,99 @@ class TextStl
 public:
     TextStl(std::string_view text, const std::string& file)
         : m_text(text)
+        , m_lines(m_text.view())
         , m_file(file)
     {
-        m_text += '\n';
-        m_size = m_text.size();
-        m_text.append(reading::ScanBlocks::padding, '\0');
     }
 
-    Expected<std::vector<glm::vec3>> run(const Progress& progress)
+    Expected<StlCorners> run(const Progress& progress)
     {
-        for (std::size_t begin = 0; begin < m_size;) {
-            const std::size_t end = m_text.find('\n', begin);
-            ++m_line;
-            if (auto taken = take(m_text.c_str() + begin, m_text.c_str() + end); !taken)
+        while (m_lines.next()) {
+            if (auto taken = take(m_lines.line()); !taken)
                 return fail(std::move(taken.error()));
-            if (m_line % 65536 == 0 && progress.cancelled())
+            if (m_lines.number() % 65536 == 0 && progress.cancelled())
                 return refuse(m_file, ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
-            begin = end + 1;
         }
         if (!m_isComplete)
-            return refuse(m_file, ErrorCode::Syntax, RAMURE_NOOP("the file ends within a solid"), {}, m_line);
-        return std::move(m_corners);
+            return refuse(m_file, ErrorCode::Syntax, RAMURE_NOOP("the file ends within a solid"), {},
+                          m_lines.number());
+        StlCorners out;
+        out.origin = reading::farOrigin(m_corners);
+        out.positions = reading::movedFrom(out.origin, m_corners);
+        if (m_strayLine > 0)
+            out.notes.push_back("line " + std::to_string(m_strayLine) + ": text behind the last solid");
+        reading::notePadding(m_text.padding(), out.notes);
+        return out;
     }
 
 private:
-    Expected<void> take(const char* at, const char* end)
+    Expected<void> take(std::string_view line)
     {
-        skipBlanks(at, end);
-        const char* wordEnd = std::find_if(at, end, &reading::isBlank);
-        const std::string_view word(at, static_cast<std::size_t>(wordEnd - at));
+        const std::size_t gap = std::min(line.find_first_of(reading::blanksOfLine), line.size());
+        const std::string word = lowered(line.substr(0, gap));
         if (word == "vertex")
-            return takeVertex(wordEnd, end);
+            return takeVertex(line.substr(gap));
         if (word == "endloop" && m_corners.size() % 3 != 0)
             return refuse(m_file, ErrorCode::Syntax, RAMURE_NOOP("three vertices a loop expected"), {},
-                          m_line);
-        if (word == "endsolid")
-            m_isComplete = true;
+                          m_lines.number());
+        if (word == "endsolid" || word == "solid")
+            m_isComplete = word == "endsolid";
         for (const char* known : {"", "solid", "facet", "outer", "endloop", "endfacet", "endsolid"})
             if (word == known)
                 return {};
+        if (m_isComplete) {
+            m_strayLine = m_strayLine == 0 ? m_lines.number() : m_strayLine;
+            return {};
+        }
         return refuse(m_file, ErrorCode::Syntax, RAMURE_NOOP("not a line of an STL file: \"%1\""),
-                      {reading::excerpt(word)}, m_line);
+                      {reading::excerpt(word)}, m_lines.number());
     }
 
-    Expected<void> takeVertex(const char* at, const char* end)
+    Expected<void> takeVertex(std::string_view numbers)
     {
-        glm::vec3 p(0.0F);
+        glm::dvec3 p(0.0);
         for (int axis = 0; axis < 3; ++axis) {
-            skipBlanks(at, end);
-            const char* before = at;
-            if (at == end || scanFloat(at, p[axis]) != FloatScan::Ok)
+            numbers = reading::trimmed(numbers);
+            const std::string_view from = numbers.substr(numbers.starts_with('+') ? 1 : 0);
+            const auto [end, problem] = std::from_chars(from.data(), from.data() + from.size(), p[axis]);
+            if (problem != std::errc() || !(std::abs(p[axis]) <= double(std::numeric_limits<float>::max())))
                 return refuse(m_file, ErrorCode::Syntax, RAMURE_NOOP("a number expected, found \"%1\""),
-                              {reading::excerpt({before, static_cast<std::size_t>(end - before)})}, m_line);
+                              {reading::excerpt(numbers)}, m_lines.number());
+            numbers = from.substr(static_cast<std::size_t>(end - from.data()));
         }
         m_corners.push_back(p);
         return {};
     }
 
-    static void skipBlanks(const char*& at, const char* end)
-    {
-        at = std::find_if_not(at, end, &reading::isBlank);
-    }
-
-    std::string m_text; ///< the last line ended, and bytes behind it that scanFloat may look at
-    std::size_t m_size = 0;
+    PlainText m_text;
+    TextLines m_lines;
     const std::string& m_file;
-    int m_line = 0;
-    bool m_isComplete = false;
-    std::vector<glm::vec3> m_corners;
+    bool m_isComplete = false; ///< no solid is open
+    int m_strayLine = 0;       ///< the first line that belongs to no solid
+    std::vector<glm::dvec3> m_corners;
 };
 
-/// Binary where the size is what the count says: the first word of some binary files is "solid" too.
-Expected<std::vector<glm::vec3>> cornersIn(std::string_view bytes, const std::string& file,
-                                           const Progress& progress)
+bool isTextStl(std::string_view bytes)
+{
+    const PlainText head(bytes.substr(0, 256));
+    const std::string_view text = head.view();
+    const std::string_view begin = text.substr(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+    return isWord(begin.substr(0, 5), "solid");
+}
+
+/// Binary where as many triangles are there as the count says: the first word of some binary files is "solid"
+/// too, and some have bytes behind the last one. In a text, the count is a number of some hundred million.
+Expected<StlCorners> cornersIn(std::string_view bytes, const std::string& file, const Progress& progress)
 {
     std::uint32_t count = 0;
+    const bool isText = isTextStl(bytes);
     if (bytes.size() >= headSize + countSize) {
         std::memcpy(&count, bytes.data() + headSize, sizeof count);
-        if (bytes.size() == headSize + countSize + std::size_t(count) * triangleSize)
-            return binaryCorners(bytes, file, progress);
+        const std::size_t size = headSize + countSize + std::size_t(count) * triangleSize;
+        if (bytes.size() == size || (bytes.size() > size && (count > 0 || !isText)))
+            return binaryCorners(bytes, count, file, progress);
     }
-    if (bytes.starts_with("solid"))
+    if (isText)
         return TextStl(bytes, file).run(progress);
     if (bytes.size() < headSize + countSize)
         return refuse(file, ErrorCode::Syntax, RAMURE_NOOP("too short for an STL file"));
@@ -203,7 +240,7 @@ Expected<std::vector<glm::vec3>> cornersIn(std::string_view bytes, const std::st
                   {std::to_string(count)});
 }
 
-/// Corners at one place are one vertex.
+/// StlCorners at one place are one vertex.
 TriangleMesh welded(std::vector<glm::vec3>&& corners)
 {
     TriangleMesh mesh;
@@ -234,13 +271,17 @@ Expected<ReadMesh> importStl(const std::string& path, const Progress& progress)
     auto corners = cornersIn(bytes->view(), path, progress);
     if (!corners)
         return fail(std::move(corners.error()));
-    if (corners->size() >= noIndex)
+    if (corners->positions.size() >= noIndex)
         return refuse(path, ErrorCode::Limit,
                       RAMURE_NOOP("the file holds more triangles than can be counted"));
-    if (corners->empty())
+    if (corners->positions.empty())
         return refuse(path, ErrorCode::Invalid, RAMURE_NOOP("the file holds no triangles"));
     ReadMesh out;
-    out.objects.push_back({reading::stem(path), welded(std::move(*corners)), {}});
+    out.notes = std::move(corners->notes);
+    out.origin = corners->origin;
+    if (out.origin != glm::dvec3(0.0))
+        out.notes.push_back(reading::farNote(out.origin));
+    out.objects.push_back({reading::stem(path), welded(std::move(corners->positions)), {}});
     progress.report(1.0);
     return out;
 }

@@ -1,12 +1,13 @@
 #include "core/io/formats/three_mf_reader.h"
 
 #include "core/io/file_space.h"
+#include "core/io/mesh_mending.h"
 #include "core/io/read_parts.h"
 #include "core/io/zip_file.h"
-#include "core/surface/mesh/transformed.h"
 #include <charconv>
 #include <cmath>
 #include <expat.h>
+#include <glm/common.hpp>
 #include <glm/matrix.hpp>
 #include <map>
 #include <memory>
@@ -19,6 +20,7 @@ constexpr std::uint64_t mostBytes = std::uint64_t(4) << 30;
 constexpr std::uint64_t mostRelations = std::uint64_t(1) << 20;
 constexpr std::size_t mostPrintTriangles = 50'000'000; ///< of all items together
 constexpr int mostDepth = 16;                          ///< of components in components
+constexpr double largest = 1e30;                       ///< coordinate, far below the end of single precision
 constexpr const char* usualModel = "3D/3dmodel.model";
 
 using XmlParser = std::unique_ptr<XML_ParserStruct, decltype(&XML_ParserFree)>;
@@ -73,12 +75,57 @@ struct Reference
     glm::dmat4 place{1.0};
 };
 
-struct Resource
+/// Coordinates become floats when all matrices are known.
+struct ExactMesh
 {
     std::string name;
-    TriangleMesh mesh;
+    std::vector<glm::dvec3> positions;
+    std::vector<glm::uvec3> triangles;
+    std::vector<glm::u8vec3> colours; ///< of the triangles, or none
+};
+
+struct Resource
+{
+    ExactMesh mesh;
+    std::string palette;               ///< where the numbers of colours count that do not say it themselves
+    std::optional<glm::u8vec3> colour; ///< of triangles that say none
     std::vector<Reference> components;
 };
+
+/// "#RRGGBB" or "#RRGGBBAA"; grey where it is anything else.
+glm::u8vec3 hexColour(const char* text)
+{
+    const std::string_view digits = text && *text == '#' ? text + 1 : "";
+    std::uint32_t value = 0;
+    const auto read =
+        std::from_chars(digits.data(), digits.data() + std::min<std::size_t>(digits.size(), 6), value, 16);
+    if (digits.size() < 6 || read.ec != std::errc() || read.ptr != digits.data() + 6)
+        return reading::plainColour;
+    return {value >> 16 & 0xFFU, value >> 8 & 0xFFU, value & 0xFFU};
+}
+
+/// Single precision, from one origin on.
+ReadMesh rounded(std::vector<ExactMesh> meshes)
+{
+    glm::dvec3 low(std::numeric_limits<double>::infinity()), high = -low;
+    for (const ExactMesh& mesh : meshes)
+        for (const glm::dvec3& p : mesh.positions) {
+            low = glm::min(low, p);
+            high = glm::max(high, p);
+        }
+    ReadMesh out;
+    out.origin = reading::farOrigin(low, high);
+    if (out.origin != glm::dvec3(0.0))
+        out.notes.push_back(reading::farNote(out.origin));
+    for (ExactMesh& mesh : meshes) {
+        ReadObject& object = out.objects.emplace_back();
+        object.name = std::move(mesh.name);
+        object.mesh.positions = reading::movedFrom(out.origin, mesh.positions);
+        object.mesh.triangles = std::move(mesh.triangles);
+        object.mesh.colours = std::move(mesh.colours);
+    }
+    return out;
+}
 
 /// A model part as it is parsed.
 class ModelReader
@@ -102,24 +149,25 @@ public:
             m_problem = broken().value();
         return false;
     }
-    Expected<ReadMesh> finish(const std::string& fileName)
+    /// \param space out of the file's, whose unit is a metre
+    Expected<ReadMesh> finish(const std::string& fileName, const std::optional<glm::dmat4>& space)
     {
         if (!m_problem && XML_Parse(m_parser.get(), "", 0, XML_TRUE) != XML_STATUS_OK)
             m_problem = broken().value();
-        ReadMesh out;
+        const glm::dmat4 back = space ? *space * glm::dmat4(glm::dmat3(m_metres)) : glm::dmat4(1.0);
+        std::vector<ExactMesh> meshes;
         for (const Reference& item : m_items)
             if (!m_problem)
-                add(out, item.object, item.place, 0);
-        if (!m_problem && out.objects.empty())
+                add(meshes, item.object, back * item.place, 0);
+        if (!m_problem && meshes.empty())
             refuse(ErrorCode::Invalid, RAMURE_NOOP("the file holds no mesh to print"));
         if (m_problem)
             return fail(*m_problem);
-        for (ReadObject& object : out.objects)
-            if (object.name.empty())
-                object.name = fileName;
-        return out;
+        for (ExactMesh& mesh : meshes)
+            if (mesh.name.empty())
+                mesh.name = fileName;
+        return rounded(std::move(meshes));
     }
-    [[nodiscard]] double metres() const { return m_metres; } ///< of a unit
 
 private:
     static void begin(void* self, const char* name, const char** attributes)
@@ -144,8 +192,16 @@ private:
             const char* id = attribute(attributes, "id");
             const char* title = attribute(attributes, "name");
             m_object = &m_objects[id ? id : ""];
-            m_object->name = title ? title : "";
-        } else if (name == "component" && m_object)
+            m_object->mesh.name = title ? title : "";
+            if (const char* palette = attribute(attributes, "pid"))
+                m_object->palette = palette;
+            m_object->colour = colourAt(m_object->palette, attribute(attributes, "pindex"));
+        } else if (name == "basematerials" || name.ends_with(":colorgroup")) {
+            const char* id = attribute(attributes, "id");
+            m_palette = &m_palettes[id ? id : ""];
+        } else if ((name == "base" || name.ends_with(":color")) && m_palette)
+            m_palette->push_back(hexColour(attribute(attributes, name == "base" ? "displaycolor" : "color")));
+        else if (name == "component" && m_object)
             reference(m_object->components, attributes);
         else if (name == "item")
             reference(m_items, attributes);
@@ -154,10 +210,10 @@ private:
     }
     void vertex(const char** attributes)
     {
-        glm::vec3 p(0.0F);
+        glm::dvec3 p(0.0);
         constexpr const char* axes[] = {"x", "y", "z"};
         for (int axis = 0; axis < 3; ++axis)
-            if (!isNumber(attribute(attributes, axes[axis]), p[axis]) || !std::isfinite(p[axis]))
+            if (!isNumber(attribute(attributes, axes[axis]), p[axis]) || !(std::abs(p[axis]) <= largest))
                 return refuse(ErrorCode::Invalid, RAMURE_NOOP("a vertex without three finite numbers"));
         if (m_object)
             m_object->mesh.positions.push_back(p);
@@ -173,6 +229,32 @@ private:
                 return refuse(ErrorCode::Invalid,
                               RAMURE_NOOP("a triangle with a vertex that does not exist"));
         m_object->mesh.triangles.push_back(t);
+        paint(attributes);
+    }
+    /// The triangle that came last: the mean of its corners' colours.
+    void paint(const char** attributes)
+    {
+        const char* own = attribute(attributes, "pid");
+        glm::uvec3 sum(0);
+        unsigned count = 0;
+        for (const char* corner : {"p1", "p2", "p3"})
+            if (const auto colour = colourAt(own ? own : m_object->palette, attribute(attributes, corner))) {
+                sum += glm::uvec3(*colour);
+                ++count;
+            }
+        if (count == 0)
+            return;
+        ExactMesh& mesh = m_object->mesh;
+        mesh.colours.resize(mesh.triangles.size(), m_object->colour.value_or(reading::plainColour));
+        mesh.colours.back() = glm::u8vec3((sum + count / 2) / count);
+    }
+    [[nodiscard]] std::optional<glm::u8vec3> colourAt(const std::string& palette, const char* place) const
+    {
+        const auto found = m_palettes.find(palette);
+        std::size_t number = 0;
+        if (found == m_palettes.end() || !isNumber(place, number) || number >= found->second.size())
+            return std::nullopt;
+        return found->second[number];
     }
     void reference(std::vector<Reference>& to, const char** attributes)
     {
@@ -197,7 +279,7 @@ private:
     }
 
     /// The object in its place, and those that it is made of.
-    void add(ReadMesh& out, const std::string& id, const glm::dmat4& place, int depth)
+    void add(std::vector<ExactMesh>& out, const std::string& id, const glm::dmat4& place, int depth)
     {
         const auto found = m_objects.find(id);
         if (found == m_objects.end())
@@ -206,11 +288,22 @@ private:
         m_count += object.mesh.triangles.size() + 1;
         if (depth > mostDepth || m_count > mostPrintTriangles)
             return refuse(ErrorCode::Limit, RAMURE_NOOP("components of components without an end"));
-        if (!object.mesh.empty())
-            out.objects.push_back({object.name, transformed(object.mesh, place), {}});
+        if (!object.mesh.triangles.empty())
+            addMesh(out.emplace_back(object.mesh), object, place);
         for (const Reference& component : object.components)
             if (!m_problem)
                 add(out, component.object, place * component.place, depth + 1);
+    }
+
+    static void addMesh(ExactMesh& mesh, const Resource& object, const glm::dmat4& place)
+    {
+        for (glm::dvec3& p : mesh.positions)
+            p = glm::dvec3(place * glm::dvec4(p, 1.0));
+        if (glm::determinant(glm::dmat3(place)) < 0.0)
+            for (glm::uvec3& t : mesh.triangles)
+                std::swap(t.y, t.z);
+        if (!mesh.colours.empty() || object.colour)
+            mesh.colours.resize(mesh.triangles.size(), object.colour.value_or(reading::plainColour));
     }
 
     void refuse(ErrorCode code, const char* text, std::vector<std::string> args = {})
@@ -234,7 +327,9 @@ private:
     XmlParser m_parser{XML_ParserCreate(nullptr), &XML_ParserFree};
     double m_metres = 1e-3; // what a file without a unit has
     std::map<std::string, Resource, std::less<>> m_objects;
-    Resource* m_object = nullptr; ///< that is being read
+    std::map<std::string, std::vector<glm::u8vec3>, std::less<>> m_palettes;
+    std::vector<glm::u8vec3>* m_palette = nullptr; ///< that is being read
+    Resource* m_object = nullptr;                  ///< that is being read
     std::vector<Reference> m_items;
     std::size_t m_count = 0;
     std::optional<Error> m_problem;
@@ -275,15 +370,11 @@ Expected<ReadMesh> readThreeMf(const std::string& path, const Progress& progress
         progress);
     if (!read)
         return fail(read.error());
-    auto mesh = model.finish(reading::stem(path));
-    if (!mesh || fileSpaceOf(path))
-        return mesh;
     FileSpace space;
     space.up = UpAxis::Z;
-    const glm::dmat4 back = glm::inverse(space.matrix()) * glm::dmat4(glm::dmat3(model.metres()));
-    for (ReadObject& object : mesh->objects)
-        object.mesh = transformed(object.mesh, back);
-    return mesh;
+    const bool isOther = !fileSpaceOf(path); // our own say theirs, and are turned by it
+    return model.finish(reading::stem(path),
+                        isOther ? std::optional(glm::inverse(space.matrix())) : std::nullopt);
 }
 
 } // namespace ramure

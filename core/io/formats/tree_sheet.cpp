@@ -1,6 +1,7 @@
 #include "core/io/formats/tree_sheet.h"
 
 #include "core/base/number_text.h"
+#include "core/base/plain_text.h"
 #include "core/math/reproducible.h"
 #include "core/params/param_def.h"
 #include "core/params/presets.h"
@@ -62,7 +63,7 @@ Expected<std::string> readSheet(const std::string& path, const ImportOptions& op
     text.resize(static_cast<std::size_t>(file.gcount()));
     if (text.size() > mostBytesOfSheet)
         return refuse(ErrorCode::Limit, RAMURE_NOOP("larger than 4 MiB: that is no file of parameters"));
-    return text;
+    return std::string(PlainText(text).view());
 }
 
 TreeSheet::TreeSheet(std::string file)

@@ -49,20 +49,22 @@ inline float randomFloat(std::mt19937& random)
     }
 }
 
-/// Any mesh at all: bad faces are not the business of files.
+/// Any mesh of at least one face: bad faces are not the business of files.
 inline TriangleMesh randomMesh(std::mt19937& random, bool withAll)
 {
     TriangleMesh mesh;
-    const std::size_t vertices = 1 + random() % 60;
+    const std::size_t vertices = 3 + random() % 60; // of one alone, readers would say that it is far away
     for (std::size_t i = 0; i < vertices; ++i) {
         mesh.positions.emplace_back(randomFloat(random), randomFloat(random), randomFloat(random));
         if (!withAll)
             continue;
         mesh.normals.emplace_back(randomFloat(random), randomFloat(random), randomFloat(random));
+        if (mesh.normals.back() == glm::vec3(0.0f)) // which readers replace
+            mesh.normals.back().y = 1.0f;
         mesh.branch.push_back(random() % 5 ? static_cast<Index>(random()) : noIndex);
         mesh.level.push_back(random() % 5 ? static_cast<Index>(random() % 100) : noIndex);
     }
-    const std::size_t faces = random() % 80;
+    const std::size_t faces = 1 + random() % 80;
     for (std::size_t i = 0; i < faces; ++i)
         mesh.triangles.emplace_back(random() % vertices, random() % vertices, random() % vertices);
     return mesh;

@@ -176,7 +176,6 @@ private slots:
         row("/scenes/0/nodes", "[0, 0]", "scenes[0].nodes");
         row("/scene", "3", "scenes[3]");
         row("/meshes/0/primitives/0/attributes/POSITION", "9", "accessors[9]");
-        row("/meshes/0/primitives/0/attributes/NORMAL", "1", "accessors[1]");
         row("/meshes/0/primitives/0/indices", "0", "accessors[0]");
         row("/meshes/0/primitives/0/material", "2", "materials[2]");
         row("/accessors/0/count", "4", "accessors[0]");
@@ -210,6 +209,146 @@ private slots:
         file = {};
         file.corners[1] = 3;
         QVERIFY(isRefused(file.bytes(), "does not exist"));
+    }
+
+    /// Normals, texture and colours are no reason to refuse a mesh.
+    void whatIsWrongWithTheLookIsNoted_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QString>("accessor");
+        QTest::addColumn<QByteArray>("word");
+        const auto row = [](const char* name, const char* accessor, const char* word) {
+            QTest::addRow("%s of %s", name, accessor)
+                << QString(name) << QString(accessor) << QByteArray(word);
+        };
+        const char* zeros = R"({"componentType": 5126, "type": "VEC3", "count": 3})";
+        const char* bits = R"({"bufferView": 2, "componentType": 5126, "type": "VEC3", "count": 3})";
+        for (const char* name : {"NORMAL", "TEXCOORD_0", "COLOR_0"}) {
+            row(name, "null", "accessors[2]");
+            row(name, R"({"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": 2})",
+                std::string_view(name) == "TEXCOORD_0" ? "2 numbers" : "not as many");
+        }
+        row("NORMAL", zeros, "3 vertices have a normal of length 0");
+        row("NORMAL", bits, "3 vertices have a normal of length 0 or of no numbers");
+        row("COLOR_0", bits, "COLOR_0: a number is not finite");
+        row("TEXCOORD_0", R"({"bufferView": 2, "componentType": 5126, "type": "VEC2", "count": 3})",
+            "TEXCOORD_0: a number is not finite");
+    }
+    void whatIsWrongWithTheLookIsNoted()
+    {
+        QFETCH(QString, name);
+        QFETCH(QString, accessor);
+        QFETCH(QByteArray, word);
+        Triangle file;
+        file.json["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", 48}, {"byteLength", 36}});
+        file.json["buffers"][0]["byteLength"] = 84;
+        file.json["accessors"].push_back(Json::parse(accessor.toStdString()));
+        file.json["meshes"][0]["primitives"][0]["attributes"][name.toStdString()] = 2;
+        const QByteArray bytes =
+            glbOf(QByteArray::fromStdString(file.json.dump()), file.binary() + QByteArray(36, '\xFF'));
+        const auto mesh = read(bytes);
+        QVERIFY2(mesh, test::why(mesh));
+        QCOMPARE(mesh->notes.size(), std::size_t(1));
+        QVERIFY2(mesh->notes[0].find(word.toStdString()) != std::string::npos, mesh->notes[0].c_str());
+        for (const glm::vec3& n : mesh->objects[0].mesh.normals)
+            QCOMPARE(n, glm::vec3(0, 0, 1));
+        QVERIFY(mesh->objects[0].mesh.uv.empty());
+        const auto scene = imported(bytes);
+        QVERIFY2(scene, test::why(scene));
+        QVERIFY(scene->notes[0].message().find(word.toStdString()) != std::string::npos);
+    }
+    /// The mesh comes without pictures that cannot be read, and a note names each.
+    void picturesThatCannotBeRead_data()
+    {
+        QTest::addColumn<QString>("extension");
+        QTest::addColumn<QString>("image");
+        QTest::addColumn<QByteArray>("named");
+        for (const char* extension :
+             {"EXT_texture_webp", "KHR_texture_basisu", "EXT_texture_avif", "MSFT_texture_dds"}) {
+            QTest::addRow("%s", extension)
+                << extension << R"({"name": "bark", "bufferView": 0, "mimeType": "image/webp"})"
+                << QByteArray("\"bark\" is neither");
+            QTest::addRow("%s, elsewhere", extension) << extension << R"({"uri": "bark.webp"})"
+                                                      << QByteArray("\"bark.webp\" stands in another file");
+        }
+        QTest::newRow("without a name")
+            << "EXT_texture_webp"
+            << R"({"bufferView": 0, "mimeType": "image/webp"})" << QByteArray("images[0], image/webp");
+    }
+    void picturesThatCannotBeRead()
+    {
+        QFETCH(const QString, extension);
+        QFETCH(const QString, image);
+        QFETCH(const QByteArray, named);
+        Triangle file;
+        file.json["extensionsRequired"] = {extension.toStdString()};
+        file.json["images"] = {Json::parse(image.toStdString())};
+        file.json["textures"] = {{{"extensions", {{extension.toStdString(), {{"source", 0}}}}}}};
+        file.json["materials"] = {
+            {{"pbrMetallicRoughness",
+              {{"baseColorTexture", {{"index", 0}}}, {"baseColorFactor", {1, 0, 0, 1}}}}}};
+        file.json["meshes"][0]["primitives"][0]["material"] = 0;
+        QVERIFY(read(file.bytes()));
+        const auto scene = imported(file.bytes());
+        QVERIFY2(scene, test::why(scene));
+        QCOMPARE(scene->nodes[0].mesh->faceCount(), Index(1));
+        QCOMPARE(scene->nodes[0].params.surface.color, glm::dvec3(1, 0, 0));
+        QVERIFY(scene->nodes[0].params.surfacePictures.isEmpty());
+        QVERIFY2(scene->notes[0].message().find(named.toStdString()) != std::string::npos,
+                 scene->notes[0].message().c_str());
+    }
+    void pointsAloneAreRefused()
+    {
+        Triangle file;
+        file.json["meshes"][0]["primitives"][0]["mode"] = 0;
+        QVERIFY(!read(file.bytes()));
+        const auto scene = imported(file.bytes());
+        QVERIFY(!scene);
+        QCOMPARE(scene.error().plain(),
+                 std::string("the meshes of the file have no triangles: there is no surface to read"));
+        // Beside something else they are a note.
+        file.json["meshes"].push_back(Triangle().json["meshes"][0]);
+        file.json["nodes"].push_back({{"mesh", 1}});
+        file.json["scenes"][0]["nodes"] = {0, 1};
+        const auto both = imported(file.bytes());
+        QVERIFY2(both, test::why(both));
+        QVERIFY(both->notes[0].message().find("points and lines are left out") != std::string::npos);
+    }
+    void farNodesKeepTheirShape()
+    {
+        Triangle file;
+        file.json["nodes"][0]["translation"] = {512345.678, 4601234.567, 0};
+        const auto mesh = read(file.bytes());
+        QVERIFY2(mesh, test::why(mesh));
+        QVERIFY(mesh->notes.back().find("far from the origin") != std::string::npos);
+        const std::vector<glm::vec3>& p = mesh->objects[0].mesh.positions;
+        QVERIFY(glm::distance(p[1] - p[0], glm::vec3(1, 0, 0)) < 1e-5F);
+        QVERIFY(glm::distance(mesh->origin + glm::dvec3(p[0]), glm::dvec3(512345.678, 4601234.567, 0)) <
+                1e-5);
+        // Where its own numbers are far, its own position takes them.
+        file = {};
+        for (std::size_t i = 0; i < 9; i += 3)
+            file.places[i] += 500'000.0F;
+        const auto scene = imported(file.bytes());
+        QVERIFY2(scene, test::why(scene));
+        QCOMPARE(scene->nodes[0].params.tree.translation, glm::dvec3(1, 2, 3));
+        QCOMPARE(scene->nodes[0].params.local.translation.x + double(scene->nodes[0].mesh->positions[0].x),
+                 500'000.0);
+        QVERIFY(scene->notes[0].message().find("far from the origin") != std::string::npos);
+    }
+    void bytesBehindTheEndAndZerosForBlanks()
+    {
+        const TriangleMesh plain = read(Triangle().bytes())->objects[0].mesh;
+        const auto behind = read(Triangle().bytes() + "more than a chunk's head");
+        QVERIFY2(behind, test::why(behind));
+        QCOMPARE(behind->objects[0].mesh, plain);
+        QCOMPARE(behind->notes, std::vector<std::string>{"24 bytes behind the end of the file"});
+        QByteArray text = QByteArray::fromStdString(Triangle().json.dump());
+        const auto zeros = read(glbOf(text + QByteArray(8, '\0'), Triangle().binary()));
+        QVERIFY2(zeros, test::why(zeros));
+        const auto marked = read(glbOf("\xEF\xBB\xBF" + text, Triangle().binary()));
+        QVERIFY2(marked, test::why(marked));
+        QCOMPARE(marked->objects[0].mesh, plain);
     }
 
     /// Any byte of the JSON may be anything: an answer or an error, never more.

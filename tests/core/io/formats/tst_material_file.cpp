@@ -76,6 +76,17 @@ private slots:
             flood += "Kd x\n";
         QVERIFY(parseMaterials(test::view(flood), "x").notes.size() <= 20);
     }
+    void picturesAreNamedOnceForEachMaterial()
+    {
+        const auto found = parseMaterials("NEWMTL a\nKD 1 0 0\nMAP_KD a.webp\nmap_Bump n.png\nnorm n.png\n"
+                                          "newmtl b\nmap_d b.dds\n",
+                                          "x.mtl");
+        const std::vector<std::string> expected{
+            "x.mtl, line 3: the picture \"a.webp\" is not read, nor is \"n.png\"",
+            "x.mtl, line 7: the picture \"b.dds\" is not read"};
+        QVERIFY(found.notes == expected);
+        QVERIFY(found.colours.at("a") == glm::u8vec3(255, 0, 0));
+    }
     void coloursAreHeldToBytes()
     {
         const auto found =

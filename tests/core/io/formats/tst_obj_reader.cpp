@@ -51,7 +51,6 @@ private slots:
         row("nan", "v 0 0 0\n\nv 0 nan 0\n", "f.obj:3: \"nan 0\" is not a finite number");
         row("inf", "v -inf 0 0\n", "f.obj:1: \"-inf 0 0\" is not a finite number");
         row("huge", "v 0 0 1e99\n", "f.obj:1: \"1e99\" is not a finite number");
-        row("bad normal", "v 0 0 0\nvn 0 0\n", "f.obj:2: three numbers expected, found \"\"");
         row("two corners", four + "f 1 2\n", "f.obj:5: a face of fewer than three corners");
         row("index 0", four + "f 1 2 0\n", "f.obj:5: vertex 0 does not exist (there are 4)");
         row("index too large", four + "f 1 2 5\nv", "f.obj:6: three numbers expected, found \"\"");
@@ -63,10 +62,9 @@ private slots:
             "f.obj:5: a corner v, v/vt, v//vn or v/vt/vn expected, found \"3/x\"");
         row("corner with a point", four + "f 1 2 3.5",
             "f.obj:5: a corner v, v/vt, v//vn or v/vt/vn expected, found \"3.5\"");
-        row("missing normal", four + "vn 0 0 1\nf 1//1 2//1 3//2",
-            "f.obj:6: normal 2 does not exist (there are 1)");
-        row("normal 0", four + "vn 0 0 1\nf 1//1 2//1 3//0",
-            "f.obj:6: normal 0 does not exist (there are 1)");
+        row("points alone", four, "f.obj: the file holds 4 points and no faces: there is no surface to read");
+        row("lines", four + "l 1 2",
+            "f.obj: the file holds 4 points and no faces: there is no surface to read");
         row("binary", QString("v 0 0 0\n") + QChar(1) + "\n", "f.obj:2: not a line of an OBJ file: \"?\"");
         row("prose", "v 0 0 0\n\"Once, upon a time\n",
             "f.obj:2: not a line of an OBJ file: \"\"Once, upon a time\"");
@@ -95,12 +93,18 @@ private slots:
         row("polygons", four + normals + "f 1//1 2//2 3//3 4//4\nf 4//4 3//3 \\\n 2//2 1//2\n");
         row("continued", four + "f 1 \\\r\n 2 \\\n3\n# c \\\nf 1 2 4 # c\n");
         row("Macintosh", QString(four + "f 1 2 3\n").replace("\n", "\r"));
+        row("mixed ends", four + "vn 0 0 1\r" + four + "f 1 2 3\r\rf 5 6 7\ncurv 1\r");
+        row("padded", four + "f 1 2 3\n\x1A" + QString(50, QChar(0)));
+        row("capitals",
+            "O a\n" + QString(four).toUpper() + "VN 0 0 1\nVT 0 0\nF 1/1/1 2/1/1 3/1/1\nCURV 1\n");
+        row("no such normals", four + "vn 0 0 1\nf 1//1 2//2 3//0\nf 1// 2// 3//\n");
+        row("colours", "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1 1\nf 1 2 3\n");
         row("objects", "o a\n" + four + "f 1 2 3\no b\nf -4 -3 -1\ng x y\nf 2 3 4\ncurv2 1\n");
     }
     void blocksAreTheText()
     {
         QFETCH(QString, text);
-        QTemporaryDir folder;
+        const QTemporaryDir folder;
         const QString path = folder.filePath("f.obj");
         const QByteArray bytes = text.toLatin1();
         test::writeBytes(path, bytes);
@@ -115,6 +119,7 @@ private slots:
             QVERIFY(test::sameBits(lists->positions, whole->positions));
             QVERIFY(test::sameBits(lists->normals, whole->normals));
             QVERIFY(lists->triangles == whole->triangles && lists->notes == whole->notes);
+            QVERIFY(test::sameBits(lists->colours, whole->colours));
             QCOMPARE(lists->areParallel, whole->areParallel);
             QVERIFY(lists->normalOf == whole->normalOf && lists->otherNormals == whole->otherNormals);
             QCOMPARE(lists->cornersWithoutNormal, whole->cornersWithoutNormal);
@@ -146,7 +151,7 @@ private slots:
         const std::vector<glm::uvec3> expected = {{0, 1, 2}};
         for (const char* face : {"f 1 2 3", "f 1/1 2/2 3/3", "f 1//1 2//1 3//1", "f 1/1/1 2/2/1 3/3/1",
                                  "f -4 -3 -2", "f -4/-1/-1 -3/1/1 -2//-1", "f\t1  2\t3 ", "f 1 2 3 # a face",
-                                 "f 1 \\\n2 \\\r\n 3", "f +1 +2 +3"}) {
+                                 "f 1 \\\n2 \\\r\n 3", "f +1 +2 +3", "f 1// 2// 3//", "F 1/1/ 2/1/ 3/1/"}) {
             const ReadMesh mesh = read(square + "vt 0 0\nvn 0 0 1\n" + face);
             QVERIFY2(mesh.objects[0].mesh.triangles == expected, face);
         }
@@ -178,8 +183,8 @@ private slots:
         QVERIFY(read(square + "f 1 2 3\nTRANSFORM\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n").notes == expected);
         // A seventeenth number is no part of it.
         QCOMPARE(errorOf(square + "TRANSFORM " + numbers + "\n5\n").line, 6);
-        QCOMPARE(read(square + "l 1 2\nl 2 3\ncurv 0 1\n").notes.size(), std::size_t(2));
-        QCOMPARE(read(square + "l 1 2\nl 2 3\n").notes[0], std::string("line 5: l skipped, 2 lines"));
+        QCOMPARE(read(square + "l 1 2\nl 2 3\ncurv 0 1\nf 1 2 3").notes.size(), std::size_t(2));
+        QCOMPARE(read(square + "l 1 2\nl 2 3\nf 1 2 3").notes[0], std::string("line 5: l skipped, 2 lines"));
     }
     void objectsAreKeptApart()
     {
