@@ -84,8 +84,9 @@ inline constexpr std::array weberPennRows{
         ParamUnit::None, {0, 10, 0.5, 3, 0.05, 3}),
     wholeRow<&WeberPennParams::flare>(
         "weberPenn.flare", RAMURE_NOOP("Flare"),
-        RAMURE_NOOP("By how much the trunk is thicker at the ground than its cone, as a share of its radius."),
-        ParamUnit::Ratio, {0, 10, 0, 2, 0.05, 3}),
+        RAMURE_NOOP("By how much the trunk is thicker at the ground than its cone, as a share of its radius; negative, "
+                    "thinner."),
+        ParamUnit::Ratio, {-1, 10, 0, 2, 0.05, 3}),
     wholeRow<&WeberPennParams::lobes>(
         "weberPenn.lobes", RAMURE_NOOP("Lobes"),
         RAMURE_NOOP("Ribs around the trunk. Cross-sections here are round: they get the radius that the ribs have on "
@@ -146,7 +147,7 @@ template <std::size_t n> inline constexpr std::array weberPennLevel{
     levelRow<n, "length", &WeberPennLevel::length>(
         RAMURE_NOOP("Length"),
         RAMURE_NOOP("As a share of the stem that carries it; of the trunk, of the height."),
-        ParamUnit::Ratio, {0, 10, 0, 2, 0.01, 3}),
+        ParamUnit::Ratio, {0, 100, 0, 2, 0.01, 3}),
     levelRow<n, "lengthV", &WeberPennLevel::lengthV>(
         RAMURE_NOOP("Length varies"),
         RAMURE_NOOP("How far that share may be more or less, by seed."),
@@ -159,8 +160,8 @@ template <std::size_t n> inline constexpr std::array weberPennLevel{
     levelRow<n, "downAngle", &WeberPennLevel::downAngle>(
         RAMURE_NOOP("Angle to the parent"),
         RAMURE_NOOP("Between a stem and the one that carries it: 0 goes on straight, a quarter turn stands away. Of the "
-                    "trunk, between it and the vertical."),
-        ParamUnit::Radian, {0, pi, 0, pi, pi / 180, 4}),
+                    "trunk, between it and the vertical. Negative: to the other side."),
+        ParamUnit::Radian, {-pi, pi, 0, pi, pi / 180, 4}),
     levelRow<n, "downAngleV", &WeberPennLevel::downAngleV>(
         RAMURE_NOOP("Angle varies"),
         RAMURE_NOOP("How far that angle may be more or less. Negative: not by chance but by height, more at the lowest "

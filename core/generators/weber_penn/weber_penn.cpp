@@ -245,7 +245,7 @@ private:
     [[nodiscard]] std::vector<Cut> graded(const Stem& stem, const std::vector<Cut>& cuts) const
     {
         std::vector<Cut> finer;
-        if (stem.level == 0 && stem.begin == 0.0 && m_params.flare > 0.0)
+        if (stem.level == 0 && stem.begin == 0.0 && m_params.flare != 0.0)
             for (const double at : {1.0 / 64, 1.0 / 32, 1.0 / 16})
                 if (at * stem.length < 0.7 * cuts.front().at)
                     finer.push_back({at * stem.length, -1, 0, -1});
@@ -301,8 +301,10 @@ private:
         double radius = radiusAt(stem, from);
         if (!isRoot)
             radius = std::min(radius, m_skeleton.a1[parent]);
-        const Index i = m_skeleton.add(parent, start, to, radius, std::min(radius, radiusAt(stem, end)),
-                                       static_cast<Index>(stem.level));
+        // Only a trunk that is thinner at the ground grows thicker on its way.
+        const bool widens = stem.level == 0 && m_params.flare < 0.0;
+        const double last = widens ? radiusAt(stem, end) : std::min(radius, radiusAt(stem, end));
+        const Index i = m_skeleton.add(parent, start, to, radius, last, static_cast<Index>(stem.level));
         const bool starts = isRoot || number > 0;
         m_skeleton.key[i] = starts ? mixBits(stem.own) : below(m_skeleton.key[parent], 0);
         return i;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <expat.h>
 #include <map>
 #include <memory>
@@ -113,11 +114,12 @@ struct Counterpart
     const char* name; ///< behind the number of the level, where there is one
     const char* key;
     double factor = 1.0;
+    bool isSpread =
+        false; ///< to both sides of an angle: the sign says nothing, nor does more than half a turn
 };
 
 constexpr std::array wholeTree{
     Counterpart{"Shape", "shape"},
-    Counterpart{"Scale", "scale"},
     Counterpart{"ScaleV", "scaleV"},
     Counterpart{"BaseSize", "baseSize"},
     Counterpart{"Ratio", "ratio"},
@@ -146,7 +148,7 @@ constexpr std::array ofLevel{
     Counterpart{"DownAngle", "downAngle", oneDegree},
     Counterpart{"DownAngleV", "downAngleV", oneDegree},
     Counterpart{"Rotate", "rotate", oneDegree},
-    Counterpart{"RotateV", "rotateV", oneDegree},
+    Counterpart{"RotateV", "rotateV", oneDegree, true},
     Counterpart{"Branches", "branches"},
 };
 
@@ -163,15 +165,19 @@ public:
     Expected<void> run(const std::string& species)
     {
         takeLevels();
+        // All that a tree is follows from its height: another one would be another tree.
+        if (const auto height = number("Scale"))
+            keep(m_sheet.set("weberPenn.scale", *height));
         for (const Counterpart& part : wholeTree)
-            take(part.name, std::string("weberPenn.") + part.key);
+            take(part, part.name, "weberPenn.", true);
         for (int level = 0; level < int(weberPennLevels); ++level)
             for (const Counterpart& part : ofLevel)
-                take(std::to_string(level) + part.name,
-                     "weberPenn.level" + std::to_string(level) + '.' + part.key, part.factor);
-        take("0BaseSplits", "weberPenn.level0.baseSplits");
+                take(part, std::to_string(level) + part.name, "weberPenn.level" + std::to_string(level) + '.',
+                     level < m_sheet.params.weberPenn.levels);
+        if (const auto splits = number("0BaseSplits"))
+            keep(m_sheet.fit("weberPenn.level0.baseSplits", *splits));
         if (const auto wider = number("0Scale"))
-            keep(m_sheet.set("weberPenn.ratio", m_sheet.params.weberPenn.ratio * *wider));
+            keep(m_sheet.fit("weberPenn.ratio", m_sheet.params.weberPenn.ratio * *wider));
         m_sheet.standAt({});
         m_sheet.dressAs(species);
         takeLeaves();
@@ -203,10 +209,14 @@ private:
         return std::nullopt;
     }
 
-    void take(std::string_view name, const std::string& key, double factor = 1.0)
+    /// \param matters the level grows
+    void take(const Counterpart& part, const std::string& name, const std::string& group, bool matters)
     {
-        if (const auto value = number(name))
-            keep(m_sheet.set(key, *value * factor));
+        auto value = number(name);
+        if (value && part.isSpread)
+            value = std::min(std::abs(*value), 180.0);
+        if (value)
+            keep(m_sheet.fit(group + part.key, *value, part.factor, matters));
     }
 
     /// Arbaro knows more of them; from the fourth on they are alike.

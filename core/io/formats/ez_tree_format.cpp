@@ -133,6 +133,11 @@ private:
         m_sheet.standAt(path);
         keep(m_sheet.set(key, value));
     }
+    void fit(std::string_view key, const std::string& path, double value)
+    {
+        m_sheet.standAt(path);
+        keep(m_sheet.fit(key, value));
+    }
 
     void setTree()
     {
@@ -144,11 +149,11 @@ private:
         set("grammar.seed", "seed", number("seed", 1));
         set("weberPenn.levels", "branch.levels", double(m_last + 1));
         set("weberPenn.scale", "branch.length.0", m_whole[0]);
-        set("weberPenn.ratio", "branch.radius.0", m_level[0].radius / m_whole[0]);
+        fit("weberPenn.ratio", "branch.radius.0", m_level[0].radius / m_whole[0]);
         if (m_last == 0)
             return;
         const Level &trunk = m_level[0], &limbs = m_level[1];
-        set("weberPenn.baseSize", "branch.start.1", limbs.start * trunk.length / m_whole[0]);
+        fit("weberPenn.baseSize", "branch.start.1", limbs.start * trunk.length / m_whole[0]);
         // In the middle of the crown, a limb is to be as thick as it is there.
         const double thinner = limbs.radius * (1.0 - trunk.taper * 0.5 * (1.0 + limbs.start));
         const double shorter = m_whole[1] / m_whole[0];
@@ -186,13 +191,13 @@ private:
         // Of stems from the second level on, the paper shortens those near the tip of the one below.
         const double shortened = i < 2 ? 1.0 : 0.7;
         if (i > 0) {
-            set(key + "length", "branch.length." + n, m_whole[i] / m_whole[i - 1] / shortened);
-            set(key + "downAngle", "branch.angle." + n, from.angle * oneDegree);
+            fit(key + "length", "branch.length." + n, m_whole[i] / m_whole[i - 1] / shortened);
+            fit(key + "downAngle", "branch.angle." + n, from.angle * oneDegree);
             set(key + "branches", "branch.children." + std::to_string(i - 1), from.children);
             level.rotate = 137.5 * oneDegree;
             level.rotateV = 20.0 * oneDegree;
         }
-        set(key + "curveRes", "branch.sections." + n, from.sections);
+        fit(key + "curveRes", "branch.sections." + n, from.sections);
         const double gnarl = std::abs(from.gnarliness) * std::max(1.0, 1.0 / std::sqrt(radiusAt(i)));
         level.curveV = std::min(gnarl * from.sections, 2.0 * pi);
     }
@@ -209,8 +214,8 @@ private:
         else if (bark != "oak" && bark != "willow" && !bark.empty())
             m_sheet.note(RAMURE_NOOP("%1 has no counterpart"), {bark});
         const double count = number("leaves.count", 1);
-        set("foliage.leafAngle", "leaves.angle", number("leaves.angle", 10) * oneDegree);
-        set("foliage.leafVariation", "leaves.sizeVariance",
+        fit("foliage.leafAngle", "leaves.angle", number("leaves.angle", 10) * oneDegree);
+        fit("foliage.leafVariation", "leaves.sizeVariance",
             std::clamp(number("leaves.sizeVariance", 0.7), 0.0, 0.9));
         const double size = number("leaves.size", 2.5);
         m_sheet.standAt("leaves.count");

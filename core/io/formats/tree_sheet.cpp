@@ -118,6 +118,20 @@ Expected<void> TreeSheet::set(std::string_view key, double value)
     return {};
 }
 
+Expected<void> TreeSheet::fit(std::string_view key, double value, double factor, bool matters)
+{
+    const ParamDef& def = *findParam(key);
+    const double given = value * factor;
+    if (def.type == ParamType::Enum || !std::isfinite(given) ||
+        (given >= def.hardMin && given <= def.hardMax))
+        return set(key, given);
+    const double nearest = std::clamp(given, def.hardMin, def.hardMax);
+    if (matters)
+        note(RAMURE_NOOP("%1 is out of range: %2 is used instead"),
+             {numberText(value), numberText(nearest / factor)});
+    return set(key, nearest);
+}
+
 void TreeSheet::dressAs(std::string_view species)
 {
     const std::string letters = lettersOf(species);
@@ -150,7 +164,7 @@ Expected<void> TreeSheet::setLeaves(double perStem, std::optional<double> length
     const double trunk = trunkRadius(params), stem = share * tree.scale * tree.level[0].length;
     params.foliage.leavesCutoff = std::clamp(maths::pow(share, tree.ratioPower), 0.001, 10.0);
     params.leaf.internode = std::clamp(stem / perStem / (plant.internode * trunk), 0.01, 1000.0);
-    return length ? set("foliage.leafSize", *length / (plant.length * trunk)) : Expected<void>();
+    return length ? fit("foliage.leafSize", *length / (plant.length * trunk)) : Expected<void>();
 }
 
 BlenderImport TreeSheet::finish(std::string name) &&

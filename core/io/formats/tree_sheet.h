@@ -30,6 +30,11 @@ public:
                                                std::vector<std::string> args = {}) const;
     /// \param key a number or a choice by its number. Error: Invalid, outside the parameter's range.
     Expected<void> set(std::string_view key, double value);
+    /// The nearest value that a parameter can have, where the file's lies outside its range; that is noted.
+    /// \param factor from the unit of the file to that of the program
+    /// \param matters false: it has no effect on this tree, and needs no note
+    /// Error: Invalid (not finite, or not whole where the parameter is).
+    Expected<void> fit(std::string_view key, double value, double factor = 1.0, bool matters = true);
     /// Leaves and bark of the species with this name, whatever its spelling, or else of a plant whose name is
     /// part of it: "quaking_aspen", "ca_black_oak". What was taken is noted.
     void dressAs(std::string_view species);

@@ -103,6 +103,45 @@ private slots:
         QCOMPARE(growWeberPenn({}, 1, progress).error().code, ErrorCode::Cancelled);
     }
 
+    /// Thinner at the ground than above, and no thinner above than without the flare.
+    void negativeFlaresNarrowTheFoot()
+    {
+        WeberPennParams params;
+        params.levels = 1;
+        params.lobes = 0;
+        params.flare = 0.0;
+        const auto plain = growWeberPenn(params, 1);
+        params.flare = -0.8;
+        const auto narrow = growWeberPenn(params, 1);
+        QVERIFY(plain && narrow);
+        const double wide = plain->a0.front();
+        QVERIFY(narrow->a0.front() < 0.25 * wide && narrow->a0.front() > 0.15 * wide);
+        double widest = 0.0;
+        for (Index i = 0; i < Index(narrow->size()); ++i) {
+            widest = std::max(widest, narrow->a1[i]);
+            if (narrow->parent[i] != noIndex)
+                QCOMPARE(narrow->a0[i], narrow->a1[narrow->parent[i]]); // no step
+        }
+        QVERIFY(widest > 0.8 * wide);
+    }
+    void negativeDownAnglesLeanToTheOtherSide()
+    {
+        WeberPennParams params;
+        params.levels = 2;
+        params.scaleV = 0.0;
+        for (WeberPennLevel& level : params.level)
+            level.curve = level.curveV = level.downAngleV = level.rotateV = 0.0;
+        const auto there = growWeberPenn(params, 1);
+        params.level[1].downAngle = -params.level[1].downAngle;
+        const auto back = growWeberPenn(params, 1);
+        QVERIFY(there && back);
+        QCOMPARE(there->size(), back->size());
+        for (Index i = 0; i < Index(there->size()); ++i) {
+            const glm::dvec3 a = there->p1[i], b = back->p1[i];
+            QVERIFY(std::abs(a.x + b.x) < 1e-9 && std::abs(a.y - b.y) < 1e-9 && std::abs(a.z + b.z) < 1e-9);
+        }
+    }
+
     void sameSeedSameTree()
     {
         const auto first = growWeberPenn({}, 5);

@@ -6,6 +6,8 @@
 #include <QFile>
 #include <QTemporaryDir>
 #include <cmath>
+#include <numbers>
+#include <tuple>
 
 namespace tst_arbaro_format {
 
@@ -197,6 +199,97 @@ private slots:
         QCOMPARE(named("Japanese Maple").leaf.shape, LeafShape::JapaneseMaple);
         QCOMPARE(named("weeping-willow").bark, presetParams("WeepingWillow")->bark);
         QCOMPARE(named("triffid").leaf.shape, LeafShape::Beech);
+    }
+    /// Its own program's ranges; of those without an end some number far out. None is refused, and what is
+    /// changed is noted at its line.
+    void everyNumberThatItAllowsIsRead_data()
+    {
+        QTest::addColumn<QByteArray>("name");
+        QTest::addColumn<double>("low");
+        QTest::addColumn<double>("high");
+        const auto row = [](const char* name, double low, double high) {
+            QTest::newRow(name) << QByteArray(name) << low << high;
+        };
+        constexpr double far = 1e6;
+        row("ScaleV", 0, far);
+        row("BaseSize", 0, 1);
+        row("Ratio", 1e-6, far);
+        row("RatioPower", -far, far);
+        row("Flare", -1, far);
+        row("Lobes", 0, far);
+        row("LobeDepth", 0, far);
+        row("Leaves", -far, far);
+        row("LeafScale", 1e-6, far);
+        row("LeafScaleX", 1e-6, far);
+        row("LeafBend", 0, 1);
+        row("LeafStemLen", -far, far);
+        row("LeafDistrib", 0, 8);
+        row("LeafQuality", 1e-6, 1);
+        row("Smooth", 0, 1);
+        row("AttractionUp", -far, far);
+        row("PruneRatio", 0, 1);
+        row("PruneWidth", 0, 1);
+        row("PruneWidthPeak", 0, 1);
+        row("PrunePowerLow", 0, far);
+        row("PrunePowerHigh", 0, far);
+        row("0Scale", 1e-6, far);
+        row("0ScaleV", 0, far);
+        row("0BaseSplits", 0, far);
+        for (const char level : {'0', '1', '2', '3'})
+            for (const auto& [name, low, high] :
+                 {std::tuple("Length", 1e-7, far), std::tuple("LengthV", 0.0, far),
+                  std::tuple("Taper", 0.0, 2.99999999), std::tuple("SegSplits", 0.0, far),
+                  std::tuple("SplitAngle", 0.0, 180.0), std::tuple("SplitAngleV", 0.0, 180.0),
+                  std::tuple("CurveRes", 1.0, far), std::tuple("Curve", -far, far),
+                  std::tuple("CurveBack", -far, far), std::tuple("CurveV", -90.0, far),
+                  std::tuple("DownAngle", -179.9999999, 179.999999),
+                  std::tuple("DownAngleV", -179.9999999, 179.9999999), std::tuple("Rotate", -360.0, 360.0),
+                  std::tuple("RotateV", -360.0, 360.0), std::tuple("Branches", 0.0, far),
+                  std::tuple("BranchDist", 0.0, 1.0)})
+                row((level + std::string(name)).c_str(), low, high);
+    }
+    void everyNumberThatItAllowsIsRead()
+    {
+        QFETCH(const QByteArray, name);
+        QFETCH(const double, low);
+        QFETCH(const double, high);
+        const auto readWith = [&](double value) {
+            QByteArray text = aspen;
+            const QByteArray line =
+                "    <param name='" + name + "' value='" + QByteArray::number(value, 'g', 17) + "'/>\n";
+            const auto old = text.indexOf("    <param name='" + name + '\'');
+            if (old >= 0)
+                text.remove(old, text.indexOf('\n', old) + 1 - old);
+            return read(text.replace("  </species>", line + "  </species>"));
+        };
+        for (const double value : {low, high}) {
+            const auto import = readWith(value);
+            QVERIFY2(import, test::why(import));
+            QVERIFY(checkParams(import->nodes[0].params));
+        }
+        if (high == 1e6 && name != "Leaves" && name != "LeafScale" && !name.startsWith("2B") &&
+            name[0] != '3')
+            QVERIFY(notes(*readWith(high), name));
+    }
+    /// Two levels grow: what the others say has no effect, and needs no remark.
+    void levelsThatDoNotGrowAreNotNoted()
+    {
+        const auto import =
+            read(with("Levels", "2").replace("'2Length' value='0.6'", "'2Length' value='2000'"));
+        QVERIFY2(import, test::why(import));
+        QVERIFY(!notes(*import, "2Length"));
+        QVERIFY(notes(*read(with("2Length", "2000")), "2Length"));
+    }
+    void numbersBeyondArbarosAreClamped()
+    {
+        const auto steep = read(with("1DownAngle", "-170"));
+        QCOMPARE(steep->nodes[0].params.weberPenn.level[1].downAngle, -170.0 / 180.0 * std::numbers::pi);
+        QVERIFY(!notes(*steep, "1DownAngle"));
+        const auto bare = read(with("BaseSize", "1"));
+        QCOMPARE(bare->nodes[0].params.weberPenn.baseSize, 0.99);
+        const auto note = std::ranges::find(bare->notes, "BaseSize", &Note::path);
+        QVERIFY(note != bare->notes.end());
+        QCOMPARE(note->plain(), std::string("1 is out of range: 0.99 is used instead"));
     }
     void whatGoesTooFarIsNoted()
     {
