@@ -3606,10 +3606,6 @@
         <translation>deux unités ne peuvent être multipliées ici</translation>
     </message>
     <message>
-        <source>too many levels</source>
-        <translation>trop de niveaux</translation>
-    </message>
-    <message>
         <source>a unit cannot have a power here</source>
         <translation>une unité ne peut avoir de puissance ici</translation>
     </message>
@@ -3624,14 +3620,6 @@
     <message>
         <source>a number is missing here</source>
         <translation>il manque un nombre ici</translation>
-    </message>
-    <message>
-        <source>a closing bracket is missing</source>
-        <translation>il manque une parenthèse fermante</translation>
-    </message>
-    <message>
-        <source>unknown function</source>
-        <translation>fonction inconnue</translation>
     </message>
     <message>
         <source>The clipboard holds no copied parameters</source>
@@ -3904,22 +3892,6 @@
     <message>
         <source>the time lies beyond what the physics counts</source>
         <translation>ce moment dépasse ce que la physique peut compter</translation>
-    </message>
-    <message>
-        <source>the result is no number</source>
-        <translation>le résultat n’est pas un nombre</translation>
-    </message>
-    <message>
-        <source>the result is too large</source>
-        <translation>le résultat est trop grand</translation>
-    </message>
-    <message>
-        <source>only finite numbers can be used</source>
-        <translation>seuls les nombres finis sont possibles</translation>
-    </message>
-    <message>
-        <source>this number is too large</source>
-        <translation>ce nombre est trop grand</translation>
     </message>
     <message>
         <source>the bend of a branch must be finite</source>
@@ -5598,10 +5570,6 @@
         <translation>un opérateur ou la fin de la ligne est attendu ici</translation>
     </message>
     <message>
-        <source>a module is expected here: a letter or one of %1</source>
-        <translation>un module est attendu ici : une lettre ou l’un de %1</translation>
-    </message>
-    <message>
         <source>&quot;-&gt;&quot;, &quot;:&quot;, &quot;&lt;&quot; or &quot;&gt;&quot; is expected here: a module or a context is one letter, and its names stand in brackets</source>
         <translation>«&#xa0;-&gt;&#xa0;», «&#xa0;:&#xa0;», «&#xa0;&lt;&#xa0;» ou «&#xa0;&gt;&#xa0;» est attendu ici : un module ou un contexte est une seule lettre, et ses noms sont entre parenthèses</translation>
     </message>
@@ -5858,10 +5826,6 @@
         <translation>Empattement</translation>
     </message>
     <message>
-        <source>By how much the trunk is thicker at the ground than its cone, as a share of its radius.</source>
-        <translation>De combien le tronc est plus épais au sol que son cône, comme part de son rayon.</translation>
-    </message>
-    <message>
         <source>Lobes</source>
         <translation>Lobes</translation>
     </message>
@@ -5952,10 +5916,6 @@
     <message>
         <source>Angle to the parent</source>
         <translation>Angle au parent</translation>
-    </message>
-    <message>
-        <source>Between a stem and the one that carries it: 0 goes on straight, a quarter turn stands away. Of the trunk, between it and the vertical.</source>
-        <translation>Entre une tige et celle qui la porte : 0 continue tout droit, un quart de tour s’en écarte. Pour le tronc, entre lui et la verticale.</translation>
     </message>
     <message>
         <source>Angle varies</source>
@@ -7548,6 +7508,86 @@
     <message>
         <source>the file holds %1 points and no faces: there is no surface to read</source>
         <translation>le fichier contient %1 points et aucune face : il n’y a pas de surface à lire</translation>
+    </message>
+    <message>
+        <source>%1 grows branches here and is not read as &quot;%2&quot;: write &quot;%2&quot;, or put a backquote in front of it to keep it</source>
+        <translation>%1 fait pousser des branches ici et n’est pas lu comme « %2 » : écrivez « %2 », ou mettez un accent grave devant pour le garder</translation>
+    </message>
+    <message>
+        <source>%1 is read as several symbols, one per byte, and each of them grows a branch</source>
+        <translation>%1 est lu comme plusieurs symboles, un par octet, dont chacun fait pousser une branche</translation>
+    </message>
+    <message>
+        <source>%1 grows branches here: remove it, or put a backquote in front of it to keep it</source>
+        <translation>%1 fait pousser des branches ici : supprimez-le, ou mettez un accent grave devant pour le garder</translation>
+    </message>
+    <message>
+        <source>this line is a comment: %1 is only read in the language &quot;Modules with numbers&quot; (grammar.dialect=parametric)</source>
+        <translation>cette ligne est un commentaire : %1 n’est lu que dans le langage « Modules avec nombres » (grammar.dialect=parametric)</translation>
+    </message>
+    <message>
+        <source>numbers, contexts and conditions belong to the language &quot;Modules with numbers&quot; (grammar.dialect=parametric)</source>
+        <translation>les nombres, les contextes et les conditions appartiennent au langage « Modules avec nombres » (grammar.dialect=parametric)</translation>
+    </message>
+    <message>
+        <source>%1 has no meaning here: remove it</source>
+        <translation>%1 n’a pas de sens ici : supprimez-le</translation>
+    </message>
+    <message>
+        <source>%1 is not &quot;%2&quot;: write &quot;%2&quot;</source>
+        <translation>%1 n’est pas « %2 » : écrivez « %2 »</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is neither a number nor a function</source>
+        <translation>« %1 » n’est ni un nombre ni une fonction</translation>
+    </message>
+    <message>
+        <source>macros with parameters are not supported: write out &quot;%1&quot; where it is used</source>
+        <translation>les macros à paramètres ne sont pas prises en charge : écrivez « %1 » en entier là où il sert</translation>
+    </message>
+    <message>
+        <source>the axiom does not belong among the rules: write it under Axiom (grammar.axiom)</source>
+        <translation>l’axiome n’a pas sa place parmi les règles : écrivez-le sous Axiome (grammar.axiom)</translation>
+    </message>
+    <message>
+        <source>the number of steps does not belong among the rules: set Iterations (grammar.iterations)</source>
+        <translation>le nombre d’étapes n’a pas sa place parmi les règles : réglez Itérations (grammar.iterations)</translation>
+    </message>
+    <message>
+        <source>a weight stands before its outcome: &quot;0.5: F | 0.5: FF&quot;</source>
+        <translation>un poids se place devant son issue : « 0.5: F | 0.5: FF »</translation>
+    </message>
+    <message>
+        <source>tables of colours are not supported: leave &apos; out</source>
+        <translation>les tables de couleurs ne sont pas prises en charge : supprimez le signe &apos;</translation>
+    </message>
+    <message>
+        <source>polygons are not supported: write an organ such as ~(leaf, 0.1) instead</source>
+        <translation>les polygones ne sont pas pris en charge : écrivez plutôt un organe comme ~(leaf, 0.1)</translation>
+    </message>
+    <message>
+        <source>a module is expected here: a letter, a digit or one of %1</source>
+        <translation>un module est attendu ici : une lettre, un chiffre ou l’un de %1</translation>
+    </message>
+    <message>
+        <source>files are not included: paste the text of the file here, or write an organ such as ~(leaf, 0.1) for a shape</source>
+        <translation>les fichiers ne sont pas inclus : collez ici le texte du fichier, ou écrivez un organe comme ~(leaf, 0.1) pour une forme</translation>
+    </message>
+    <message>
+        <source>this comment is never closed: &quot;*/&quot; is missing</source>
+        <translation>ce commentaire n’est jamais fermé : « */ » manque</translation>
+    </message>
+    <message>
+        <source>%1 is out of range: %2 is used instead</source>
+        <translation>%1 est hors limites : %2 le remplace</translation>
+    </message>
+    <message>
+        <source>By how much the trunk is thicker at the ground than its cone, as a share of its radius; negative, thinner.</source>
+        <translation>De combien le tronc est plus épais au sol que son cône, comme part de son rayon ; négatif, plus mince.</translation>
+    </message>
+    <message>
+        <source>Between a stem and the one that carries it: 0 goes on straight, a quarter turn stands away. Of the trunk, between it and the vertical. Negative: to the other side.</source>
+        <translation>Entre une tige et celle qui la porte : 0 continue tout droit, un quart de tour s’en écarte. Pour le tronc, entre lui et la verticale. Négatif : de l’autre côté.</translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,6 @@
 #include "widgets/base/number_format.h"
 
-#include "widgets/base/expression.h"
+#include "core/generators/parametric/quantity.h"
 #include <QCoreApplication>
 #include <QLocale>
 #include <algorithm>
@@ -49,7 +49,7 @@ Expected<double> NumberFormat::parse(const QString& text) const
 {
     if (!atZero.isEmpty() && text == atZero)
         return 0.0;
-    auto value = evaluateExpression(text, unit, 1.0 / factor);
+    auto value = evaluateQuantity(text.toStdString(), unit, 1.0 / factor);
     if (value && whole)
         *value = std::round(*value);
     return value;

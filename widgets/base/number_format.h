@@ -23,7 +23,7 @@ struct NumberFormat
     /// to show three digits, but only down to where the unit has no use any more: a rest of arithmetic is
     /// shown as 0, never as -0 nor with an exponent.
     [[nodiscard]] QString text(double value) const;
-    /// Arithmetic and units (widgets/base/expression.h); integers are rounded.
+    /// Arithmetic and units (core/generators/parametric/quantity.h); integers are rounded.
     [[nodiscard]] Expected<double> parse(const QString& text) const;
 };
 

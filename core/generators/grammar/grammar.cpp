@@ -1,6 +1,7 @@
 #include "core/generators/grammar/grammar.h"
 
 #include "core/base/number_text.h"
+#include "core/generators/grammar/lookalikes.h"
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -123,6 +124,104 @@ Expected<void> checkBrackets(Glyphs glyphs)
         });
 }
 
+/// What a symbol in ASCII is easily written for; quotes are none of the language.
+std::optional<std::string> plainOf(char symbol)
+{
+    switch (symbol) {
+    case '{':
+        return "[";
+    case '}':
+        return "]";
+    case '\'':
+    case '"':
+        return "";
+    default:
+        return std::nullopt;
+    }
+}
+
+GrammarNote noteOn(const std::string& shown, const std::optional<std::string>& plain)
+{
+    const bool isNothing = plain && (plain->empty() || *plain == " ");
+    const char* text = RAMURE_NOOP("%1 grows branches here and is not read as \"%2\": write \"%2\", or put a "
+                                   "backquote in front of it to keep it");
+    if (!plain)
+        text = RAMURE_NOOP("%1 is read as several symbols, one per byte, and each of them grows a branch");
+    else if (isNothing)
+        text = RAMURE_NOOP("%1 grows branches here: remove it, or put a backquote in front of it to keep it");
+    GrammarNote note;
+    note.replacement = plain;
+    note.what = fail(ErrorCode::Invalid, text, {shown, plain.value_or("")}).value();
+    return note;
+}
+
+/// Remarks on a text; each is dropped in the end where a rule replaces its symbol.
+class SymbolNotes
+{
+public:
+    SymbolNotes(GrammarNotes& notes, const char* path)
+        : m_notes(notes)
+        , m_path(path)
+    {
+    }
+
+    void add(GrammarNote note, const Place& place)
+    {
+        note.what.path = m_path;
+        note.what.line = place.line;
+        note.what.column = place.column;
+        m_notes.push_back(std::move(note));
+    }
+
+    void read(Glyphs glyphs)
+    {
+        const std::string text = textOf(glyphs);
+        for (std::size_t i = 0; i < text.size(); i += characterSize(text, i)) {
+            if (glyphs[i].escaped)
+                continue;
+            const std::size_t size = characterSize(text, i);
+            const bool isAscii = static_cast<unsigned char>(text[i]) < 0x80;
+            std::optional<std::string> plain;
+            if (isAscii)
+                plain = plainOf(text[i]);
+            else if (const auto found = lookalikeAt(text, i))
+                plain = found->plain;
+            if (!plain && size == 1)
+                continue;
+            GrammarNote note = noteOn(shownCharacter(text, i), plain);
+            note.size = size;
+            note.symbol = text[i];
+            add(std::move(note), {glyphs[i].line, glyphs[i].column});
+        }
+    }
+
+private:
+    GrammarNotes& m_notes;
+    const char* m_path;
+};
+
+/// Lines that other programs understand, and that are comments here.
+std::optional<std::string> directiveOf(std::string_view line)
+{
+    const auto end = std::ranges::find_if(line.substr(1), [](char c) { return c < 'a' || c > 'z'; });
+    const std::string word(line.begin(), end);
+    const bool isKnown = word == "#define" || word == "#ignore" || word == "#consider" || word == "#include";
+    return isKnown ? std::optional(word) : std::nullopt;
+}
+
+GrammarNote commentNote(const std::string& directive)
+{
+    GrammarNote note;
+    note.size = directive.size();
+    note.what =
+        fail(ErrorCode::Invalid,
+             RAMURE_NOOP("this line is a comment: %1 is only read in the language \"Modules with numbers\" "
+                         "(grammar.dialect=parametric)"),
+             {directive})
+            .value();
+    return note;
+}
+
 Expected<void> checkProbability(double probability, const Place& place)
 {
     if (!std::isfinite(probability))
@@ -151,22 +250,27 @@ class RuleParser
 public:
     /// \param endColumn where a missing part is reported; \param brackets check them
     RuleParser(Glyphs line, int endColumn, bool brackets)
-        : m_line(line)
+        : m_number(line[0].line)
+        , m_line(line.subspan(labelOf(line)))
+        , m_label(textOf(line.first(line.size() - m_line.size())))
         , m_endColumn(endColumn)
         , m_brackets(brackets)
     {
     }
 
+    /// What stands behind the arrow; everything where there is none.
+    [[nodiscard]] Glyphs rightSide() const { return m_line.subspan(m_right); }
+
     Expected<Rule> parse()
     {
-        const bool startsWithArrow = arrowAt(0) && !arrowAt(1);
+        const bool startsWithArrow = arrowAt(0) > 0 && arrowAt(1) == 0;
         if (startsWithArrow)
             return failAt(placeAt(0), ErrorCode::Syntax, RAMURE_NOOP("there is no symbol before \"->\""));
-        if (!arrowAt(1))
-            return failAt(placeAt(1), ErrorCode::Syntax, RAMURE_NOOP("\"->\" must follow the symbol %1"),
-                          {nameOf(m_line[0].symbol)});
+        if (arrowAt(1) == 0)
+            return noArrow();
         m_rule.symbol = m_line[0].symbol;
-        const Glyphs right = m_line.subspan(3);
+        m_right = 1 + arrowAt(1);
+        const Glyphs right = rightSide();
         const bool hasChoices =
             std::ranges::any_of(right, [](const Glyph& g) { return g.isMark('|') || g.isMark(':'); });
         const Expected<void> done = hasChoices ? parseChoices() : takeText(right, m_rule.defaultText);
@@ -176,13 +280,53 @@ public:
     }
 
 private:
-    [[nodiscard]] bool arrowAt(std::size_t i) const
+    /// Symbols of a name for the rule in front of it, "p1:", as books have them.
+    static std::size_t labelOf(Glyphs line)
     {
-        return i + 1 < m_line.size() && m_line[i].isMark('-') && m_line[i + 1].isMark('>');
+        const auto end = std::ranges::find_if_not(line, [](const Glyph& glyph) {
+            const char c = glyph.symbol;
+            return !glyph.escaped &&
+                   ((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'));
+        });
+        const auto size = static_cast<std::size_t>(end - line.begin());
+        return size > 1 && size < line.size() && end->isMark(':') ? size + 1 : 0;
+    }
+
+    /// How many symbols of an arrow stand there, "->" or a typographic one.
+    [[nodiscard]] std::size_t arrowAt(std::size_t i) const
+    {
+        if (i + 1 < m_line.size() && m_line[i].isMark('-') && m_line[i + 1].isMark('>'))
+            return 2;
+        const auto found = characterAt(i);
+        return found && found->plain == "->" ? found->size : 0;
+    }
+    [[nodiscard]] std::optional<Lookalike> characterAt(std::size_t i) const
+    {
+        return i < m_line.size() && !m_line[i].escaped ? lookalikeAt(textOf(m_line), i) : std::nullopt;
     }
     [[nodiscard]] Place placeAt(std::size_t i) const
     {
-        return {m_line[0].line, i < m_line.size() ? m_line[i].column : m_endColumn};
+        return {m_number, i < m_line.size() ? m_line[i].column : m_endColumn};
+    }
+
+    [[nodiscard]] tl::unexpected<Error> noArrow() const
+    {
+        const std::size_t at = characterAt(0) ? 0 : 1;
+        const Place place = placeAt(at);
+        if (const auto found = characterAt(at)) {
+            const Error error = lookalikeError(shownCharacter(textOf(m_line), at), found->plain);
+            return failAt(place, error.code, error.text, error.args);
+        }
+        constexpr std::string_view ofModules = "(<>:";
+        const bool isOfModules =
+            at < m_line.size() && ofModules.find(m_line[at].symbol) != std::string_view::npos;
+        if (isOfModules || m_label == "ignore:" || m_label == "consider:")
+            return failAt(
+                place, ErrorCode::Syntax,
+                RAMURE_NOOP("numbers, contexts and conditions belong to the language \"Modules with "
+                            "numbers\" (grammar.dialect=parametric)"));
+        return failAt(place, ErrorCode::Syntax, RAMURE_NOOP("\"->\" must follow the symbol %1"),
+                      {m_line.empty() ? m_label : nameOf(m_line[0].symbol)});
     }
 
     Expected<void> takeText(Glyphs glyphs, std::string& text)
@@ -193,7 +337,7 @@ private:
 
     Expected<void> parseChoices()
     {
-        for (std::size_t from = 3; from <= m_line.size();) {
+        for (std::size_t from = m_right; from <= m_line.size();) {
             std::size_t to = from;
             while (to < m_line.size() && !m_line[to].isMark('|'))
                 ++to;
@@ -203,7 +347,7 @@ private:
         }
         if (!m_hasDefault && !m_rule.replacements.empty())
             m_rule.defaultText = m_rule.replacements.front();
-        return checkSum(m_rule.probabilities, placeAt(3));
+        return checkSum(m_rule.probabilities, placeAt(m_right));
     }
 
     Expected<void> parseChoice(std::size_t from, std::size_t to)
@@ -246,7 +390,10 @@ private:
         return takeText(text, m_rule.replacements.emplace_back());
     }
 
+    int m_number; ///< of the line
     Glyphs m_line;
+    std::string m_label;
+    std::size_t m_right = 0;
     int m_endColumn;
     bool m_brackets;
     bool m_hasDefault = false;
@@ -266,19 +413,27 @@ Expected<void> claimSymbol(RuleLines& lines, char symbol, const Place& place)
     return {};
 }
 
-Expected<std::vector<Rule>> readRules(std::string_view text, bool brackets)
+Expected<std::vector<Rule>> readRules(std::string_view text, bool brackets, GrammarNotes& notes)
 {
+    SymbolNotes remarks(notes, rulesPath);
     std::vector<Rule> rules;
     std::vector<Glyph> glyphs;
     RuleLines ruleLines{};
     const auto done = forEachLine(text, [&](std::string_view line, int number) -> Expected<void> {
         const std::size_t first = line.find_first_not_of(" \t\r");
-        if (first == std::string_view::npos || line[first] == '#')
+        if (first == std::string_view::npos)
             return {};
+        if (line[first] == '#') {
+            if (const auto word = directiveOf(line.substr(first)))
+                remarks.add(commentNote(*word), {number, static_cast<int>(first) + 1});
+            return {};
+        }
         glyphs.clear();
         if (auto read = appendLine(line, number, glyphs); !read)
             return read;
-        auto rule = RuleParser(glyphs, static_cast<int>(line.size()) + 1, brackets).parse();
+        RuleParser parser(glyphs, static_cast<int>(line.size()) + 1, brackets);
+        auto rule = parser.parse();
+        remarks.read(parser.rightSide());
         if (!rule)
             return fail(rule.error());
         rules.push_back(std::move(*rule));
@@ -289,11 +444,12 @@ Expected<std::vector<Rule>> readRules(std::string_view text, bool brackets)
     return rules;
 }
 
-Expected<std::string> readAxiom(std::string_view text, bool brackets)
+Expected<std::string> readAxiom(std::string_view text, bool brackets, GrammarNotes& notes)
 {
     std::vector<Glyph> glyphs;
     auto done = forEachLine(
         text, [&](std::string_view line, int number) { return appendLine(line, number, glyphs); });
+    SymbolNotes(notes, axiomPath).read(glyphs);
     if (done && brackets)
         done = checkBrackets(glyphs);
     if (!done)
@@ -356,20 +512,33 @@ void appendText(std::string& out, const std::string& text)
 
 Expected<std::vector<Rule>> parseRules(std::string_view text)
 {
-    return readRules(text, false);
+    GrammarNotes notes;
+    return readRules(text, false, notes);
 }
 
 Expected<std::string> parseAxiom(std::string_view text)
 {
-    return readAxiom(text, false);
+    GrammarNotes notes;
+    return readAxiom(text, false, notes);
 }
 
-Expected<Grammar> parseGrammar(std::string_view axiom, std::string_view rules)
+Expected<Grammar> parseGrammar(std::string_view axiom, std::string_view rules, GrammarNotes* notes)
 {
-    auto readAxiomText = readAxiom(axiom, true);
+    GrammarNotes found;
+    auto readAxiomText = readAxiom(axiom, true, found);
+    auto readRuleList = readRules(rules, true, found);
+    if (notes) {
+        // A symbol with a rule is meant as it stands.
+        std::array<bool, 256> isReplaced{};
+        for (const Rule& rule : readRuleList.value_or(std::vector<Rule>()))
+            isReplaced[static_cast<unsigned char>(rule.symbol)] = true;
+        std::erase_if(found, [&](const GrammarNote& note) {
+            return isReplaced[static_cast<unsigned char>(note.symbol)];
+        });
+        *notes = std::move(found);
+    }
     if (!readAxiomText)
         return withPath(std::move(readAxiomText.error()), axiomPath);
-    auto readRuleList = readRules(rules, true);
     if (!readRuleList)
         return withPath(std::move(readRuleList.error()), rulesPath);
     return Grammar{std::move(*readAxiomText), std::move(*readRuleList)};

@@ -1,10 +1,11 @@
 /// \file
 /// A grammar: axiom and rules, and the text form in which users write rules.
 ///
-/// Text form. One rule a line; blank lines and lines that begin with # are skipped. Spaces and tabs never
-/// count, neither around the parts nor inside a replacement (`A -> B B` is `A -> BB`).
+/// Text form. One rule a line, a label of two or more letters and digits may stand in front of it; blank
+/// lines and lines that begin with # are skipped. Spaces and tabs never count, neither around the parts nor
+/// inside a replacement (`A -> B B` is `A -> BB`).
 ///
-///     rule         = symbol "->" right-hand side
+///     rule         = [ label ":" ] symbol "->" right-hand side       an arrow of typography will do
 ///     right side   = text                                  the default; empty deletes the symbol
 ///                  | choice { "|" choice }                 where the line has a `:` or a `|`
 ///     choice       = number ":" text | "default:" text
@@ -17,6 +18,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/generators/grammar/grammar_note.h"
 #include <string>
 #include <string_view>
 #include <vector>
@@ -48,7 +50,10 @@ Expected<std::vector<Rule>> parseRules(std::string_view text);
 Expected<std::string> parseAxiom(std::string_view text);
 /// Both; and unbalanced brackets in the axiom or in any replacement are an error with line and column. Every
 /// error has path = "grammar.axiom" or "grammar.rules".
-Expected<Grammar> parseGrammar(std::string_view axiom, std::string_view rules);
+/// \param notes where not null, gets remarks on symbols that grow branches though they look like others
+/// (core/generators/grammar/lookalikes.h), and on comments that other programs read as commands; also on an
+/// error, as far as the text was read. Symbols that are escaped or have a rule get none.
+Expected<Grammar> parseGrammar(std::string_view axiom, std::string_view rules, GrammarNotes* notes = nullptr);
 /// The same for a grammar built in code, and lists of different length. Here line = number of the rule (none
 /// for the axiom) and column = position in the text concerned.
 Expected<void> checkGrammar(const Grammar& grammar);

@@ -23,9 +23,11 @@ struct Contexts
 {
     std::vector<Index> left, right;
 
-    explicit Contexts(const std::vector<Module>& modules)
+    /// \param ignored letters that are nobody's neighbour
+    Contexts(const std::vector<Module>& modules, const std::array<bool, 128>& ignored)
         : left(modules.size(), noIndex)
         , right(modules.size(), noIndex)
+        , m_ignored(ignored)
     {
         std::vector<Index> levels{noIndex};
         for (std::size_t i = 0; i < modules.size(); ++i)
@@ -37,8 +39,8 @@ struct Contexts
 
 private:
     /// \param inherits a branch begins with the neighbour of its bracket; without, with none.
-    static void step(char name, char open, char close, Index i, bool inherits, std::vector<Index>& found,
-                     std::vector<Index>& levels)
+    void step(char name, char open, char close, Index i, bool inherits, std::vector<Index>& found,
+              std::vector<Index>& levels) const
     {
         if (name == open) {
             levels.push_back(inherits ? levels.back() : noIndex);
@@ -46,9 +48,12 @@ private:
             levels.pop_back();
         } else {
             found[i] = levels.back();
-            levels.back() = i;
+            if (!m_ignored[static_cast<unsigned char>(name)])
+                levels.back() = i;
         }
     }
+
+    const std::array<bool, 128>& m_ignored;
 };
 
 class Round
@@ -75,7 +80,7 @@ public:
         out.numbers.clear();
         out.keys.clear();
         if (m_grammar.usesContext)
-            m_contexts.emplace(in.modules);
+            m_contexts.emplace(in.modules, m_grammar.isIgnored);
         std::size_t looked = 0;
         for (std::size_t i = 0; i < in.modules.size();) {
             if (i >= looked + modulesAtATime) {

@@ -19,6 +19,10 @@ constexpr int deepestNesting = 100;
 constexpr std::size_t stackSize = 10 * std::size_t(deepestNesting);
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
+/// Flags of a constant in a number field.
+constexpr std::uint32_t measured = 1; ///< its value is in the unit of the program
+constexpr std::uint32_t ofPi = 2;
+
 /// Not a number where one side is none: so the end of the expression sees it.
 double compared(Op op, double a, double b)
 {
@@ -77,15 +81,22 @@ double applied(Op op, double a)
         return std::sqrt(a);
     case Op::Sin:
         return maths::sin(std::fmod(a, 360.0) * oneDegree);
+    case Op::Tan:
+        return maths::tan(std::fmod(a, 360.0) * oneDegree);
     default:
         return maths::cos(std::fmod(a, 360.0) * oneDegree);
     }
 }
 
+bool isOfAngle(Op op)
+{
+    return op == Op::Sin || op == Op::Cos || op == Op::Tan;
+}
+
 bool isUnary(Op op)
 {
     return op == Op::Negate || op == Op::Not || op == Op::Truth || op == Op::Abs || op == Op::Sqrt ||
-           op == Op::Sin || op == Op::Cos;
+           isOfAngle(op);
 }
 
 double drawn(double a, double b, const ExpressionInputs& inputs, std::uint32_t number)
@@ -95,6 +106,11 @@ double drawn(double a, double b, const ExpressionInputs& inputs, std::uint32_t n
     constexpr std::uint64_t step = 0x9E3779B97F4A7C15ull;
     return Random(inputs.seed, RandomStream::Rewrite, mixBits(inputs.key + step * (number + 1ull)))
         .range(a, b);
+}
+
+char lowered(char c)
+{
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c | 0x20) : c;
 }
 
 } // namespace
@@ -156,7 +172,7 @@ public:
 
     Expected<Expression> parse()
     {
-        if (auto done = either(); !done)
+        if (auto done = whole(); !done)
             return fail(done.error());
         const auto& steps = m_made.m_steps;
         m_made.m_isProduct = steps.size() == 3 && steps[0].op == Op::Parameter &&
@@ -164,8 +180,23 @@ public:
         return std::move(m_made);
     }
 
+    /// The value of a number field, to the end of the text.
+    Expected<double> parseQuantity()
+    {
+        const TextPlace start = m_text.place();
+        if (auto done = whole(); !done)
+            return fail(done.error());
+        if (!m_text.atEnd())
+            return failAt(m_text.place(), ErrorCode::Syntax, RAMURE_NOOP("this cannot be read as a number"));
+        const double value = inUnit(m_made.m_steps.back());
+        if (!std::isfinite(value))
+            return failAt(start, ErrorCode::Invalid, RAMURE_NOOP("the result is not a finite number"));
+        return value;
+    }
+
 private:
     using Done = Expected<void>;
+    using Step = Expression::Step;
     using Level = Done (ExpressionParser::*)();
     struct Sign
     {
@@ -173,13 +204,15 @@ private:
         Op op;
     };
 
-    Done either() { return chained("||", Op::SkipIfTrue, &ExpressionParser::both); }
-    Done both() { return chained("&&", Op::SkipIfFalse, &ExpressionParser::comparison); }
+    Done whole() { return m_names.units ? sum() : either(); }
+    Done either() { return chained("|", Op::SkipIfTrue, &ExpressionParser::both); }
+    Done both() { return chained("&", Op::SkipIfFalse, &ExpressionParser::comparison); }
     Done comparison()
     {
         static constexpr std::array signs{Sign{"<=", Op::LessEqual}, Sign{">=", Op::GreaterEqual},
                                           Sign{"==", Op::Equal},     Sign{"!=", Op::NotEqual},
-                                          Sign{"<", Op::Less},       Sign{">", Op::Greater}};
+                                          Sign{"<", Op::Less},       Sign{">", Op::Greater},
+                                          Sign{"=", Op::Equal}};
         return binary(signs, &ExpressionParser::sum, false);
     }
     Done sum()
@@ -190,7 +223,54 @@ private:
     Done product()
     {
         static constexpr std::array signs{Sign{"*", Op::Multiply}, Sign{"/", Op::Divide}};
-        return binary(signs, &ExpressionParser::unary, true);
+        if (auto done = measure(); !done)
+            return done;
+        while (const Sign* sign = signOf(signs)) {
+            const TextPlace place = m_text.place();
+            m_text.take(sign->text);
+            // "1/4 turn" is a quarter of a turn: there the unit belongs to the whole fraction.
+            const bool isFraction = sign->op == Op::Divide && (m_made.m_steps.back().index & measured) == 0;
+            auto done = isFraction && m_names.units ? unary() : measure();
+            if (done)
+                done = emit(sign->op, place);
+            if (done && isFraction)
+                done = unit();
+            if (!done)
+                return done;
+        }
+        return {};
+    }
+    Done measure()
+    {
+        return unary().and_then([this] { return unit(); });
+    }
+
+    /// Of a number field: the unit behind a number.
+    Done unit()
+    {
+        if (!m_names.units)
+            return {};
+        const TextPlace place = m_text.place();
+        std::string name;
+        for (const char* sign : {"°", "%"})
+            if (m_text.take(sign))
+                name = sign;
+        if (name.empty())
+            name = m_text.takeName();
+        if (name.empty())
+            return {};
+        const auto sameLetters = [&name](std::string_view known) {
+            return std::ranges::equal(known, name, {}, &lowered, &lowered);
+        };
+        const auto found = std::ranges::find_if(m_names.units->names, sameLetters, &UnitName::name);
+        if (found == m_names.units->names.end())
+            return failAt(place, ErrorCode::Syntax, RAMURE_NOOP("unknown unit"));
+        Step& number = m_made.m_steps.back();
+        if ((number.index & measured) != 0)
+            return failAt(place, ErrorCode::Syntax, RAMURE_NOOP("this number has a unit already"));
+        number.value *= found->factor;
+        number.index |= found->isMeasure ? measured : 0;
+        return {};
     }
 
     /// The right side is computed only where the left one does not decide.
@@ -199,6 +279,7 @@ private:
         if (auto done = (this->*below)(); !done)
             return done;
         while (m_text.take(sign)) {
+            m_text.take(sign); // books write it once
             const std::size_t at = m_made.m_steps.size();
             m_made.m_steps.push_back({skip});
             if (auto done = (this->*below)(); !done)
@@ -209,14 +290,21 @@ private:
         return {};
     }
 
+    /// The one that stands there, or null.
+    [[nodiscard]] const Sign* signOf(std::span<const Sign> signs) const
+    {
+        const auto sign = std::ranges::find_if(
+            signs, [this](const Sign& s) { return !m_text.atArrow() && m_text.startsWith(s.text); });
+        return sign == signs.end() ? nullptr : &*sign;
+    }
+
     Done binary(std::span<const Sign> signs, Level below, bool chains)
     {
         if (auto done = (this->*below)(); !done)
             return done;
         for (bool more = true; more;) {
-            const auto sign = std::ranges::find_if(
-                signs, [this](const Sign& s) { return !m_text.atArrow() && m_text.startsWith(s.text); });
-            if (sign == signs.end())
+            const Sign* sign = signOf(signs);
+            if (!sign)
                 return {};
             const TextPlace place = m_text.place();
             m_text.take(sign->text);
@@ -233,7 +321,8 @@ private:
     {
         const TextPlace place = m_text.place();
         const char sign = m_text.peek();
-        if ((sign != '-' && sign != '+' && sign != '!') || m_text.atArrow())
+        const bool isNot = sign == '!' && !m_names.units;
+        if ((sign != '-' && sign != '+' && !isNot) || m_text.atArrow())
             return power();
         m_text.next();
         return nested([this] { return unary(); }).and_then([&] {
@@ -260,8 +349,9 @@ private:
             return named(m_text.takeName(), place);
         if (!m_text.take("("))
             return failAt(place, ErrorCode::Syntax,
-                          RAMURE_NOOP("a number, a name or \"(\" is expected here"));
-        return nested([this] { return either(); }).and_then([this] { return closed(); });
+                          m_names.units ? RAMURE_NOOP("a number is missing here")
+                                        : RAMURE_NOOP("a number, a name or \"(\" is expected here"));
+        return nested([this] { return whole(); }).and_then([this] { return closed(); });
     }
 
     Done named(std::string_view name, const TextPlace& place)
@@ -271,27 +361,42 @@ private:
             push({Op::Parameter, static_cast<std::uint32_t>(parameter - m_names.parameters.begin())});
             return {};
         }
+        if (m_names.constants) // before functions: an older file may have one called "tan"
+            if (const auto constant = m_names.constants->find(name); constant != m_names.constants->end()) {
+                push({Op::Constant, 0, constant->second});
+                return {};
+            }
         static constexpr std::array functions{
-            Sign{"min", Op::Min},   Sign{"max", Op::Max},     Sign{"abs", Op::Abs},
-            Sign{"sqrt", Op::Sqrt}, Sign{"sin", Op::Sin},     Sign{"cos", Op::Cos},
-            Sign{"rand", Op::Rand}, Sign{"order", Op::Order}, Sign{"age", Op::Age}};
+            Sign{"min", Op::Min},     Sign{"max", Op::Max}, Sign{"abs", Op::Abs}, Sign{"sqrt", Op::Sqrt},
+            Sign{"sin", Op::Sin},     Sign{"cos", Op::Cos}, Sign{"tan", Op::Tan}, Sign{"rand", Op::Rand},
+            Sign{"order", Op::Order}, Sign{"age", Op::Age}};
         const auto function = std::ranges::find(functions, name, &Sign::text);
-        if (function != functions.end()) {
-            m_names.usesOrder = m_names.usesOrder || function->op == Op::Order;
-            if (function->op != Op::Order && function->op != Op::Age)
-                return called(function->op, place);
-            push({function->op});
-            return {};
-        }
-        const auto constant = m_names.constants->find(name);
-        if (constant == m_names.constants->end())
+        if (m_names.units)
+            return namedInField(name, function == functions.end() ? Op::Constant : function->op, place);
+        if (function == functions.end())
             return failAt(
                 place, ErrorCode::Syntax,
                 RAMURE_NOOP(
                     "\"%1\" is neither a parameter of this rule's modules nor a constant nor a function"),
                 {std::string(name)});
-        push({Op::Constant, 0, constant->second});
+        m_names.usesOrder = m_names.usesOrder || function->op == Op::Order;
+        if (function->op != Op::Order && function->op != Op::Age)
+            return called(function->op, place);
+        push({function->op});
         return {};
+    }
+
+    Done namedInField(std::string_view name, Op op, const TextPlace& place)
+    {
+        const bool isPi = name == "pi" || name == "π";
+        if (isPi || name == "tau") {
+            push({Op::Constant, ofPi, isPi ? pi : 2.0 * pi});
+            return {};
+        }
+        if (isUnary(op) || op == Op::Min || op == Op::Max)
+            return called(op, place);
+        return failAt(place, ErrorCode::Syntax, RAMURE_NOOP("\"%1\" is neither a number nor a function"),
+                      {std::string(name)});
     }
 
     Done called(Op op, const TextPlace& place)
@@ -301,7 +406,7 @@ private:
                           RAMURE_NOOP("\"(\" is expected here: this is a function"));
         int arguments = 0;
         do {
-            if (auto done = nested([this] { return either(); }); !done)
+            if (auto done = nested([this] { return whole(); }); !done)
                 return done;
             ++arguments;
             if (arguments > 1 && (op == Op::Min || op == Op::Max))
@@ -339,7 +444,7 @@ private:
         return done;
     }
 
-    void push(const Expression::Step& step) { m_made.m_steps.push_back(step); }
+    void push(const Step& step) { m_made.m_steps.push_back(step); }
 
     /// What is known already is computed now, and must be a number.
     Done emit(Op op, const TextPlace& place)
@@ -352,13 +457,58 @@ private:
             push({op});
             return {};
         }
-        const double last = steps.back().value;
+        Step right = steps.back();
         if (operands == 2)
             steps.pop_back();
-        double& value = steps.back().value;
-        value = operands == 2 ? combined(op, value, last) : applied(op, last);
-        if (!std::isfinite(value))
+        Step& left = steps.back();
+        if (m_names.units) {
+            auto done = operands == 2 ? fitUnits(op, left, right, place) : fitUnit(op, left);
+            if (!done)
+                return done;
+        }
+        left.value = operands == 2 ? combined(op, left.value, right.value) : applied(op, left.value);
+        if (!std::isfinite(left.value))
             return failAt(place, ErrorCode::Invalid, RAMURE_NOOP("the result is not a finite number"));
+        return {};
+    }
+
+    [[nodiscard]] bool isMeasured(const Step& step) const
+    {
+        return (step.index & measured) != 0 || (step.index == ofPi && m_names.units->isAngle);
+    }
+    [[nodiscard]] double inUnit(const Step& step) const
+    {
+        return isMeasured(step) ? step.value : step.value * m_names.units->plainFactor;
+    }
+
+    /// Units of two numbers that are about to be combined; the result's flags are put into \p left.
+    Done fitUnits(Op op, Step& left, Step& right, const TextPlace& place) const
+    {
+        const std::uint32_t both = left.index & right.index, any = left.index | right.index;
+        if (op == Op::Power || op == Op::Multiply) {
+            const std::uint32_t refused = op == Op::Power ? any : both;
+            if ((refused & measured) != 0)
+                return failAt(place, ErrorCode::Syntax,
+                              op == Op::Power ? RAMURE_NOOP("a unit cannot have a power here")
+                                              : RAMURE_NOOP("two units cannot be multiplied here"));
+            left.index = op == Op::Power ? left.index : any;
+        } else if (op == Op::Divide) {
+            left.index = (any & ofPi) | ((left.index ^ right.index) & measured);
+        } else if (any != 0) {
+            left.value = inUnit(left);
+            right.value = inUnit(right);
+            left.index = measured;
+        }
+        return {};
+    }
+    Done fitUnit(Op op, Step& number) const
+    {
+        const bool isRadians =
+            (number.index & ofPi) != 0 || (m_names.units->isAngle && number.index == measured);
+        if (isOfAngle(op) && isRadians)
+            number.value /= oneDegree;
+        if (isOfAngle(op) || op == Op::Sqrt)
+            number.index = 0;
         return {};
     }
 
@@ -371,6 +521,13 @@ private:
 Expected<Expression> parseExpression(TextScanner& text, ExpressionNames& names)
 {
     return ExpressionParser(text, names).parse();
+}
+
+Expected<double> parseQuantity(TextScanner& text, const FieldUnits& units)
+{
+    ExpressionNames names;
+    names.units = &units;
+    return ExpressionParser(text, names).parseQuantity();
 }
 
 } // namespace ramure

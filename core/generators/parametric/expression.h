@@ -1,19 +1,27 @@
 /// \file
-/// Expressions of a parametric grammar: text becomes a list of steps for a stack of numbers.
+/// Arithmetic, for grammars and for number fields: text becomes a list of steps for a stack of numbers.
 ///
-///     expression = or; or = and { "||" and }; and = comparison { "&&" comparison }
-///     comparison = sum [ ("<" | "<=" | ">" | ">=" | "==" | "!=") sum ]; sum = product { ("+" | "-") product
-///     } product    = unary { ("*" | "/") unary }; unary = { "-" | "+" | "!" } power power      = value [ "^"
-///     unary ]; value = number | name | "(" or ")" | function "(" or { "," or } ")"
+///     expression = or
+///     or         = and { "||" and }                     one bar will do, and one & for "and"
+///     and        = comparison { "&&" comparison }
+///     comparison = sum [ ("<" | "<=" | ">" | ">=" | "==" | "=" | "!=") sum ]
+///     sum        = product { ("+" | "-") product }
+///     product    = unary { ("*" | "/") unary }
+///     unary      = { "-" | "+" | "!" } power
+///     power      = value [ "^" unary ]
+///     value      = number | name | "(" or ")" | function "(" or { "," or } ")"
 ///
-/// Functions: min, max (two or more numbers), abs, sqrt, sin, cos (degrees), rand(a, b). Names: parameters of
-/// the rule's modules, constants, `order` (brackets around the module), `age` (rounds since it came). True is
-/// 1, and everything but 0 is true.
+/// Functions: min, max (two or more numbers), abs, sqrt, sin, cos, tan (degrees), rand(a, b). Names:
+/// parameters of the rule's modules, constants, `order` (brackets around the module), `age` (rounds since it
+/// came). True is 1, and everything but 0 is true.
+///
+/// In a number field there are units behind values, and pi; no comparison, rand, order or age.
 #pragma once
 
 #include "core/generators/parametric/text_scanner.h"
 #include <cstdint>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -62,13 +70,16 @@ public:
         Sqrt,
         Sin,
         Cos,
+        Tan,
         Rand,
     };
     struct Step
     {
         Op op;
-        std::uint32_t index = 0; ///< of a parameter or of a rand(), or where a skip leads to
-        double value = 0.0;      ///< of a constant, and what a Product multiplies by
+        /// Of a parameter or of a rand(), or where a skip leads to; of a constant with a unit or made of pi,
+        /// flags of the parser.
+        std::uint32_t index = 0;
+        double value = 0.0; ///< of a constant, and what a Product multiplies by
     };
 
     /// Not finite where a number on the way to a comparison or the result is not.
@@ -93,12 +104,28 @@ private:
     bool m_isProduct = false; ///< a parameter times a constant, as most are
 };
 
+struct UnitName
+{
+    std::string_view name; ///< "cm"; capitals do not count
+    double factor;         ///< to the unit of the program
+    bool isMeasure;        ///< false: the number stays a plain one, 50 % is 0.5
+};
+
+/// How a number field reads numbers.
+struct FieldUnits
+{
+    std::vector<UnitName> names; ///< that the field understands
+    double plainFactor = 1.0;    ///< of a number without a unit, to the unit of the program
+    bool isAngle = false;        ///< numbers made of pi are in radians
+};
+
 /// Names and what is counted while the expressions of one rule are read.
 struct ExpressionNames
 {
     std::vector<std::string> parameters;
-    const Constants* constants = nullptr;
-    std::uint32_t randoms = 0; ///< calls of rand() so far
+    const Constants* constants = nullptr; ///< null: there are none
+    const FieldUnits* units = nullptr;    ///< null: no number field
+    std::uint32_t randoms = 0;            ///< calls of rand() so far
     bool usesOrder = false;
 };
 
@@ -106,5 +133,9 @@ struct ExpressionNames
 /// Invalid, with their place): what was expected; a name that means nothing; nesting deeper than 100; a part
 /// without variables that is no finite number.
 Expected<Expression> parseExpression(TextScanner& text, ExpressionNames& names);
+
+/// Likewise for a number field, and it ends at the end of the text. Errors: Syntax, Limit, Invalid (not
+/// finite).
+Expected<double> parseQuantity(TextScanner& text, const FieldUnits& units);
 
 } // namespace ramure

@@ -15,7 +15,7 @@ constexpr double farthest = 1e9; ///< m
 /// Thinner branches would have no mesh.
 constexpr double thinnest = 1e-6; ///< m
 
-struct State
+struct ModuleState
 {
     glm::dvec3 heading{0.0, 1.0, 0.0}, left{-1.0, 0.0, 0.0}, up{0.0, 0.0, 1.0};
     glm::dvec3 position{0.0};
@@ -101,7 +101,7 @@ private:
     /// What is wrong with the module, or null.
     const char* step(const Module& module)
     {
-        State& state = m_levels.back();
+        ModuleState& state = m_levels.back();
         switch (module.name) {
         case 'F':
         case 'f':
@@ -164,7 +164,7 @@ private:
         }
     }
 
-    maths::SinCos by(State& state, const Module& module, double sign)
+    maths::SinCos by(ModuleState& state, const Module& module, double sign)
     {
         double rad = m_word.numbersOf(module) > 0
                          ? std::fmod(m_word.numbers[module.firstNumber], 360.0) * oneDegree
@@ -176,7 +176,7 @@ private:
         return m_turns.of(sign * rad);
     }
 
-    static void level(State& state)
+    static void level(ModuleState& state)
     {
         const glm::dvec3 across = glm::cross(glm::dvec3(0.0, 1.0, 0.0), state.heading);
         const double length = glm::length(across);
@@ -186,7 +186,7 @@ private:
         state.up = glm::cross(state.heading, state.left);
     }
 
-    const char* widen(State& state, const Module& module)
+    const char* widen(ModuleState& state, const Module& module)
     {
         const double diameter = numberOf(module, 2.0 * state.radius * m_params.decay);
         if (diameter < 0.0 || diameter > farthest)
@@ -195,14 +195,14 @@ private:
         return nullptr;
     }
 
-    [[nodiscard]] std::uint64_t nextKey(const State& state) const
+    [[nodiscard]] std::uint64_t nextKey(const ModuleState& state) const
     {
         const bool isRoot = state.branch == noIndex;
         return branchKeyBelow(isRoot ? rootBranchKey : m_skeleton.key[state.branch],
                               isRoot ? m_roots : m_children[state.branch]);
     }
 
-    const char* move(State& state, double length, bool draws)
+    const char* move(ModuleState& state, double length, bool draws)
     {
         if (length < 0.0)
             return RAMURE_NOOP("%1 asks for a length below 0");
@@ -223,7 +223,7 @@ private:
         return nullptr;
     }
 
-    void draw(State& state, const glm::dvec3& from, std::uint64_t key)
+    void draw(ModuleState& state, const glm::dvec3& from, std::uint64_t key)
     {
         ++(state.branch == noIndex ? m_roots : m_children[state.branch]);
         const Index i = m_count++;
@@ -241,7 +241,7 @@ private:
         state.turns = 0;
     }
 
-    const char* putOrgan(const State& state, const Module& module)
+    const char* putOrgan(const ModuleState& state, const Module& module)
     {
         const std::optional<OrganKind> kind = m_word.sources[module.source].organ;
         if (!kind)
@@ -258,7 +258,7 @@ private:
         return nullptr;
     }
 
-    void bend(State& state)
+    void bend(ModuleState& state)
     {
         const glm::dvec3 across = glm::cross(state.heading, m_params.tropism);
         const double length = glm::length(across);
@@ -275,8 +275,8 @@ private:
     TurtleChance m_chance;
     Turns m_turns;
     std::size_t m_at = 0;
-    std::vector<State> m_levels{State()}; ///< the last one is where the turtle is
-    std::vector<Index> m_children;        ///< children that each branch has so far
+    std::vector<ModuleState> m_levels{ModuleState()}; ///< the last one is where the turtle is
+    std::vector<Index> m_children;                    ///< children that each branch has so far
     Index m_roots = 0, m_count = 0;
     Skeleton m_skeleton;
 };

@@ -1,5 +1,6 @@
 #include "core/generators/parametric/parametric_grammar.h"
 
+#include "core/generators/parametric/readable_text.h"
 #include <algorithm>
 #include <cmath>
 #include <string_view>
@@ -49,37 +50,84 @@ Done checkNewName(std::string_view name, const TextPlace& place)
     return {};
 }
 
-/// One line of constants; a line may use those above it.
-Done readConstant(TextScanner& text, const GrammarParams& params, Constants& constants)
+/// Constants of a tree, line by line; a line may use those above it.
+class ConstantReader
 {
-    const TextPlace place = text.place();
-    const std::string name(text.takeName());
-    if (auto done = checkNewName(name, place); !done)
-        return done;
-    if (constants.contains(name))
-        return failAt(place, ErrorCode::Syntax, RAMURE_NOOP("there is a constant \"%1\" already"), {name});
-    if (!text.take("="))
-        return failAt(text.place(), ErrorCode::Syntax, RAMURE_NOOP("\"=\" is expected here"));
-    ExpressionNames names;
-    names.constants = &constants;
-    const auto expression = parseExpression(text, names);
-    if (!expression)
-        return fail(expression.error());
-    if (!text.atEnd())
-        return failAt(text.place(), ErrorCode::Syntax,
-                      RAMURE_NOOP("an operator or the end of the line is expected here"));
-    ExpressionInputs inputs;
-    inputs.byChance = params.stochastic;
-    inputs.seed = static_cast<std::uint64_t>(params.seed);
-    for (const char c : name) // of its own name: another constant in front changes nothing
-        inputs.key = inputs.key * 131 + static_cast<unsigned char>(c);
-    const double value = expression->value(inputs);
-    if (!std::isfinite(value))
-        return failAt(expression->place(), ErrorCode::Invalid,
-                      RAMURE_NOOP("the result is not a finite number"));
-    constants.emplace(name, value);
-    return {};
-}
+public:
+    explicit ConstantReader(const GrammarParams& params)
+        : m_params(params)
+    {
+    }
+
+    /// "name = expression" or "#define name expression"
+    Done read(TextScanner& text)
+    {
+        const bool isDefine = text.take("#define");
+        const TextPlace place = text.place();
+        const TextScanner before = text;
+        const std::string name(text.takeName());
+        if (auto done = checkNewName(name, place); !done)
+            return done;
+        if (m_constants.contains(name))
+            return failAt(place, ErrorCode::Syntax, RAMURE_NOOP("there is a constant \"%1\" already"),
+                          {name});
+        if (isDefine && before.peek(name.size()) == '(')
+            return failAt(
+                place, ErrorCode::Syntax,
+                RAMURE_NOOP("macros with parameters are not supported: write out \"%1\" where it is used"),
+                {name});
+        if (!text.take("=") && !isDefine)
+            return failAt(text.place(), ErrorCode::Syntax, RAMURE_NOOP("\"=\" is expected here"));
+        return readValue(text, name);
+    }
+
+    [[nodiscard]] Constants take() { return std::move(m_constants); }
+
+private:
+    Done readValue(TextScanner& text, const std::string& name)
+    {
+        ExpressionNames names;
+        names.constants = &m_constants;
+        const auto expression = parseExpression(text, names);
+        if (!expression)
+            return fail(expression.error());
+        if (!text.atEnd())
+            return failAt(text.place(), ErrorCode::Syntax,
+                          RAMURE_NOOP("an operator or the end of the line is expected here"));
+        ExpressionInputs inputs;
+        inputs.byChance = m_params.stochastic;
+        inputs.seed = static_cast<std::uint64_t>(m_params.seed);
+        for (const char c : name) // of its own name: another constant in front changes nothing
+            inputs.key = inputs.key * 131 + static_cast<unsigned char>(c);
+        const double value = expression->value(inputs);
+        if (!std::isfinite(value))
+            return failAt(expression->place(), ErrorCode::Invalid,
+                          RAMURE_NOOP("the result is not a finite number"));
+        m_constants.emplace(name, value);
+        return {};
+    }
+
+    const GrammarParams& m_params;
+    Constants m_constants;
+};
+
+/// A line of the rules that is none in books and other programs, and where its value belongs here.
+struct Elsewhere
+{
+    std::string_view word;
+    const char* hint;
+};
+constexpr const char* axiomHint =
+    RAMURE_NOOP("the axiom does not belong among the rules: write it under Axiom (grammar.axiom)");
+constexpr std::array elsewhere{
+    Elsewhere{"axiom", axiomHint},
+    Elsewhere{"Axiom", axiomHint},
+    Elsewhere{"ω", axiomHint},
+    Elsewhere{
+        "derivation",
+        RAMURE_NOOP(
+            "the number of steps does not belong among the rules: set Iterations (grammar.iterations)")},
+};
 
 class GrammarParser
 {
@@ -96,14 +144,21 @@ public:
             return fail(constants.error());
         m_made.constants = std::move(*constants);
         m_names.constants = &m_made.constants;
-        TextScanner axiom(m_params.axiom, axiomPath, 1, true);
+        const auto axiomText = readableText(m_params.axiom, axiomPath);
+        if (!axiomText)
+            return fail(axiomText.error());
+        TextScanner axiom(*axiomText, axiomPath, 1, true);
+        skipLabel(axiom, 1);
         if (auto done = readModules(axiom, m_made.axiom); !done)
             return fail(done.error());
         if (!axiom.atEnd())
             return moduleExpected(axiom);
-        const auto done = forEachLine(m_params.rules, [this](std::string_view line, int number) -> Done {
+        const auto rulesText = readableText(m_params.rules, rulesPath);
+        if (!rulesText)
+            return fail(rulesText.error());
+        const auto done = forEachLine(*rulesText, [this](std::string_view line, int number) -> Done {
             TextScanner text(line, rulesPath, number, false);
-            return text.atEnd() ? Done() : readRule(text);
+            return text.atEnd() || text.startsWith("#define") ? Done() : readLine(text);
         });
         if (!done)
             return fail(done.error());
@@ -116,9 +171,68 @@ public:
 private:
     static tl::unexpected<Error> moduleExpected(const TextScanner& text)
     {
-        return failAt(text.place(), ErrorCode::Syntax,
-                      RAMURE_NOOP("a module is expected here: a letter or one of %1"),
-                      {"+ - & ^ \\ / | $ ! % ~ [ ]"});
+        switch (text.peek()) {
+        case ':':
+            return failAt(text.place(), ErrorCode::Syntax,
+                          RAMURE_NOOP("a weight stands before its outcome: \"0.5: F | 0.5: FF\""));
+        case '\'':
+            return failAt(text.place(), ErrorCode::Syntax,
+                          RAMURE_NOOP("tables of colours are not supported: leave ' out"));
+        case '{':
+        case '}':
+        case '.':
+            return failAt(
+                text.place(), ErrorCode::Syntax,
+                RAMURE_NOOP("polygons are not supported: write an organ such as ~(leaf, 0.1) instead"));
+        default:
+            return failAt(text.place(), ErrorCode::Syntax,
+                          RAMURE_NOOP("a module is expected here: a letter, a digit or one of %1"),
+                          {"+ - & ^ \\ / | $ ! % ~ [ ]"});
+        }
+    }
+
+    /// "p1 :" in front of a rule, which has at least so many bytes, and means nothing. A word of one letter
+    /// is a module with a condition.
+    static void skipLabel(TextScanner& text, std::size_t leastBytes)
+    {
+        TextScanner after = text;
+        if (after.takeName().size() >= leastBytes && after.take(":"))
+            text = after;
+    }
+
+    Done readLine(TextScanner& text)
+    {
+        TextScanner after = text;
+        const bool isCommand = after.take("#");
+        const std::string_view word = after.takeName();
+        if (word == "include" && isCommand)
+            return failAt(text.place(), ErrorCode::Syntax,
+                          RAMURE_NOOP("files are not included: paste the text of the file here, or write an "
+                                      "organ such as ~(leaf, 0.1) for a shape"));
+        const bool hasColon = after.take(":");
+        if ((word == "ignore" || word == "consider") && (isCommand || hasColon))
+            return readIgnored(after, word == "ignore");
+        const auto found = std::ranges::find(elsewhere, word, &Elsewhere::word);
+        if (found != elsewhere.end())
+            return failAt(text.place(), ErrorCode::Syntax, found->hint);
+        skipLabel(text, 2);
+        return readRule(text);
+    }
+
+    /// The letters of a line "ignore: +-" or "consider: F", which has nothing else.
+    Done readIgnored(TextScanner& text, bool isIgnored)
+    {
+        if (!isIgnored)
+            m_made.isIgnored.fill(true);
+        while (!text.atEnd()) {
+            if (text.take(","))
+                continue;
+            const char letter = text.peek();
+            if (!isModuleLetter(letter) || letter == '[' || letter == ']')
+                return moduleExpected(text);
+            m_made.isIgnored[static_cast<unsigned char>(text.next())] = isIgnored;
+        }
+        return {};
     }
 
     Done readRule(TextScanner& text)
@@ -128,15 +242,16 @@ private:
         ParametricRule rule;
         if (auto done = readPatterns(text, rule); !done)
             return done;
-        if (text.take(":")) {
+        const bool hasCondition = text.take(":");
+        if (hasCondition && !text.take("*")) {
             auto condition = parseExpression(text, m_names);
             if (!condition)
                 return fail(condition.error());
             rule.condition = std::move(*condition);
         }
-        if (!text.take("->"))
+        if (!text.takeArrow())
             return failAt(text.place(), ErrorCode::Syntax,
-                          rule.condition.empty()
+                          !hasCondition
                               ? RAMURE_NOOP("\"->\", \":\", \"<\" or \">\" is expected here: a module or a "
                                             "context is one letter, and its names stand in brackets")
                               : RAMURE_NOOP("an operator or \"->\" is expected here"));
@@ -152,6 +267,7 @@ private:
     Done readPatterns(TextScanner& text, ParametricRule& rule)
     {
         std::vector<std::string> leftNames, ownNames;
+        takeAnyLeft(text);
         if (auto done = readPattern(text, rule.module); !done)
             return done;
         if (text.take("<")) {
@@ -161,7 +277,7 @@ private:
                 return done;
         }
         ownNames = std::exchange(m_names.parameters, {});
-        if (text.take(">")) {
+        if (text.take(">") && !text.take("*")) {
             rule.right.emplace();
             if (auto done = readPattern(text, *rule.right); !done)
                 return done;
@@ -176,6 +292,14 @@ private:
             return failAt(end, ErrorCode::Syntax, RAMURE_NOOP("the rule has two parameters \"%1\""),
                           {*twice});
         return {};
+    }
+
+    /// "* <": any context will do.
+    static void takeAnyLeft(TextScanner& text)
+    {
+        TextScanner after = text;
+        if (after.take("*") && after.take("<"))
+            text = after;
     }
 
     Done readPattern(TextScanner& text, ModulePattern& pattern)
@@ -213,7 +337,7 @@ private:
     Done readOutcomes(TextScanner& text, ParametricRule& rule)
     {
         const TextPlace start = text.place();
-        if (!text.atNumber()) {
+        if (!atWeight(text)) {
             if (auto done = readModules(text, rule.productions.emplace_back()); !done)
                 return done;
             return text.atEnd() ? Done() : moduleExpected(text);
@@ -244,11 +368,19 @@ private:
         return {};
     }
 
-    /// A bar in front of a number parts two outcomes: no module begins with a digit.
+    /// A number in front of a colon; digits without one are modules.
+    static bool atWeight(const TextScanner& text)
+    {
+        TextScanner after = text;
+        const std::size_t digits = text.digits();
+        return text.atNumber() && after.takeNumber() && (after.startsWith(":") || text.peek(digits) == '.');
+    }
+
+    /// A bar in front of a weight parts two outcomes.
     static bool atBetweenOutcomes(const TextScanner& text)
     {
         TextScanner after = text;
-        return after.take("|") && after.atNumber();
+        return after.take("|") && atWeight(after);
     }
 
     /// Up to what is no module.
@@ -346,20 +478,28 @@ private:
 bool isModuleLetter(char letter)
 {
     return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') ||
+           (letter >= '0' && letter <= '9') ||
            (letter != '\0' && std::string_view("+-&^\\/|$!%~[]").find(letter) != std::string_view::npos);
 }
 
 Expected<Constants> parseConstants(const GrammarParams& params)
 {
-    Constants constants;
-    const auto done =
-        forEachLine(params.constants, [&params, &constants](std::string_view line, int number) -> Done {
-            TextScanner text(line, constantsPath, number, false);
-            return text.atEnd() ? Done() : readConstant(text, params, constants);
+    ConstantReader reader(params);
+    const auto read = [&reader](const std::string& given, const char* path, bool isRules) {
+        return readableText(given, path).and_then([&](const std::string& readable) {
+            return forEachLine(readable, [&](std::string_view line, int number) -> Done {
+                TextScanner text(line, path, number, false);
+                const bool isOne = isRules ? text.startsWith("#define") : !text.atEnd();
+                return isOne ? reader.read(text) : Done();
+            });
         });
+    };
+    const auto done = read(params.constants, constantsPath, false).and_then([&] {
+        return read(params.rules, rulesPath, true);
+    });
     if (!done)
         return fail(done.error());
-    return constants;
+    return reader.take();
 }
 
 Expected<ParametricGrammar> parseParametric(const GrammarParams& params)

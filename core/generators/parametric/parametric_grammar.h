@@ -2,16 +2,23 @@
 /// The parametric dialect: modules with numbers, in the language of Prusinkiewicz and Lindenmayer, "The
 /// Algorithmic Beauty of Plants" (1990), chapters 1 and 2, in the spelling of L-Py.
 ///
-///     rule      = [ module "<" ] module [ ">" module ] [ ":" condition ] "->" outcomes      one a line
+///     rule      = [ label ":" ] [ context "<" ] module [ ">" context ] [ ":" condition ] "->" outcomes
 ///     outcomes  = modules | weight ":" modules { "|" weight ":" modules }
 ///     module    = letter [ "(" ... ")" ]       names in front of the arrow, expressions behind it
-///     constants = lines of: name "=" expression
+///     context   = module | "*"                 * stands for any, as it does for a condition
+///     ignored   = [ "#" ] "ignore" [ ":" ] letters        no neighbours in contexts; "consider": all others
+///     define    = "#define" name expression    a constant among the rules
+///     constants = lines of: name "=" expression, or define
 ///
-/// ~(name, size) names an organ: leaf, fruit or flower.
+/// One rule a line. ~(name, size) names an organ: leaf, fruit or flower.
 ///
-/// A letter is one of A-Z a-z + - & ^ \ / | $ ! % ~ [ ]. The first rule whose module, contexts and condition
-/// fit is used; a module fits where it has as many numbers. A context is the one module before it on the way
-/// from the root, or the next one after it on the same branch: brackets are skipped. Comments begin with #.
+/// A letter is one of A-Z a-z 0-9 + - & ^ \ / | $ ! % ~ [ ]. The first rule whose module, contexts and
+/// condition fit is used; a module fits where it has as many numbers. A context is the one module before it
+/// on the way from the root, or the next one after it on the same branch: brackets and ignored modules are
+/// skipped. Comments begin with #, or stand between /* and */.
+///
+/// As books print them are read: labels of rules such as p1, arrows, the minus, comparison and multiplication
+/// signs of typography, = for ==, one & and one | in conditions, Greek letters in names.
 #pragma once
 
 #include "core/generators/parametric/expression.h"
@@ -80,6 +87,7 @@ struct ParametricGrammar
     std::vector<ParametricRule> rules;                      ///< as written
     std::array<std::vector<const ParametricRule*>, 128> of; ///< rules by the module's letter
     Constants constants;
+    std::array<bool, 128> isIgnored{}; ///< by letter: nobody's neighbour
     bool usesOrder = false, usesContext = false, usesChance = false;
 
     ParametricGrammar() = default;
@@ -94,11 +102,12 @@ inline constexpr std::size_t mostModuleNumbers = 16;
 inline constexpr std::size_t mostSources = 65535;
 
 /// Errors (Syntax / Invalid / Limit), path = "grammar.axiom", "grammar.rules" or "grammar.constants", with
-/// line and column: what was expected there; a context of several modules; a name that means nothing or two
+/// line and column: what was expected there, and what to write instead of something that other programs
+/// understand; a context of several modules; a name that means nothing or two
 /// things; brackets that do not match, or have a rule; negative or all-zero weights; a constant that is no
 /// finite number.
 Expected<ParametricGrammar> parseParametric(const GrammarParams& params);
-/// The constants alone. Errors as above.
+/// The constants alone, with those among the rules. Errors as above.
 Expected<Constants> parseConstants(const GrammarParams& params);
 
 /// Whether \p letter may be a module.

@@ -10,9 +10,15 @@ bool isDigit(char c)
     return c >= '0' && c <= '9';
 }
 
+/// Letters of Greek too, which begin with one of two bytes.
 bool startsName(char c)
 {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '\xCE' || c == '\xCF';
+}
+
+bool goesOnInName(char c)
+{
+    return startsName(c) || isDigit(c) || (static_cast<unsigned char>(c) & 0xC0u) == 0x80u;
 }
 
 } // namespace
@@ -39,11 +45,6 @@ TextScanner::TextScanner(std::string_view text, const char* path, int line, bool
 void TextScanner::skipBlanks()
 {
     for (; m_at < m_text.size(); ++m_at) {
-        if (m_text[m_at] == '#') {
-            m_at = std::min(m_text.find('\n', m_at), m_text.size());
-            if (atEnd())
-                return;
-        }
         const char c = m_text[m_at];
         if (c == '\n' && m_multiline) {
             ++m_line;
@@ -61,6 +62,14 @@ char TextScanner::peek(std::size_t ahead) const
 bool TextScanner::atNumber() const
 {
     return isDigit(peek()) || (peek() == '.' && isDigit(peek(1)));
+}
+
+std::size_t TextScanner::digits() const
+{
+    std::size_t count = 0;
+    while (isDigit(peek(count)))
+        ++count;
+    return count;
 }
 
 bool TextScanner::atName() const
@@ -94,8 +103,9 @@ bool TextScanner::take(std::string_view token)
 std::string_view TextScanner::takeName()
 {
     const std::size_t from = m_at;
-    while (atName() || (m_at > from && isDigit(peek())))
-        ++m_at;
+    if (atName())
+        while (goesOnInName(peek()))
+            ++m_at;
     const std::string_view name = m_text.substr(from, m_at - from);
     skipBlanks();
     return name;
@@ -108,7 +118,9 @@ Expected<double> TextScanner::takeNumber()
     double value = 0.0;
     const auto [end, status] = std::from_chars(start, m_text.data() + m_text.size(), value);
     const auto length = static_cast<std::size_t>(end - start);
-    if (status != std::errc())
+    const bool isTooSmall = std::string_view(start, length).find("e-") != std::string_view::npos ||
+                            std::string_view(start, length).find("E-") != std::string_view::npos;
+    if (status != std::errc() && !isTooSmall)
         return failAt(from, ErrorCode::Invalid, RAMURE_NOOP("the number %1 is out of all range"),
                       {std::string(start, length)});
     m_at += length;

@@ -1,6 +1,6 @@
 /// \file
-/// Reads the texts of a parametric grammar character by character and knows the place of each. Internal to
-/// the parser.
+/// Reads a text in the language of expressions character by character and knows the place of each. Internal
+/// to parsers.
 #pragma once
 
 #include "core/base/error.h"
@@ -21,7 +21,7 @@ struct TextPlace
 tl::unexpected<Error> failAt(const TextPlace& place, ErrorCode code, const char* text,
                              std::vector<std::string> args = {});
 
-/// Blanks and comments (# to the end of the line) count nowhere; of line feeds, the caller decides.
+/// Blanks count nowhere; of line feeds, the caller decides.
 class TextScanner
 {
 public:
@@ -35,16 +35,19 @@ public:
     {
         return m_text.substr(m_at).starts_with(token);
     }
-    [[nodiscard]] bool atArrow() const { return startsWith("->"); }
+    [[nodiscard]] bool atArrow() const { return startsWith("->") || startsWith("-->"); }
+    bool takeArrow() { return take("->") || take("-->"); }
     [[nodiscard]] bool atNumber() const;
+    /// How many digits stand there.
+    [[nodiscard]] std::size_t digits() const;
     [[nodiscard]] bool atName() const;
     [[nodiscard]] TextPlace place() const;
     /// What follows goes to the next character that counts.
     char next();
     bool take(std::string_view token);
-    /// A letter or _, then letters, digits and _. Empty where none stands.
+    /// A letter, Latin or Greek, or _, then letters, digits and _. Empty where none stands.
     std::string_view takeName();
-    /// Error: Invalid where it is out of the range of numbers.
+    /// 0 where it is too small for a number. Error: Invalid where it is too large for one.
     Expected<double> takeNumber();
 
 private:

@@ -26,7 +26,7 @@ constexpr double leastRatio = 0.02, mostRatio = 20.0;
 /// Faster swings than this in a substep could not be seen as swings.
 constexpr double mostTurnOfSubstep = 2.0;
 
-struct Columns
+struct StepColumns
 {
     double *rotW, *rotX, *rotY, *rotZ, *velX, *velY, *velZ;
     double *bendX, *bendY, *bendZ, *rateX, *rateY, *rateZ;
@@ -43,7 +43,7 @@ struct Around
     double airX[slotsAtATime], airY[slotsAtATime], airZ[slotsAtATime]; ///< wind
 };
 
-void gatherParents(const TreeBody& body, const Columns& c, bool isParentFrame, Index first, Index count,
+void gatherParents(const TreeBody& body, const StepColumns& c, bool isParentFrame, Index first, Index count,
                    Around& out)
 {
     for (Index i = 0; i < count; ++i) {
@@ -97,7 +97,8 @@ inline Vec bendOf(Vec rest, Vec load)
 }
 
 RAMURE_VECTOR_CLONES
-void stepBlock(const Columns& c, double perSecond, const Around& around, std::size_t first, std::size_t count)
+void stepBlock(const StepColumns& c, double perSecond, const Around& around, std::size_t first,
+               std::size_t count)
 {
     RAMURE_INDEPENDENT_ROUNDS
     for (std::size_t lane = 0; lane < count; ++lane) {
@@ -217,7 +218,7 @@ void robustStep(const StepInputs& in, PhysicsState& state, double timeSeconds)
     const Springs& s = in.springs;
     const auto at = [&](PhysicsState::Channel channel) { return state.channel(channel).data(); };
     using State = PhysicsState;
-    const Columns columns{
+    const StepColumns columns{
         at(State::RotW),  at(State::RotX),    at(State::RotY),  at(State::RotZ),  at(State::VelX),
         at(State::VelY),  at(State::VelZ),    at(State::BendX), at(State::BendY), at(State::BendZ),
         at(State::RateX), at(State::RateY),   at(State::RateZ), body.dirX.data(), body.dirY.data(),

@@ -18,8 +18,8 @@ namespace {
 constexpr float pi = std::numbers::pi_v<float>;
 /// Triangles computed together: their numbers lie side by side, so that the compiler uses vector
 /// instructions.
-constexpr std::size_t blockSize = 128;
-using Lane = std::array<float, blockSize>;
+constexpr std::size_t vertexBlock = 128;
+using Lane = std::array<float, vertexBlock>;
 
 struct Lanes
 {
@@ -56,7 +56,7 @@ inline float angleOf(float y, float x)
 /// Edges come scaled so that the mesh is about 1 in size: their squares neither vanish nor overflow.
 RAMURE_WIDEST_CLONE void solveBlock(Block& b)
 {
-    for (std::size_t i = 0; i < blockSize; ++i) {
+    for (std::size_t i = 0; i < vertexBlock; ++i) {
         const float ax = b.e1.x[i], ay = b.e1.y[i], az = b.e1.z[i];
         const float cx = b.e2.x[i], cy = b.e2.y[i], cz = b.e2.z[i];
         const float nx = ay * cz - az * cy, ny = az * cx - ax * cz, nz = ax * cy - ay * cx;
@@ -156,7 +156,7 @@ RAMURE_WIDE_CLONE void addBlock(const Block& b, const glm::uvec3* triangles, std
 
 RAMURE_WIDEST_CLONE void normalise(Lanes& lanes)
 {
-    for (std::size_t i = 0; i < blockSize; ++i) {
+    for (std::size_t i = 0; i < vertexBlock; ++i) {
         const float x = lanes.x[i], y = lanes.y[i], z = lanes.z[i];
         const float squared = x * x + y * y + z * z;
         const float inverse = 1.0f / std::sqrt(squared);
@@ -200,8 +200,8 @@ void computeNormals(TriangleMesh& mesh)
     };
     const float scale = scaleOf(mesh.positions);
     Block block{};
-    for (std::size_t from = 0; from < mesh.triangles.size(); from += blockSize) {
-        const std::size_t count = std::min(blockSize, mesh.triangles.size() - from);
+    for (std::size_t from = 0; from < mesh.triangles.size(); from += vertexBlock) {
+        const std::size_t count = std::min(vertexBlock, mesh.triangles.size() - from);
         const Index largest = largestIndex({&mesh.triangles[from], count});
         clearTo(std::size_t(largest) + 1);
         loadBlock(mesh, from, count, scale, largest + 1 >= mesh.positions.size(), block);
@@ -211,8 +211,8 @@ void computeNormals(TriangleMesh& mesh)
     clearTo(sums.size());
     mesh.normals.resize(mesh.positions.size());
     Lanes lanes{};
-    for (std::size_t from = 0; from < mesh.normals.size(); from += blockSize) {
-        const std::size_t count = std::min(blockSize, mesh.normals.size() - from);
+    for (std::size_t from = 0; from < mesh.normals.size(); from += vertexBlock) {
+        const std::size_t count = std::min(vertexBlock, mesh.normals.size() - from);
         for (std::size_t i = 0; i < count; i += 4) {
             const Sum* const sum = &sums[from + i];
             storeLanes(lanes, i, sum[0].xyz, sum[1].xyz, sum[2].xyz, sum[3].xyz);

@@ -1,6 +1,6 @@
 #include "widgets/panels/scene/scene_query.h"
 
-#include "widgets/base/expression.h"
+#include "core/generators/parametric/quantity.h"
 #include <QCoreApplication>
 #include <QRegularExpression>
 #include <algorithm>
@@ -94,7 +94,8 @@ Expected<SceneQuery> SceneQuery::parse(const QString& typed)
         if (!quantity)
             return fail(ErrorCode::Syntax, RAMURE_NOOP("“%1” cannot be compared"), {word.toStdString()});
         const bool metres = *quantity == BranchQuantity::Length || *quantity == BranchQuantity::Radius;
-        const auto value = evaluateExpression(number, metres ? ParamUnit::Metre : ParamUnit::None);
+        const auto value =
+            evaluateQuantity(number.toStdString(), metres ? ParamUnit::Metre : ParamUnit::None);
         if (number.isEmpty() || !value)
             return fail(ErrorCode::Syntax, RAMURE_NOOP("a number is missing after “%1”"),
                         {(word + u' ' + sign).toStdString()});

@@ -3,6 +3,7 @@
 #include "tests/support/suite.h"
 
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace tst_grammar {
@@ -72,12 +73,18 @@ private slots:
     void badAxiom();
     void badGrammarInCode_data();
     void badGrammarInCode();
+    void mistakesSayWhatToWrite_data();
+    void mistakesSayWhatToWrite();
     void rulesAreRead_data();
     void rulesAreRead();
     void axiomIsRead();
     void roundTrip();
     void randomBytesNeverCrash();
     void everyRuleThatParsesSurvivesFormatting();
+    void lookalikesAreRemarked_data();
+    void lookalikesAreRemarked();
+    void whatIsMeantIsNotRemarked();
+    void replacementsLeaveNothingToRemark();
 };
 
 void TestGrammar::badRules_data()
@@ -226,6 +233,32 @@ void TestGrammar::badGrammarInCode()
     QCOMPARE(checked.error().column, column);
 }
 
+void TestGrammar::mistakesSayWhatToWrite_data()
+{
+    QTest::addColumn<QByteArray>("rules");
+    QTest::addColumn<QByteArray>("part");
+    const auto bad = [](const char* rules, const char* part) {
+        QTest::addRow("%s", rules) << QByteArray(rules) << QByteArray(part);
+    };
+    bad("A \u2013> B", "1:3: grammar.rules: \"\u2013\" (U+2013) is not \"-\": write \"-\"");
+    bad("A\u00A0-> B", "1:2: grammar.rules: U+00A0 has no meaning here: remove it");
+    bad("\uFF21 -> B", "1:1: grammar.rules: \"\uFF21\" (U+FF21) is not \"A\": write \"A\"");
+    bad("A(l) -> F(l)", "grammar.dialect=parametric");
+    bad("B < A -> C", "grammar.dialect=parametric");
+    bad("A : * -> B", "grammar.dialect=parametric");
+    bad("A -> B\nignore: +-", "grammar.rules: numbers, contexts");
+    bad("p1:", "1:4: grammar.rules: \"->\" must follow the symbol p1:");
+}
+
+void TestGrammar::mistakesSayWhatToWrite()
+{
+    QFETCH(QByteArray, rules);
+    QFETCH(QByteArray, part);
+    const auto grammar = parseGrammar("A", rules.toStdString());
+    QVERIFY(!grammar);
+    QVERIFY2(bytes(grammar.error().message()).contains(part), grammar.error().message().c_str());
+}
+
 void TestGrammar::rulesAreRead_data()
 {
     QTest::addColumn<QByteArray>("text");
@@ -253,6 +286,9 @@ void TestGrammar::rulesAreRead_data()
     good("B -> default: X", {{'B', "X", {}, {}}});
     good("A -> B\nB -> A\n", {{'A', "B", {}, {}}, {'B', "A", {}, {}}});
     good("A -> ]", {{'A', "]", {}, {}}});
+    good("p1 : A -> B\n p2: B->A", {{'A', "B", {}, {}}, {'B', "A", {}, {}}});
+    good("A \u2192 B\nB\u27F6A", {{'A', "B", {}, {}}, {'B', "A", {}, {}}});
+    good("p1: B \u2192 0.5: B | 0.5: BB", {{'B', "B", {0.5, 0.5}, {"B", "BB"}}});
 }
 
 void TestGrammar::rulesAreRead()
@@ -324,6 +360,92 @@ void TestGrammar::everyRuleThatParsesSurvivesFormatting()
             text += likely[random.below(std::uint32_t(likely.size()))];
         if (const auto rules = parseRules(text))
             QVERIFY2(*parseRules(formatRules(*rules)) == *rules, text.c_str());
+    }
+}
+
+void TestGrammar::lookalikesAreRemarked_data()
+{
+    QTest::addColumn<QString>("axiom");
+    QTest::addColumn<QString>("rules");
+    QTest::addColumn<QString>("place"); // "line:column path"
+    QTest::addColumn<QString>("plain"); // "-" for no replacement
+    const auto row = [](const char* axiom, const char* rules, const char* place, const char* plain) {
+        QTest::addRow("%s, %s", axiom, rules) << axiom << rules << place << plain;
+    };
+    row("A\u2212B", "", "1:2 grammar.axiom", "-");
+    row("A", "A -> B\n B -> [\u2013A]", "2:8 grammar.rules", "-");
+    row("A", "A -> 0.5: B | 0.5: \u2014B", "1:20 grammar.rules", "-");
+    row("A\u00A0B", "", "1:2 grammar.axiom", " ");
+    row("A\u200BB", "", "1:2 grammar.axiom", "");
+    row("A\uFEFF", "", "1:2 grammar.axiom", "");
+    row("A", "A -> \uFF3BA\uFF0BB\uFF3D", "1:6 grammar.rules", "[");
+    row("A\u201C", "", "1:2 grammar.axiom", "");
+    row("A\"", "", "1:2 grammar.axiom", "");
+    row("A", "A -> {A}", "1:6 grammar.rules", "[");
+    row("\u0410", "", "1:1 grammar.axiom", "A");     // of Cyrillic
+    row("\U0001D434", "", "1:1 grammar.axiom", "A"); // of formulas
+    row("A \u2192 B", "", "1:3 grammar.axiom", "->");
+    row("\u00E9", "", "1:1 grammar.axiom", "none");
+    row("A", "#define r 2\nA -> B", "1:1 grammar.rules", "none");
+    row("A", "A -> B\n  #ignore: +-", "2:3 grammar.rules", "none");
+}
+
+/// They grow as they did: what grows is the same with a look at the remarks.
+void TestGrammar::lookalikesAreRemarked()
+{
+    QFETCH(QString, axiom);
+    QFETCH(QString, rules);
+    GrammarNotes notes;
+    const auto grammar = parseGrammar(axiom.toStdString(), rules.toStdString(), &notes);
+    QVERIFY2(grammar, test::why(grammar));
+    QVERIFY(*grammar == *parseGrammar(axiom.toStdString(), rules.toStdString()));
+    QVERIFY(!notes.empty());
+    const GrammarNote& first = notes.front();
+    QTEST(QStringLiteral("%1:%2 %3")
+              .arg(first.what.line)
+              .arg(first.what.column)
+              .arg(QString::fromStdString(first.what.path)),
+          "place");
+    QTEST(QString::fromStdString(first.replacement.value_or("none")), "plain");
+    QVERIFY(!first.what.plain().empty());
+}
+
+void TestGrammar::whatIsMeantIsNotRemarked()
+{
+    const auto remarks = [](const std::string& axiom, const std::string& rules) {
+        GrammarNotes notes;
+        const auto grammar = parseGrammar(axiom, rules, &notes);
+        return grammar ? notes.size() : 99;
+    };
+    QCOMPARE(remarks("EEBA[+-/\\^_]xyz09", "A -> B | C"), std::size_t(99));
+    QCOMPARE(remarks("EEBA[+-/\\^_]xyz09", "A \u2192 [++BB]A\nB -> 0.5: B | default: BB"), std::size_t(0));
+    QCOMPARE(remarks("A`\u2212`{", "A -> `\u00A0"), std::size_t(0)); // escaped
+    QCOMPARE(remarks("A{", "{ -> A\nB -> {"), std::size_t(0));       // with a rule
+    QCOMPARE(remarks("A", "# \u2212 in a comment\n# define it\n#ignored\nA -> B"), std::size_t(0));
+}
+
+void TestGrammar::replacementsLeaveNothingToRemark()
+{
+    static constexpr const char* parts[] = {"A",       "B",      "[A]",    "+",      " ",   "\u2212",
+                                            "\u2013",  "\u00A0", "\uFF0B", "\u0410", "{A}", "\"",
+                                            "`\u2212", "`{",     "\u201C", "\u2265"};
+    Random random(3, RandomStream::Test);
+    const auto text = [&random] {
+        std::string out;
+        for (std::uint32_t n = random.below(12); n > 0; --n)
+            out += parts[random.below(std::size(parts))];
+        return out;
+    };
+    for (int i = 0; i < test::runs(5000); ++i) {
+        const std::string axiom = text(), rules = "A -> " + text() + "\n# \u2212\nB\u2192" + text();
+        GrammarNotes notes;
+        QVERIFY(parseGrammar(axiom, rules, &notes));
+        const std::string plainAxiom = withReplacements(axiom, "grammar.axiom", notes),
+                          plainRules = withReplacements(rules, "grammar.rules", notes);
+        GrammarNotes left;
+        const auto plain = parseGrammar(plainAxiom, plainRules, &left);
+        QVERIFY2(plain, test::why(plain) + bytes(plainAxiom + '\n' + plainRules));
+        QVERIFY2(left.empty(), (plainAxiom + '\n' + plainRules).c_str());
     }
 }
 

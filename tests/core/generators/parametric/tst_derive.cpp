@@ -1,6 +1,8 @@
 #include "core/generators/parametric/derive.h"
 #include "tests/support/suite.h"
 
+#include <QFile>
+#include <algorithm>
 #include <cmath>
 
 namespace tst_derive {
@@ -46,6 +48,9 @@ private slots:
     void chanceIsOfTheSeed();
     void chanceIsOfThePlace();
     void weightsAreShares();
+    void aSignalRunsPastWhatIsIgnored();
+    void theHandbooksPlantGrows_data();
+    void theHandbooksPlantGrows();
 };
 
 void TestDerive::numbersThatAreNone()
@@ -127,6 +132,27 @@ void TestDerive::contexts_data()
     QTest::newRow("signal") << "BAAA"
                             << "B < A -> B\nB -> A"
                             << "ABAA";
+    QTest::newRow("turns stand in the way") << "B+A"
+                                            << "B < A -> C"
+                                            << "B+A";
+    QTest::newRow("ignored on the left") << "B+-A"
+                                         << "#ignore: +-\nB < A -> C"
+                                         << "B+-C";
+    QTest::newRow("ignored on the right") << "A+[X]-B"
+                                          << "ignore: + -\nA > B -> C"
+                                          << "C+[X]-B";
+    QTest::newRow("ignored without a colon, of two lines") << "B+F(1)A"
+                                                           << "#ignore +\n#ignore F\nB < A -> C"
+                                                           << "B+F(1)C";
+    QTest::newRow("considered alone") << "B+F(1)XA"
+                                      << "#consider: AB\nB < A -> C"
+                                      << "B+F(1)XC";
+    QTest::newRow("an ignored module has contexts") << "B+A"
+                                                    << "ignore: +\nB < + > A -> -"
+                                                    << "B-A";
+    QTest::newRow("digits") << "1F0"
+                            << "ignore: F\n1 < 0 -> 10"
+                            << "1F10";
 }
 
 void TestDerive::contexts()
@@ -181,6 +207,41 @@ void TestDerive::weightsAreShares()
     for (std::uint64_t seed = 0; seed < 4000; ++seed)
         ones += textOf(grown("A", "A -> 1: F | 3: f", 1, true, seed)) == "F" ? 1 : 0;
     QVERIFY2(std::abs(ones - 1000) < 100, qPrintable(QString::number(ones)));
+}
+
+void TestDerive::aSignalRunsPastWhatIsIgnored()
+{
+    const char* const rules = "#ignore: +-\nI < A -> F(1)I\nI -> ";
+    QCOMPARE(textOf(grown("F(1)I+A+A+A", rules, 3)), std::string("F(1)+F(1)+F(1)+F(1)I"));
+}
+
+void TestDerive::theHandbooksPlantGrows_data()
+{
+    QTest::addColumn<QString>("file");
+    QTest::newRow("English") << "grammar.md";
+    QTest::newRow("French") << "fr/grammar.md";
+}
+
+/// Figure 1.31a of the book (after Hogeweg and Hesper), as the page has it from there, and what an
+/// independent program of a few lines makes of it.
+void TestDerive::theHandbooksPlantGrows()
+{
+    QFETCH(const QString, file);
+    QFile page(QStringLiteral(RAMURE_SOURCE_DIR "/resources/handbook/") + file);
+    QVERIFY(page.open(QIODevice::ReadOnly));
+    std::string rules;
+    for (bool isHere = false; !page.atEnd();) {
+        const QByteArray line = page.readLine();
+        isHere = (isHere || line.startsWith("    #ignore")) && line.startsWith("    ");
+        if (isHere)
+            rules += line.toStdString();
+    }
+    QCOMPARE(textOf(grown("F1F1F1", rules, 1)), std::string("F1F0F1"));
+    QCOMPARE(textOf(grown("F1F1F1", rules, 6)), std::string("F1F0F0F0[+F1F1F1]F1"));
+    QCOMPARE(textOf(grown("F1F1F1", rules, 8)), std::string("F1F0F1[+F1F1]F1[-F0F1][+F0F1F1F1]F1"));
+    const std::string last = textOf(grown("F1F1F1", rules, 30));
+    QCOMPARE(last.size(), std::size_t(6910));
+    QCOMPARE(std::ranges::count(last, 'F'), 2501);
 }
 
 RAMURE_SUITE(TestDerive)

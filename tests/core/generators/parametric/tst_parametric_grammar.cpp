@@ -1,3 +1,4 @@
+#include "core/generators/parametric/grammar_notes.h"
 #include "core/generators/parametric/parametric_grammar.h"
 #include "core/math/random.h"
 #include "tests/support/suite.h"
@@ -36,6 +37,12 @@ private slots:
     void commentsAndBlanksDoNotCount();
     void barsPartOutcomesOrTurn();
     void parametersOfContexts();
+    void theBooksNotationIsRead_data();
+    void theBooksNotationIsRead();
+    void whatCannotBeReadSaysWhatToWrite_data();
+    void whatCannotBeReadSaysWhatToWrite();
+    void definitionsAreConstants();
+    void lookalikesAreNamedAndReplaced();
 };
 
 void TestParametricGrammar::errorsNameTheirPlace_data()
@@ -70,7 +77,15 @@ void TestParametricGrammar::errorsNameTheirPlace_data()
     add("a name of the language", "A", "A(order) -> F", "", rules, 1, 3);
     add("a number of two dots", "F(1.2.3)", "", "", axiom, 1, 6);
     add("a huge number", "F(1e999)", "", "", axiom, 1, 3);
-    add("a digit", "F2", "", "", axiom, 1, 2);
+    add("a digit with a point", "F2.5", "", "", axiom, 1, 3);
+    add("a number in front of no colon", "A", "A -> 0.5 F", "", rules, 1, 10);
+    add("a comment that never ends", "A", "A -> F /* one\nB -> F", "", rules, 1, 8);
+    add("a quote of typography", "A", "A -> \u201CF", "", rules, 1, 6);
+    add("a full-width letter behind a comment", "A", "A -> F /* \u2212 */ \uFF21", "", rules, 1, 18);
+    add("a definition twice", "A", "#define r 1\n#define r 2", "", rules, 2, 9);
+    add("a definition of a constant", "A", "#define r 1", "r = 2", rules, 1, 9);
+    add("a definition without a value", "A", "#define r\nA -> F", "", rules, 1, 10);
+    add("a bracket that is ignored", "A", "ignore: +[", "", rules, 1, 10);
     add("an open bracket", "F[[F]", "", "", axiom, 1, 2);
     add("no module in brackets", "A", "A -> [+_F]", "", rules, 1, 8);
     add("an open bracket of an outcome", "A", "A -> 1: [F | 2: F", "", rules, 1, 9);
@@ -119,7 +134,8 @@ void TestParametricGrammar::nestingIsLimited()
 
 void TestParametricGrammar::randomTextsNeverCrash()
 {
-    static constexpr std::string_view alphabet = "AB(l,)w<>:->[]|0.5+*/^!%~$&=#\n min rand";
+    static constexpr std::string_view alphabet =
+        "AB(l,)w<>:->[]|0.5+*/^!%~$&=#\n min rand ignore #define \xE2\x88\x92";
     Random random(7, RandomStream::Test);
     const auto text = [&random] {
         std::string out;
@@ -205,6 +221,124 @@ void TestParametricGrammar::parametersOfContexts()
     inputs.parameters = numbers;
     QCOMPARE(right->rules[0].condition.value(inputs), 1.0);
     QCOMPARE(right->rules[0].productions[0].computed[0].expression.value(inputs), 123.0);
+}
+
+void TestParametricGrammar::theBooksNotationIsRead_data()
+{
+    QTest::addColumn<QString>("rules");
+    QTest::addColumn<QString>("plain");
+    const auto row = [](const char* rules, const char* plain) {
+        QTest::addRow("%s", rules) << rules << plain;
+    };
+    row("p1 : A(l) -> F(l)", "A(l) -> F(l)");
+    row("p1: A -> F\np2: F -> A", "A -> F\nF -> A");
+    row("p\u2081 : A \u2192 F", "A -> F");
+    row("A(l) : * -> F(l)", "A(l) -> F(l)");
+    row("A(l) : \u2217 \u2192 F(l)", "A(l) -> F(l)");
+    row("A(l) : l=1 -> F(l)", "A(l) : l==1 -> F(l)");
+    row("A(l) : l>=1 & l<3 | l=0 -> F(l)", "A(l) : l>=1 && l<3 || l==0 -> F(l)");
+    row("A(l) : l\u22651 \u2192 F(l\u22120.5)", "A(l) : l>=1 -> F(l-0.5)");
+    row("A(l) --> F(l\u00D72)", "A(l) -> F(l*2)");
+    row("A(l) : l>1 --> F(l)", "A(l) : l>1 -> F(l)");
+    row("A \u2192 [\u2212A]+A", "A -> [-A]+A");
+    row("A\u00A0->\u2009F", "A -> F");
+    row("* < A > * -> F", "A -> F");
+    row("* < A > B -> F", "A > B -> F");
+    row("0 < 1 > 0 -> 1[+F1F1]\n0 -> 1", "0 < 1 > 0 -> 1 [+F1F1]\n0 -> 1");
+    row("A -> F /* a stem */ [+A] # and its branch", "A -> F[+A]");
+    row("/* two\nlines */\nA -> F", "\n\nA -> F");
+    row("A(\u03B1) -> +(\u03B1)F", "A(a) -> +(a)F");
+    row("A -> 0.5: F1 | 0.5: F|1", "A -> 0.5: F 1 | 0.5: F | 1");
+}
+
+void TestParametricGrammar::theBooksNotationIsRead()
+{
+    QFETCH(QString, rules);
+    QFETCH(QString, plain);
+    const auto read = parseParametric(paramsOf("A(1)0", rules.toStdString()));
+    const auto same = parseParametric(paramsOf("A(1)0", plain.toStdString()));
+    QVERIFY2(read, test::why(read));
+    QVERIFY2(same, test::why(same));
+    QCOMPARE(read->rules.size(), same->rules.size());
+    QCOMPARE(read->sources.size(), same->sources.size());
+    for (std::size_t i = 0; i < read->sources.size(); ++i)
+        QVERIFY(read->sources[i].name == same->sources[i].name &&
+                read->sources[i].numbers == same->sources[i].numbers);
+    for (std::size_t i = 0; i < read->rules.size(); ++i) {
+        const ParametricRule &a = read->rules[i], &b = same->rules[i];
+        QVERIFY(a.left.has_value() == b.left.has_value() && a.right.has_value() == b.right.has_value());
+        QVERIFY(a.condition.empty() == b.condition.empty() && a.productions.size() == b.productions.size());
+        for (const double number : {0.0, 0.5, 1.0, 2.0, 3.0, 7.0}) {
+            ExpressionInputs inputs;
+            inputs.parameters = &number;
+            QVERIFY(a.condition.empty() || a.condition.value(inputs) == b.condition.value(inputs));
+            for (std::size_t j = 0; j < a.productions[0].computed.size(); ++j)
+                QCOMPARE(a.productions[0].computed[j].expression.value(inputs),
+                         b.productions[0].computed[j].expression.value(inputs));
+        }
+    }
+}
+
+void TestParametricGrammar::whatCannotBeReadSaysWhatToWrite_data()
+{
+    QTest::addColumn<QString>("rules");
+    QTest::addColumn<QString>("part");
+    const auto row = [](const char* rules, const char* part) { QTest::addRow("%s", rules) << rules << part; };
+    row("A -> 'F", "leave ' out");
+    row("A -> {.F.}", "~(leaf, 0.1)");
+    row("#include <leaf.h>", "paste the text of the file here");
+    row("#define twice(x) 2*x", "macros with parameters are not supported");
+    row("A -> F : 0.5", "\"0.5: F | 0.5: FF\"");
+    row("\u03C9 : A(1)", "grammar.axiom");
+    row("axiom: A(1)", "grammar.axiom");
+    row("derivation length: 5", "grammar.iterations");
+    row("A -> \uFF21", "write \"A\"");
+}
+
+void TestParametricGrammar::whatCannotBeReadSaysWhatToWrite()
+{
+    QFETCH(QString, rules);
+    QFETCH(QString, part);
+    const auto grammar = parseParametric(paramsOf("A", rules.toStdString()));
+    QVERIFY(!grammar);
+    QVERIFY2(QString::fromStdString(grammar.error().plain()).contains(part),
+             grammar.error().message().c_str());
+    QVERIFY(grammar.error().line == 1 && grammar.error().column >= 1);
+}
+
+void TestParametricGrammar::definitionsAreConstants()
+{
+    const auto params =
+        paramsOf("A(CH)", "#define CH 900 /* high */\n#define r = CH / 3\nA(x) -> F(x * r * s)",
+                 "#define s 2\nt = s + 1");
+    const auto grammar = parseParametric(params);
+    QVERIFY2(grammar, test::why(grammar));
+    QVERIFY((grammar->constants == Constants{{"CH", 900.0}, {"r", 300.0}, {"s", 2.0}, {"t", 3.0}}));
+    QCOMPARE(grammar->axiom.numbers.front(), 900.0);
+    QVERIFY(*parseConstants(params) == grammar->constants);
+    // A word of a comment is no command.
+    QVERIFY(parseParametric(paramsOf("A", "# define r 2\n#defined\n#ignored\nA -> F # ignore: F")));
+}
+
+void TestParametricGrammar::lookalikesAreNamedAndReplaced()
+{
+    GrammarParams params = paramsOf("A \uFF22", "A -> \u201CF\u201D [\u2212A]\nB -> \u0410 # \u201C");
+    const GrammarNotes notes = grammarNotes(params);
+    QCOMPARE(notes.size(), std::size_t(4));
+    QCOMPARE(QString::fromStdString(notes.back().what.message()),
+             QStringLiteral("2:6: grammar.rules: \"\u0410\" (U+0410) is not \"A\": write \"A\""));
+    params.axiom = withReplacements(params.axiom, "grammar.axiom", notes);
+    params.rules = withReplacements(params.rules, "grammar.rules", notes);
+    QCOMPARE(params.axiom, std::string("A B"));
+    QCOMPARE(QString::fromStdString(params.rules), QStringLiteral("A -> F [\u2212A]\nB -> A # \u201C"));
+    QVERIFY(grammarNotes(params).empty() && parseParametric(params));
+    NodeParams node;
+    node.grammar = paramsOf("\uFF22", "");
+    QVERIFY(grammarWarnings(node).empty()); // an error says it
+    node.grammar.dialect = GrammarDialect::Classic;
+    QCOMPARE(grammarWarnings(node).size(), std::size_t(1));
+    node.generator.kind = TreeGenerator::WeberPenn;
+    QVERIFY(grammarWarnings(node).empty());
 }
 
 RAMURE_SUITE(TestParametricGrammar)
