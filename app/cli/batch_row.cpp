@@ -282,6 +282,8 @@ QJsonObject RowMaker::make(const BatchRow& row)
     Evaluator evaluator(pipelineSource(pipeline), input->scene()->timeline());
     EvaluatedScene now = evaluator.at(*input->scene());
     QJsonObject line = lineOf(m_plan, row);
+    if (const QJsonArray warnings = jsonWarnings(*input->scene()); !warnings.isEmpty())
+        line.insert(QStringLiteral("warnings"), warnings);
     m_levels.reset();
     const auto checked = isOfLevelsAlone(m_plan, row, *input->scene()) ? checkLevels(now, line)
                                                                        : checkWhole(*input, evaluator, line);

@@ -226,7 +226,7 @@ Expected<int> runBillboard(const CommandLine& line)
     const auto request = billboardRequestOf(line);
     if (!request)
         return fail(request.error());
-    auto input = loadInput(line.arguments().front(), line.values("set"));
+    auto input = loadInput(line);
     if (!input)
         return fail(input.error());
     if (const auto kept = keepNodes(*input, line.values("node")); !kept)

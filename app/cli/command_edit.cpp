@@ -77,7 +77,7 @@ Expected<int> runEdit(const CommandLine& line)
         return fail(ErrorCode::Invalid, "missing --script FILE");
     if (QFileInfo(line.value("output")).suffix().toLower() != QLatin1String("ramure"))
         return fail(ErrorCode::Invalid, "missing -o FILE.ramure");
-    auto input = loadInput(line.arguments().front(), line.values("set"));
+    auto input = loadInput(line);
     if (!input)
         return fail(std::move(input.error()));
     auto* const scene = std::get_if<Scene>(&input->content);

@@ -474,7 +474,7 @@ Expected<int> runExport(const CommandLine& line)
         return fail(print.error());
     const Work work("export");
     const Progress progress = work.progress();
-    auto input = loadInput(line.arguments().front(), line.values("set"), progress.part(0.0, 0.0));
+    auto input = loadInput(line, progress.part(0.0, 0.0));
     if (!input)
         return fail(input.error());
     if (const auto kept = keepNodes(*input, line.values("node")); !kept)

@@ -104,7 +104,7 @@ Expected<int> solveInput(const CommandLine& line)
     const auto steps = parseSteps(line);
     if (!steps)
         return fail(steps.error());
-    const auto input = loadInput(line.arguments().front(), line.values("set"));
+    const auto input = loadInput(line);
     if (!input)
         return fail(input.error());
     if (!input->scene())

@@ -382,6 +382,8 @@ Expected<void> showScene(EvaluatedScene now, const Checked& checked, bool json, 
     all.insert(QStringLiteral("nodes"), *list);
     if (const QJsonArray pictures = jsonPictures(scene); !pictures.isEmpty())
         all.insert(QStringLiteral("badPictures"), pictures);
+    if (const QJsonArray warnings = jsonWarnings(scene); !warnings.isEmpty())
+        all.insert(QStringLiteral("warnings"), warnings);
     addVerdict(all, checked);
     return printJson(all);
 }
@@ -451,7 +453,7 @@ void addInfoOptions(CommandLine& line)
 
 Expected<int> runInfo(const CommandLine& line)
 {
-    const auto input = loadInput(line.arguments().front(), line.values("set"));
+    const auto input = loadInput(line);
     if (!input)
         return fail(input.error());
     const auto moments = momentsOf(line, *input);

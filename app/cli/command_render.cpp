@@ -224,7 +224,7 @@ Expected<int> runRender(const CommandLine& line)
     if (mode.shown == Shown::Texture && (line.has("time") || line.has("frames")))
         return fail(ErrorCode::Invalid, "--mode %1 needs the tree at rest: without --time and --frames",
                     {mode.name()});
-    auto input = loadInput(line.arguments().front(), line.values("set"));
+    auto input = loadInput(line);
     if (!input)
         return fail(input.error());
     if (const auto kept = keepNodes(*input, line.values("node")); !kept)

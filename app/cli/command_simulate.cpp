@@ -175,7 +175,7 @@ Expected<int> runSimulate(const CommandLine& line)
     const auto steps = stepsOf(line);
     if (!steps)
         return fail(steps.error());
-    const auto input = loadInput(line.arguments().front(), line.values("set"));
+    const auto input = loadInput(line);
     if (!input)
         return fail(input.error());
     const auto node = treeOf(*input, line);

@@ -93,7 +93,7 @@ Expected<int> runTextures(const CommandLine& line)
     const auto size = sizeFrom(line);
     if (!size)
         return fail(size.error());
-    auto input = loadInput(line.arguments().front(), line.values("set"));
+    auto input = loadInput(line);
     if (!input)
         return fail(input.error());
     if (const auto kept = keepNodes(*input, line.values("node")); !kept)

@@ -123,10 +123,16 @@ QString textOf(const CheckedMesh& one, bool crossings)
            (one.texture ? textTexture(*one.texture) : QString());
 }
 
-Expected<void> show(const std::vector<CheckedMesh>& all, bool crossings, bool json)
+Expected<void> showJson(const std::vector<CheckedMesh>& all, bool crossings, const QJsonArray& warnings)
 {
-    if (json)
-        return printJson(jsonOf(all, crossings));
+    QJsonObject told = jsonOf(all, crossings);
+    if (!warnings.isEmpty())
+        told.insert(QStringLiteral("warnings"), warnings);
+    return printJson(told);
+}
+
+Expected<void> show(const std::vector<CheckedMesh>& all, bool crossings)
+{
     if (all.size() == 1)
         return print(textOf(all.front(), crossings));
     QString texts;
@@ -162,14 +168,17 @@ void addValidateOptions(CommandLine& line)
 Expected<int> runValidate(const CommandLine& line)
 {
     const bool crossings = line.has("self-intersections");
+    QJsonArray warnings;
     const auto checked = [&]() -> Expected<std::vector<CheckedMesh>> {
         const Work work("validate");
         const Progress progress = work.progress();
-        auto input = loadInput(line.arguments().front(), line.values("set"), progress.part(0.0, 0.1));
+        auto input = loadInput(line, progress.part(0.0, 0.1));
         if (!input)
             return fail(input.error());
         if (const auto kept = keepNodes(*input, line.values("node")); !kept)
             return fail(kept.error());
+        if (input->scene())
+            warnings = jsonWarnings(*input->scene());
         const auto moments = momentsOf(line, *input);
         if (!moments)
             return fail(moments.error());
@@ -186,7 +195,9 @@ Expected<int> runValidate(const CommandLine& line)
     }();
     if (!checked)
         return fail(checked.error());
-    if (const auto shown = show(*checked, crossings, line.has("json")); !shown)
+    if (const auto shown =
+            line.has("json") ? showJson(*checked, crossings, warnings) : show(*checked, crossings);
+        !shown)
         return fail(shown.error());
     return sumOf(*checked).valid ? exitGood : exitCheckFailed;
 }

@@ -1,5 +1,6 @@
 #include "app/cli/input.h"
 #include "core/document/project_file.h"
+#include "core/generators/parametric/grammar_notes.h"
 #include "core/io/formats/file_format.h"
 #include "core/params/param_def.h"
 #include "core/rig/arm/arm_chain.h"
@@ -9,6 +10,7 @@
 #include "core/scene/preset_scene.h"
 #include "core/scene/shown_nodes.h"
 #include <QFileInfo>
+#include <QJsonObject>
 #include <QLocale>
 #include <algorithm>
 #include <set>
@@ -122,6 +124,38 @@ Expected<Input> loadInput(const QString& text, const QStringList& sets, const Pr
     if (!mesh)
         return fail(mesh.error());
     return Input{std::move(*mesh)};
+}
+
+Expected<Input> loadInput(const CommandLine& line, const Progress& progress)
+{
+    auto input = loadInput(line.arguments().front(), line.values("set"), progress);
+    if (input && input->scene())
+        for (const Error& warning : warningsOf(*input->scene()))
+            printError(QStringLiteral("warning: ") + fromText(warning.message()));
+    return input;
+}
+
+std::vector<Error> warningsOf(const Scene& scene)
+{
+    const auto& nodes = scene.nodes();
+    const bool isOne = std::ranges::count(nodes, NodeKind::Tree, &Node::kind) == 1;
+    std::vector<Error> warnings;
+    for (const Node& node : nodes)
+        if (node.kind == NodeKind::Tree)
+            for (Error& warning : grammarWarnings(node.params))
+                warnings.push_back(isOne ? std::move(warning) : named(node, std::move(warning)));
+    return warnings;
+}
+
+QJsonArray jsonWarnings(const Scene& scene)
+{
+    QJsonArray list;
+    for (const Error& warning : warningsOf(scene))
+        list.append(QJsonObject{{QStringLiteral("path"), fromText(warning.path)},
+                                {QStringLiteral("line"), warning.line},
+                                {QStringLiteral("column"), warning.column},
+                                {QStringLiteral("text"), fromText(warning.plain())}});
+    return list;
 }
 
 Expected<std::vector<const Node*>> treesOf(const Scene& scene)

@@ -7,6 +7,7 @@
 #include "core/pipeline/tree_pipeline.h"
 #include "core/scene/scene.h"
 #include "core/session/exporter.h"
+#include <QJsonArray>
 #include <variant>
 
 namespace ramure::cli {
@@ -23,6 +24,15 @@ struct Input
 /// \param sets the values of --set, applied to every node that has the parameter; refused for mesh files.
 /// Errors: Unknown (preset, ending, parameter), Invalid and Syntax (a value), and those of the files.
 Expected<Input> loadInput(const QString& text, const QStringList& sets, const Progress& progress = {});
+
+/// The INPUT of a command with its --set. Warnings about it go to the standard error. Errors as above.
+Expected<Input> loadInput(const CommandLine& line, const Progress& progress = {});
+
+/// What a tree grows from but probably does not mean (core/generators/parametric/grammar_notes.h); names of
+/// several trees stand before it.
+std::vector<Error> warningsOf(const Scene& scene);
+/// Likewise, as the value of "warnings" in the JSON of commands, which have it where it is not empty.
+QJsonArray jsonWarnings(const Scene& scene);
 
 /// The values of --set, for every node that has the parameter. Errors: Unknown, Invalid, Syntax; path = the
 /// key.

@@ -15,6 +15,32 @@ class TestRamureCliScenes : public QObject
 private slots:
     void init() { test::failOnAnyWarning(); }
 
+    /// They grow as the text says, and the place is told.
+    void lookalikesInAGrammarAreWarnings()
+    {
+        const auto run = [](const char* command, const char* minus) {
+            return runCli({QString::fromLatin1(command), QStringLiteral("preset:SmallTree"),
+                           QStringLiteral("--json"), QStringLiteral("--set"),
+                           QStringLiteral("grammar.iterations=2"), QStringLiteral("--set"),
+                           QStringLiteral("grammar.rules=A -> B[+B]%1B").arg(QString::fromUtf8(minus))});
+        };
+        for (const char* command : {"info", "validate"}) {
+            const auto typed = run(command, "-"), pasted = run(command, "\u2212");
+            QCOMPARE(typed.code, 0);
+            QCOMPARE(pasted.code, 0);
+            QVERIFY(typed.err.isEmpty() && !typed.json().contains(QStringLiteral("warnings")));
+            QVERIFY2(pasted.err.startsWith(QStringLiteral("ramure-cli: warning: 1:11: grammar.rules: "
+                                                          "\"\u2212\" (U+2212)")),
+                     qPrintable(pasted.err));
+            QCOMPARE(pasted.err.count(u'\n'), 1);
+            const QJsonArray warnings = pasted.json().value(QStringLiteral("warnings")).toArray();
+            QCOMPARE(warnings.size(), 1);
+            QCOMPARE(warnings[0].toObject().value(QStringLiteral("column")).toInt(), 11);
+            QCOMPARE(warnings[0].toObject().value(QStringLiteral("path")).toString(),
+                     QStringLiteral("grammar.rules"));
+        }
+    }
+
     void unknownNodesAreRefused()
     {
         QTemporaryDir folder;

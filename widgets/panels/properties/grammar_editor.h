@@ -2,6 +2,7 @@
 /// The editor for parameters in the grammar's language, and for other long texts.
 #pragma once
 
+#include "core/generators/grammar/grammar_note.h"
 #include "widgets/panels/properties/param_editor.h"
 
 namespace ramure {
@@ -22,7 +23,14 @@ public:
     [[nodiscard]] bool isWide() const override { return true; }
 
 private:
+    void showRemarks();
+    void replaceLookalikes();
+
     GrammarEdit* m_edit = nullptr;
+    std::string m_text;             ///< of all selected nodes
+    GrammarNotes m_notes;           ///< on that text
+    std::optional<Error> m_problem; ///< in it
+    QString m_message;              ///< of the row; it goes before the notes
 };
 
 } // namespace ramure

@@ -7,6 +7,7 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMimeData>
+#include <QPushButton>
 #include <QRegularExpression>
 #include <QScrollBar>
 #include <QStringListModel>
@@ -84,6 +85,7 @@ GrammarEdit::GrammarEdit(GrammarText kind, QWidget* parent)
     , m_kind(kind)
     , m_lines(usualLines())
     , m_message(new QLabel(this))
+    , m_replace(new QPushButton(m_message))
     , m_completer(new QCompleter(this))
 {
     setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
@@ -107,6 +109,9 @@ GrammarEdit::GrammarEdit(GrammarText kind, QWidget* parent)
     m_message->setBackgroundRole(QPalette::Base);
     m_message->setMargin(4);
     m_message->hide();
+    m_replace->hide();
+    m_replace->setAutoDefault(false);
+    connect(m_replace, &QPushButton::clicked, this, &GrammarEdit::replacementWanted);
     setFixedHeight(heightOfLines());
     m_completer->setWidget(this);
     m_completer->setModel(new QStringListModel(m_completer));
@@ -164,9 +169,12 @@ void GrammarEdit::setLines(int lines)
     setFixedHeight(heightOfLines());
 }
 
-void GrammarEdit::showMessage(const QString& text)
+void GrammarEdit::showMessage(const QString& text, bool offersReplacement)
 {
     m_message->setText(text);
+    m_replace->setText(tr("Replace"));
+    m_replace->setToolTip(tr("Writes the characters of the language in place of those that look like them"));
+    m_replace->setVisible(offersReplacement);
     m_message->setVisible(!text.isEmpty());
     placeMessage();
 }
@@ -175,9 +183,13 @@ void GrammarEdit::showMessage(const QString& text)
 void GrammarEdit::placeMessage()
 {
     const QRect inside = rect().adjusted(frameWidth(), frameWidth(), -frameWidth(), -frameWidth());
-    const int height = m_message->isHidden() ? 0 : m_message->heightForWidth(inside.width());
+    const QSize button = m_replace->isHidden() ? QSize() : m_replace->sizeHint() + QSize(4, 4);
+    m_message->setContentsMargins(0, 0, std::max(0, button.width()), 0);
+    const int height =
+        m_message->isHidden() ? 0 : std::max(m_message->heightForWidth(inside.width()), button.height());
     setViewportMargins(0, 0, 0, height);
     m_message->setGeometry(inside.left(), inside.bottom() + 1 - height, inside.width(), height);
+    m_replace->setGeometry(QRect(QPoint(inside.width() - button.width() + 2, 2), m_replace->sizeHint()));
 }
 
 void GrammarEdit::showText(const QString& text)
@@ -194,7 +206,7 @@ void GrammarEdit::showText(const QString& text)
     updateMarks();
 }
 
-void GrammarEdit::showProblem(int line, int column)
+void GrammarEdit::showProblem(int line, int column, bool isWarning)
 {
     std::pair<int, int> range{-1, -1};
     const QTextBlock block = line > 0 ? document()->findBlockByNumber(line - 1) : QTextBlock();
@@ -208,9 +220,10 @@ void GrammarEdit::showProblem(int line, int column)
             range = {block.position(), block.position() + length};
         }
     }
-    if (range == m_problem)
+    if (range == m_problem && isWarning == m_problemIsWarning)
         return;
     m_problem = range;
+    m_problemIsWarning = isWarning;
     updateMarks();
 }
 
@@ -241,8 +254,8 @@ void GrammarEdit::updateMarks()
     if (m_problem.first >= 0) {
         QTextCharFormat wave;
         wave.setUnderlineStyle(QTextCharFormat::WaveUnderline);
-        wave.setUnderlineColor(errorColour(palette()));
-        QColor wash = errorColour(palette());
+        QColor wash = m_problemIsWarning ? warningColour(palette()) : errorColour(palette());
+        wave.setUnderlineColor(wash);
         wash.setAlpha(48);
         wave.setBackground(wash);
         mark(m_problem.first, m_problem.second, wave);

@@ -9,6 +9,7 @@
 
 class QCompleter;
 class QLabel;
+class QPushButton;
 
 namespace ramure {
 
@@ -25,10 +26,11 @@ public:
     /// Replaces the text and keeps the cursor's place where it can; never emits edited().
     void showText(const QString& text);
     /// Underlines the place of an error. \param line 1-based, 0 = no error. \param column 1-based, counted in
-    /// bytes as the core does; 0 = the whole line.
-    void showProblem(int line, int column);
+    /// bytes as the core does; 0 = the whole line. \param isWarning the text can be read all the same
+    void showProblem(int line, int column, bool isWarning = false);
     /// Says what is wrong at the lower edge, inside the frame; empty: nothing.
-    void showMessage(const QString& text);
+    /// \param offersReplacement with a button that asks for replacementWanted()
+    void showMessage(const QString& text, bool offersReplacement = false);
     /// How many lines are in sight; more are scrolled.
     [[nodiscard]] int lines() const { return m_lines; }
     void setLines(int lines);
@@ -45,6 +47,8 @@ signals:
     /// A pause in typing: another line, deleting after writing, another place. What follows is another undo
     /// step.
     void gestureBroken();
+    /// The characters that are not what they look like are to be replaced.
+    void replacementWanted();
 
 protected:
     bool event(QEvent* event) override;
@@ -67,6 +71,8 @@ private:
     GrammarText m_kind;
     int m_lines;
     QLabel* m_message;
+    QPushButton* m_replace;
+    bool m_problemIsWarning = false;
     bool m_showing = false;
     bool m_lastWasDeleting = false;
     std::pair<int, int> m_problem{-1, -1};

@@ -100,8 +100,9 @@ void GrammarHighlighter::highlightSymbols(const QString& text, qsizetype from)
 /// are modules; those in front of the arrow are bold.
 void GrammarHighlighter::highlightModules(const QString& text)
 {
-    static const QRegularExpression token(QStringLiteral("#.*|->|\\d+(\\.\\d*)?([eE][+-]?\\d+)?|"
-                                                         "\\.\\d+([eE][+-]?\\d+)?|[A-Za-z_]\\w*|\\S"));
+    static const QRegularExpression token(QStringLiteral(
+        "#(?!(?:define|ignore|consider)\\b).*|/\\*.*?(?:\\*/|$)|-?->|\u2192|\\d+(\\.\\d*)?([eE][+-]?\\d+)?|"
+        "\\.\\d+([eE][+-]?\\d+)?|[A-Za-z_]\\w*|\\S"));
     QTextCharFormat head = m_symbol;
     head.setFontWeight(QFont::Bold);
     bool isHead = m_kind == GrammarText::Rules && text.contains(QLatin1String("->"));
@@ -112,9 +113,9 @@ void GrammarHighlighter::highlightModules(const QString& text)
         const QString found = match.captured();
         const int at = static_cast<int>(match.capturedStart()), size = static_cast<int>(found.size());
         const QChar first = found[0];
-        if (first == u'#') {
+        if ((first == u'#' && size > 1) || found.startsWith(QLatin1String("/*"))) {
             setFormat(at, size, m_comment);
-        } else if (found == QLatin1String("->")) {
+        } else if (found.endsWith(QLatin1String("->")) || first == u'\u2192') {
             isHead = isCondition = false;
             setFormat(at, size, m_arrow);
         } else if (first.isDigit() || (first == u'.' && size > 1)) {
