@@ -2,6 +2,9 @@
 #include "core/pipeline/tree_pipeline.h"
 #include "core/surface/check/texture_report.h"
 #include "tests/support/suite.h"
+#include <QFile>
+#include <algorithm>
+#include <cmath>
 
 namespace tst_texture_stage {
 
@@ -73,8 +76,44 @@ private slots:
         QCOMPARE(report.mirrored, Index(0));
         QVERIFY2(report.goodShare() >= good, qPrintable(QString::number(report.goodShare())));
     }
+    /// The table of densities in both languages, by its columns.
+    void theHandbookSaysHowDensitiesDiffer_data()
+    {
+        QTest::addColumn<QString>("page");
+        QTest::newRow("en") << "/resources/handbook/files.md";
+        QTest::newRow("fr") << "/resources/handbook/fr/files.md";
+    }
+    void theHandbookSaysHowDensitiesDiffer()
+    {
+        QFETCH(const QString, page);
+        QFile file(QStringLiteral(RAMURE_SOURCE_DIR) + page);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QStringList lines = QString::fromUtf8(file.readAll()).split(u'\n');
+        const auto plain = std::ranges::find_if(lines, [](const QString& line) {
+            return line.startsWith(u'|') && line.contains(QLatin1String("bark.family=plain"));
+        });
+        QVERIFY(plain - lines.begin() > 3 && plain != lines.end());
+        const QStringList names = (plain - 3)->split(u'|'), withPicture = (plain - 1)->split(u'|'),
+                          without = plain->split(u'|');
+        QVERIFY(names.size() == 7 && withPicture.size() == 7 && without.size() == 7);
+        for (int i = 2; i < 6; ++i) {
+            NodeParams params = *presetParams(names[i].trimmed().toStdString());
+            QCOMPARE(withPicture[i].trimmed().toInt(), densityDifference(params));
+            params.bark.family = BarkFamily::Plain;
+            QCOMPARE(without[i].trimmed().toInt(), densityDifference(params));
+        }
+    }
 
 private:
+    /// In per cent.
+    int densityDifference(const NodeParams& params)
+    {
+        const auto tree = m_pipeline.evaluate(params, Stage::Mesh);
+        if (!tree)
+            return -1;
+        const auto made = tree->texture->coordinates(params);
+        return made ? int(std::lround(100.0 * textureReport(*tree->branches, **made).unevenness)) : -1;
+    }
     TreeResult tree(Stage last = Stage::Mesh)
     {
         NodeParams params;
