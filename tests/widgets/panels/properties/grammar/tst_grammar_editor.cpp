@@ -88,7 +88,7 @@ private slots:
         QCOMPARE(grammar().rules, std::string("A -> [+B]A\nB -> [-A] -B"));
         QCOMPARE(m_document->undoStack()->count(), steps + 1);
         QVERIFY(message("grammar.rules").isEmpty() && !button("grammar.rules"));
-        m_document->undoStack()->undo();
+        m_document->undo();
         QCOMPARE(grammar().rules, std::string(rules));
         QVERIFY(!message("grammar.rules").isEmpty() && button("grammar.rules"));
     }
