@@ -2,6 +2,7 @@
 
 #include <QAbstractItemView>
 #include <QAbstractSpinBox>
+#include <QAction>
 #include <QApplication>
 #include <QDialog>
 #include <QKeyEvent>
@@ -10,8 +11,17 @@
 #include <QMenuBar>
 #include <QPointer>
 #include <QScrollBar>
+#include <QToolButton>
 
 namespace ramure {
+
+/// The × at the end of a field (QLineEdit::setClearButtonEnabled).
+static bool isClearButton(const QObject* pressed)
+{
+    const auto* button = qobject_cast<const QToolButton*>(pressed);
+    return button && qobject_cast<const QLineEdit*>(button->parent()) && button->defaultAction() &&
+           button->defaultAction()->objectName() == QLatin1String("_q_qlineeditclearaction");
+}
 
 FieldLeaver::FieldLeaver(QMainWindow* window, QWidget* view)
     : QObject(window)
@@ -25,22 +35,37 @@ bool FieldLeaver::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::MouseButtonPress)
         pressedOn(qobject_cast<QWidget*>(watched));
-    if (event->type() != QEvent::KeyPress || watched != QApplication::focusWidget())
+    if (event->type() == QEvent::MouseButtonRelease && isClearButton(watched))
+        leaveSoon(static_cast<QWidget*>(watched->parent()));
+    const bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
+    auto* field = isKey && watched == QApplication::focusWidget() ? static_cast<QWidget*>(watched) : nullptr;
+    if (!field || !isOurs(field))
         return false;
-    const int key = static_cast<QKeyEvent*>(event)->key();
-    auto* field = static_cast<QWidget*>(watched);
-    if ((key == Qt::Key_Return || key == Qt::Key_Enter || key == Qt::Key_Escape) && isOurs(field)) {
-        // The field takes the key first.
-        const QPointer<QWidget> kept = field;
-        QMetaObject::invokeMethod(
-            this,
-            [this, kept] {
-                if (kept)
-                    leave(kept);
-            },
-            Qt::QueuedConnection);
+    const auto* key = static_cast<QKeyEvent*>(event);
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto* line = qobject_cast<const QLineEdit*>(field);
+        const bool undoes = key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo);
+        if (!line || line->isModified() || !undoes)
+            return false;
+        event->ignore();
+        return true;
     }
+    if (key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter || key->key() == Qt::Key_Escape)
+        leaveSoon(field);
     return false;
+}
+
+/// After the field itself has had the key or the click.
+void FieldLeaver::leaveSoon(QWidget* field)
+{
+    const QPointer<QWidget> kept = field;
+    QMetaObject::invokeMethod(
+        this,
+        [this, kept] {
+            if (kept && isOurs(kept))
+                leave(kept);
+        },
+        Qt::QueuedConnection);
 }
 
 /// On what takes no keys itself: those that follow are for the view, not for the field. Bars that scroll

@@ -12,10 +12,12 @@ namespace ramure {
 class FieldLeaver : public QObject
 {
 public:
-    /// A press elsewhere, on what takes no keys itself, and Return and Esc in a field of one line, in \p
-    /// window or in a panel that floats beside it, bring the focus to \p view: unless the field itself gave
-    /// it to something else, or what was typed is refused. Dialogs, texts of several lines and names in lists
-    /// are left alone. Neither is owned.
+    /// Brings the focus from a field of one line, in \p window or in a panel that floats beside it, to \p
+    /// view: after Return, Esc and the × that clears the field, and after a press elsewhere on what takes no
+    /// keys itself. The focus stays where the field itself gave it to something else, or where what was typed
+    /// is refused. Moving the pointer out of a field ends nothing, as in Blender: whoever types goes on.
+    /// Ctrl+Z in a field where nothing was typed is the document's. Dialogs, texts of several lines and names
+    /// in lists are left alone. Neither is owned.
     FieldLeaver(QMainWindow* window, QWidget* view);
 
 protected:
@@ -24,6 +26,7 @@ protected:
 private:
     [[nodiscard]] bool isOurs(const QWidget* field) const;
     void leave(const QWidget* field);
+    void leaveSoon(QWidget* field);
     void pressedOn(const QWidget* pressed);
 
     QMainWindow* m_window;

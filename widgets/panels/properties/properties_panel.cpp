@@ -82,6 +82,7 @@ PropertiesPanel::PropertiesPanel(Document* document, Preferences* preferences, Q
     m_empty->setContentsMargins(24, 32, 24, 24);
     m_clear = new QPushButton(this);
     m_clear->setObjectName(QStringLiteral("clearSearch"));
+    m_clear->setFocusPolicy(Qt::TabFocus); // it hides when it is pressed: the focus would go anywhere
     layout->addWidget(m_empty);
     layout->addWidget(m_clear, 0, Qt::AlignHCenter);
     layout->addWidget(m_scroll, 1);
