@@ -2,11 +2,14 @@
 #include "core/pipeline/tree_pipeline.h"
 #include "core/scene/arm_demo.h"
 #include "core/session/arm_reach.h"
+#include "core/session/auto_key.h"
 #include "core/session/player.h"
 #include "tests/support/suite.h"
 #include "tests/support/view_window.h"
+#include "widgets/base/theme.h"
 #include "widgets/view/tools/arm_rings.h"
 #include <algorithm>
+#include <cstdlib>
 
 namespace tst_arm_viewport {
 
@@ -28,6 +31,7 @@ private slots:
     void skinsDiffer();
     void limitsAreSeen();
     void aLimbFollowsTheHand();
+    void autoKeyFramesTheView();
 };
 
 namespace {
@@ -56,6 +60,32 @@ void TestArmViewport::theArmIsSeen()
     QVERIFY(edit::setNodeVisible(window.document, {1}, false));
     window.waitForPicture();
     QVERIFY(differing(with, window.view->grabFramebuffer()) > 4000);
+}
+
+/// Red at all edges while every edit becomes a key.
+void TestArmViewport::autoKeyFramesTheView()
+{
+    Window window;
+    Player player(&window.document);
+    AutoKey keys(&window.document, &player);
+    window.view->setKeys(&keys);
+    const auto isRed = [&](const QImage& picture) {
+        const QColor red = errorColour(window.view->palette());
+        const QPoint edges[] = {{400, 1}, {400, picture.height() - 2}, {1, 300}, {picture.width() - 2, 300}};
+        return std::ranges::all_of(edges, [&](QPoint at) {
+            const QColor there = picture.pixelColor(at);
+            return std::abs(there.red() - red.red()) + std::abs(there.green() - red.green()) +
+                       std::abs(there.blue() - red.blue()) <
+                   30;
+        });
+    };
+    QVERIFY(!isRed(window.view->grabFramebuffer()));
+    keys.setOn(true);
+    window.waitForPicture();
+    window.keep("auto-key");
+    QVERIFY(isRed(window.view->grabFramebuffer()));
+    keys.setOn(false);
+    QVERIFY(!isRed(window.view->grabFramebuffer()));
 }
 
 void TestArmViewport::controlClickSetsTheTarget()

@@ -10,6 +10,7 @@
 #include "widgets/view/viewport_host.h"
 #include <QActionGroup>
 #include <QMenu>
+#include <algorithm>
 #include <cmath>
 
 namespace ramure {
@@ -253,10 +254,14 @@ void ViewActions::addLight(ActionSet* set)
                   {},
                   QT_TRANSLATE_NOOP("Actions", "Where the sun stands, and what lies behind the trees")});
     ViewSettings* settings = m_host->settings();
-    settings->restoreLight(m_preferences->viewLight());
-    const auto save = [this, settings] { m_preferences->setViewLight(settings->savedLight()); };
-    connect(settings, &ViewSettings::lightChanged, this, save);
-    connect(settings, &ViewSettings::qualityChanged, this, save);
+    // Light is the document's, quality the machine's: that alone is remembered.
+    const QString key = QStringLiteral("quality");
+    const int usual = static_cast<int>(settings->quality());
+    const int quality = m_preferences->viewLight().value(key, usual).toInt();
+    settings->setQuality(static_cast<Quality>(std::clamp(quality, 0, static_cast<int>(Quality::Best))));
+    connect(settings, &ViewSettings::qualityChanged, this, [this, key](Quality chosen) {
+        m_preferences->setViewLight({{key, static_cast<int>(chosen)}});
+    });
     connect(m_light, &QAction::triggered, this, [this, settings] {
         QWidget* window = m_host->window();
         auto* dialog = window->findChild<LightDialog*>();

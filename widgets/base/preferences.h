@@ -88,7 +88,7 @@ public:
     [[nodiscard]] QVariantMap toolSettings() const;
     void setToolSettings(const QVariantMap& settings);
 
-    /// Where the sun of the view stands, see ViewSettings::savedLight.
+    /// What is remembered of the picture in the view: its quality (ViewActions).
     [[nodiscard]] QVariantMap viewLight() const;
     void setViewLight(const QVariantMap& light);
 

@@ -1,6 +1,5 @@
 #include "widgets/view/view_settings.h"
 
-#include "widgets/view/render/sky.h"
 #include "widgets/view/tools/gizmo_settings.h"
 #include "widgets/view/tools/hand_settings.h"
 
@@ -105,28 +104,13 @@ void ViewSettings::setGameWindStrength(double strength)
     set(m_gameWindStrength, strength, &ViewSettings::gameWindStrengthChanged);
 }
 
-QVariantMap ViewSettings::savedLight() const
+void ViewSettings::beginDocument()
 {
-    return {
-        {QStringLiteral("sunFrom"), m_light.azimuthDeg},     {QStringLiteral("sunHeight"), m_light.heightDeg},
-        {QStringLiteral("backdrop"), int(m_light.backdrop)}, {QStringLiteral("haze"), m_light.turbidity},
-        {QStringLiteral("exposure"), m_light.exposure},      {QStringLiteral("quality"), int(m_quality)}};
-}
-
-void ViewSettings::restoreLight(const QVariantMap& saved)
-{
-    const auto number = [&saved](const char* key, double least, double most, double now) {
-        bool good = false;
-        const double value = saved.value(QLatin1String(key)).toDouble(&good);
-        return good && value >= least && value <= most ? value : now;
-    };
-    const SceneLight usual;
-    setQuality(static_cast<Quality>(int(number("quality", 0.0, 2.0, double(Quality::Good)))));
-    setLight({number("sunFrom", 0.0, 360.0, usual.azimuthDeg),
-              number("sunHeight", SceneLight::leastHeightDeg, 90.0, usual.heightDeg),
-              static_cast<Backdrop>(int(number("backdrop", 0.0, backdropCount - 1, 0.0))),
-              number("haze", Sky::leastTurbidity, Sky::mostTurbidity, usual.turbidity),
-              number("exposure", -SceneLight::mostStops, SceneLight::mostStops, usual.exposure)});
+    setLight({});
+    setGameWind(WindProfile::None);
+    m_hand->setTool(HandTool::None);
+    m_hand->setOptions({});
+    m_gizmo->beginDocument();
 }
 
 void ViewSettings::setWindVisible(bool on)

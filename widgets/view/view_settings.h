@@ -6,7 +6,6 @@
 #include "widgets/base/navigation_style.h"
 #include "widgets/view/render/renderer_options.h"
 #include <QObject>
-#include <QVariantMap>
 
 namespace ramure {
 
@@ -41,11 +40,11 @@ public:
     /// In which trees at rest move; None: none blows.
     [[nodiscard]] WindProfile gameWind() const { return m_gameWind; }
     [[nodiscard]] double gameWindStrength() const { return m_gameWindStrength; } ///< 1: a strong wind
-    /// With the quality, for the preferences; restoring leaves out what is no number or out of range.
-    [[nodiscard]] QVariantMap savedLight() const;
-    void restoreLight(const QVariantMap& saved);
 
 public slots:
+    /// Gives light, wind of a game, tools and their options their defaults: the next document must not
+    /// inherit what was set for the last one. How the view is drawn (modes, quality, what is visible) stays.
+    void beginDocument();
     void setDisplayMode(ramure::DisplayMode mode);
     void setShadingMode(ramure::ShadingMode mode);
     void setQuality(ramure::Quality quality);

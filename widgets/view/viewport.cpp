@@ -1,6 +1,8 @@
 #include "widgets/view/viewport.h"
 #include "core/evaluate/evaluator.h"
+#include "core/session/auto_key.h"
 #include "widgets/base/core_text.h"
+#include "widgets/base/theme.h"
 #include "widgets/view/render/framing_points.h"
 #include "widgets/view/render/gl_setup.h"
 
@@ -235,6 +237,12 @@ void Viewport::paintOverlay()
     paintLabels(painter);
     d->trail.paintPlayhead(painter, view, d->context.seconds());
     d->tools.paint(painter, view);
+    if (d->context.keys && d->context.keys->isOn()) {
+        constexpr double wide = 3.0;
+        painter.setPen(QPen(errorColour(palette()), wide));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRect(QRectF(rect()).adjusted(wide / 2, wide / 2, -wide / 2, -wide / 2));
+    }
 }
 
 void Viewport::setCamera(const Camera& camera)

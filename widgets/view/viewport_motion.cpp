@@ -1,4 +1,5 @@
 // What moves: what the player computed is shown, with what follows the hand, paths and ghosts.
+#include "core/session/auto_key.h"
 #include "core/session/player.h"
 #include "widgets/view/tools/motion_tools.h"
 #include "widgets/view/viewport_private.h"
@@ -10,6 +11,7 @@ namespace ramure {
 void Viewport::setKeys(AutoKey* keys)
 {
     d->context.keys = keys;
+    connect(keys, &AutoKey::changed, this, qOverload<>(&QWidget::update));
 }
 
 ArmReach* Viewport::armReach() const

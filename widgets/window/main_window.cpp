@@ -244,6 +244,10 @@ void MainWindow::follow(const Change& change)
     }
     if (change.has(changeFile | changeReset))
         updateTitle();
+    if (change.has(changeReset)) {
+        m_host->settings()->beginDocument();
+        m_keyActions->autoAction()->setChecked(false);
+    }
 }
 
 void MainWindow::showParam(const QString& key)

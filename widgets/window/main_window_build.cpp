@@ -413,6 +413,21 @@ void MainWindow::buildHandBar(QVBoxLayout* column)
     column->addLayout(view, 1);
 }
 
+/// Seen while every edit becomes a key, whatever panel is in front; a click turns that off.
+static QToolButton* newAutoKeyMark(QAction* action, QWidget* parent)
+{
+    auto* mark = new QToolButton(parent);
+    mark->setObjectName(QStringLiteral("autoKeyMark"));
+    mark->setDefaultAction(action);
+    mark->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    mark->setIconSize({14, 14});
+    mark->setFocusPolicy(Qt::TabFocus);
+    mark->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored); // the bar keeps its height
+    mark->setVisible(action->isChecked());
+    QObject::connect(action, &QAction::toggled, mark, &QWidget::setVisible);
+    return mark;
+}
+
 void MainWindow::buildStatusBar()
 {
     statusBar()->setSizeGripEnabled(false);
@@ -425,6 +440,7 @@ void MainWindow::buildStatusBar()
     addPanelHints(m_hints, m_timeline, m_keys, findChild<LevelsPanel*>());
     statusBar()->addPermanentWidget(new UnplacedButton(m_document, m_preferences, this));
     statusBar()->addPermanentWidget(new IsolationButton(m_isolation, this));
+    statusBar()->addPermanentWidget(newAutoKeyMark(m_keyActions->autoAction(), this));
     m_bakeProgress = new JobPanel(m_bakes->job(), QStringLiteral("bakeProgress"), this);
     statusBar()->addPermanentWidget(m_bakeProgress);
     m_armProgress = new JobPanel(m_arm->bakeJob(), QStringLiteral("armProgress"), this);

@@ -67,8 +67,9 @@ void TestGizmoTrail::settingsRefuseNonsense()
     QCOMPARE(settings.steps(), SnapSteps{});
     settings.setGhostFrames({-3, 1000, 0});
     QCOMPARE(settings.ghostFrames(), (GhostFrames{0, GizmoSettings::mostGhosts, 1}));
-    settings.restore({{QStringLiteral("space"), 77}, {QStringLiteral("moveStep"), QStringLiteral("many")}});
-    QCOMPARE(settings.space(), TransformSpace::World);
+    settings.restore(
+        {{QStringLiteral("ghostStep"), -7}, {QStringLiteral("moveStep"), QStringLiteral("many")}});
+    QCOMPARE(settings.ghostFrames().step, 1);
     QCOMPARE(settings.steps(), SnapSteps{});
 }
 
@@ -84,11 +85,18 @@ void TestGizmoTrail::settingsGoRound()
     one.setGhostFrames({1, 2, 7});
     one.setSpace(TransformSpace::Parent); // as it is: silent
     QCOMPARE(changed.count(), 6);
-    one.setTool(TransformTool::Scale); // not remembered
+    one.setTool(TransformTool::Scale);
     other.restore(one.saved());
     QCOMPARE(other.saved(), one.saved());
-    QCOMPARE(other.tool(), TransformTool::Select);
     QCOMPARE(other.ghostFrames(), (GhostFrames{1, 2, 7}));
+    // A new document keeps the sizes of steps and ghosts and forgets what was switched on.
+    one.beginDocument();
+    for (const GizmoSettings* each : {&one, &other}) {
+        QCOMPARE(each->tool(), TransformTool::Select);
+        QCOMPARE(each->space(), TransformSpace::World);
+        QVERIFY(!each->snaps() && !each->showsPath() && !each->showsGhosts());
+        QCOMPARE(each->steps(), (SnapSteps{0.25, 15.0, 0.5}));
+    }
 }
 
 void TestGizmoTrail::numbersAreTyped_data()

@@ -1,5 +1,4 @@
 #include "tests/support/suite.h"
-#include "widgets/base/preferences.h"
 #include "widgets/view/light_dialog.h"
 #include "widgets/view/view_settings.h"
 #include <QComboBox>
@@ -27,25 +26,6 @@ private slots:
         test::failOnAnyWarning();
         m_settings.setLight({});
     }
-    void whatIsNoLightIsNotRestored_data()
-    {
-        QTest::addColumn<QVariantMap>("saved");
-        QTest::addRow("nothing") << QVariantMap();
-        QTest::addRow("words") << QVariantMap{
-            {"sunFrom", "east"}, {"sunHeight", "low"}, {"backdrop", "?"}, {"quality", "fine"}};
-        QTest::addRow("out of range")
-            << QVariantMap{{"sunFrom", 361.0}, {"sunHeight", 1.0}, {"backdrop", backdropCount},
-                           {"quality", 3},     {"haze", 1.9},      {"exposure", 5.1}};
-        QTest::addRow("below") << QVariantMap{{"sunFrom", -1.0}, {"sunHeight", -90.0}, {"backdrop", -1}};
-        QTest::addRow("no number") << QVariantMap{{"sunFrom", qQNaN()}, {"sunHeight", qInf()}};
-    }
-    void whatIsNoLightIsNotRestored()
-    {
-        QFETCH(const QVariantMap, saved);
-        m_settings.restoreLight(saved);
-        QCOMPARE(m_settings.light(), SceneLight());
-        QCOMPARE(m_settings.quality(), Quality::Good);
-    }
     void theSunStandsWhereItIsSaidToStand()
     {
         const auto near = [](const glm::dvec3& a, const glm::dvec3& b) {
@@ -57,7 +37,7 @@ private slots:
         QVERIFY(near(SceneLight({90.0, 45.0}).sun(), {half, half, 0.0}));
         QVERIFY(near(SceneLight({180.0, 45.0}).sun(), {0.0, half, half}));
     }
-    void itAppliesAtOnceAndIsRemembered()
+    void itAppliesAtOnceAndEndsWithTheDocument()
     {
         LightDialog dialog(&m_settings);
         QSignalSpy changed(&m_settings, &ViewSettings::changed);
@@ -69,16 +49,11 @@ private slots:
         const SceneLight light{270.0, 8.0, Backdrop::Sky, 5.5, -1.5};
         QCOMPARE(m_settings.light(), light);
         QCOMPARE(changed.size(), 5);
-        ViewSettings other;
         m_settings.setQuality(Quality::Best);
-        other.restoreLight(m_settings.savedLight());
-        QCOMPARE(other.light(), light);
-        QCOMPARE(other.quality(), Quality::Best);
-        Preferences preferences;
-        preferences.setViewLight(m_settings.savedLight());
-        other.setLight({});
-        other.restoreLight(preferences.viewLight());
-        QCOMPARE(other.light(), light);
+        m_settings.beginDocument();
+        QCOMPARE(m_settings.light(), SceneLight());
+        QCOMPARE(dialog.findChild<QSpinBox*>("sunDirection")->value(), int(SceneLight().azimuthDeg));
+        QCOMPARE(m_settings.quality(), Quality::Best);
     }
     void onlyTheNaturalSkyHasHaze()
     {

@@ -18,6 +18,15 @@ template <class T> void GizmoSettings::set(T& member, const T& value)
     emit changed();
 }
 
+void GizmoSettings::beginDocument()
+{
+    setTool(TransformTool::Select);
+    setSpace(TransformSpace::World);
+    setSnaps(false);
+    setShowsPath(false);
+    setShowsGhosts(false);
+}
+
 void GizmoSettings::setTool(TransformTool tool)
 {
     set(m_tool, tool);
@@ -64,13 +73,9 @@ void GizmoSettings::setRadians(bool on)
 
 QVariantMap GizmoSettings::saved() const
 {
-    return {{QStringLiteral("space"), int(m_space)},
-            {QStringLiteral("snaps"), m_snaps},
-            {QStringLiteral("moveStep"), m_steps.move},
+    return {{QStringLiteral("moveStep"), m_steps.move},
             {QStringLiteral("turnStep"), m_steps.turnDeg},
             {QStringLiteral("scaleStep"), m_steps.scale},
-            {QStringLiteral("path"), m_path},
-            {QStringLiteral("ghosts"), m_ghosts},
             {QStringLiteral("ghostsBefore"), m_ghostFrames.before},
             {QStringLiteral("ghostsAfter"), m_ghostFrames.after},
             {QStringLiteral("ghostStep"), m_ghostFrames.step}};
@@ -84,15 +89,8 @@ void GizmoSettings::restore(const QVariantMap& saved)
         return good && std::isfinite(value) && std::abs(value) < 1e9 ? value : now;
     };
     const auto whole = [&number](const char* key, int now) { return int(number(key, now)); };
-    const auto flag = [&saved](const char* key, bool now) {
-        return saved.value(QLatin1String(key), now).toBool();
-    };
-    setSpace(static_cast<TransformSpace>(std::clamp(whole("space", int(m_space)), 0, 2)));
-    setSnaps(flag("snaps", m_snaps));
     setSteps({number("moveStep", m_steps.move), number("turnStep", m_steps.turnDeg),
               number("scaleStep", m_steps.scale)});
-    setShowsPath(flag("path", m_path));
-    setShowsGhosts(flag("ghosts", m_ghosts));
     setGhostFrames({whole("ghostsBefore", m_ghostFrames.before), whole("ghostsAfter", m_ghostFrames.after),
                     whole("ghostStep", m_ghostFrames.step)});
 }

@@ -45,11 +45,13 @@ public:
     [[nodiscard]] GhostFrames ghostFrames() const { return m_ghostFrames; }
     [[nodiscard]] bool radians() const { return m_radians; } ///< angles are typed and shown in radians
 
-    /// What is remembered between sessions: space, steps, snapping, ghosts; not the tool.
+    /// What is remembered between sessions: the steps, and which frames ghosts show.
     [[nodiscard]] QVariantMap saved() const;
     void restore(const QVariantMap& saved); ///< what is missing or out of range stays as it is
 
 public slots:
+    /// Gives tool, axes, snapping, path and ghosts their defaults. What is remembered stays.
+    void beginDocument();
     void setTool(ramure::TransformTool tool);
     void setSpace(ramure::TransformSpace space);
     void setSnaps(bool on);
