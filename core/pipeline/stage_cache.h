@@ -14,8 +14,15 @@ namespace ramure {
 template <class T> class StageCache
 {
 public:
-    static constexpr std::size_t budgetBytes = std::size_t(256) << 20;
+    static constexpr std::size_t usualBudget = std::size_t(256) << 20;
+    /// Tells the memory that a result holds. It is asked again each time the cache is used, because a result
+    /// may grow while it is kept: a mesh gets its texture coordinates later.
+    using BytesOf = std::size_t (*)(const T&);
 
+    explicit StageCache(BytesOf bytesOf)
+        : m_bytesOf(bytesOf)
+    {
+    }
     /// Null where it is not kept.
     std::shared_ptr<const T> find(std::uint64_t hash)
     {
@@ -23,12 +30,12 @@ public:
         if (entry == m_entries.end())
             return nullptr;
         m_entries.splice(m_entries.begin(), m_entries, entry);
+        shrink();
         return m_entries.front().result;
     }
-    void keep(std::uint64_t hash, std::shared_ptr<const T> result, std::size_t bytes)
+    void keep(std::uint64_t hash, std::shared_ptr<const T> result)
     {
-        m_entries.push_front({hash, std::move(result), bytes});
-        m_bytes += bytes;
+        m_entries.push_front({hash, std::move(result)});
         shrink();
     }
     void setCapacity(std::size_t capacity)
@@ -36,27 +43,38 @@ public:
         m_capacity = std::max<std::size_t>(capacity, 1);
         shrink();
     }
+    void setBudget(std::size_t bytes)
+    {
+        m_budget = bytes;
+        shrink();
+    }
     [[nodiscard]] std::size_t size() const { return m_entries.size(); }
+    /// The memory of all results that are kept.
+    [[nodiscard]] std::size_t bytes() const
+    {
+        std::size_t sum = 0;
+        for (const Entry& entry : m_entries)
+            sum += m_bytesOf(*entry.result);
+        return sum;
+    }
 
 private:
     struct Entry
     {
         std::uint64_t hash;
         std::shared_ptr<const T> result;
-        std::size_t bytes;
     };
 
     void shrink()
     {
-        while (m_entries.size() > 1 && (m_entries.size() > m_capacity || m_bytes > budgetBytes)) {
-            m_bytes -= m_entries.back().bytes;
+        while (m_entries.size() > 1 && (m_entries.size() > m_capacity || bytes() > m_budget))
             m_entries.pop_back();
-        }
     }
 
     std::list<Entry> m_entries; ///< newest first
     std::size_t m_capacity = 8;
-    std::size_t m_bytes = 0;
+    std::size_t m_budget = usualBudget;
+    BytesOf m_bytesOf;
 };
 
 } // namespace ramure

@@ -13,6 +13,10 @@ bool isPictured(const NodeParams& params)
 
 TextureStage::TextureStage(std::shared_ptr<const BranchMesh> rest)
     : m_rest(std::move(rest))
+    , m_kept([](const TextureCoordinates& made) {
+        return made.uv.capacity() * sizeof(glm::vec2) + made.vertex.capacity() * sizeof(Index) +
+               made.corners.capacity() * sizeof(glm::uvec3);
+    })
 {
     m_kept.setCapacity(2);
 }
@@ -36,7 +40,7 @@ Expected<std::shared_ptr<const TextureCoordinates>> TextureStage::coordinates(co
         return fail(std::move(made.error()));
     const auto result = std::make_shared<const TextureCoordinates>(std::move(*made));
     const std::lock_guard lock(m_mutex);
-    m_kept.keep(hash, result, 0);
+    m_kept.keep(hash, result);
     return result;
 }
 
@@ -48,6 +52,12 @@ Expected<std::shared_ptr<const TextureCoordinates>> TextureStage::coordinates(co
         for (const TubeAxis& axis : m_rest->axes)
             texture.tileSize = std::max(texture.tileSize, std::numbers::pi * axis.a0);
     return coordinates(texture, progress);
+}
+
+std::size_t TextureStage::bytes() const
+{
+    const std::lock_guard lock(m_mutex);
+    return m_kept.bytes();
 }
 
 } // namespace ramure

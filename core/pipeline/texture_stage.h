@@ -24,6 +24,8 @@ public:
     /// The same for the bark that a tree has: with tiles that suit its picture where no size is set.
     Expected<std::shared_ptr<const TextureCoordinates>> coordinates(const NodeParams& params,
                                                                     const Progress& progress = {}) const;
+    /// The memory of the coordinates that are kept, without the mesh. From any thread.
+    [[nodiscard]] std::size_t bytes() const;
 
 private:
     std::shared_ptr<const BranchMesh> m_rest;

@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <chrono>
 #include <numeric>
+#include <tuple>
 
 namespace ramure {
 namespace {
@@ -78,7 +79,10 @@ std::size_t bytesOf(const SectionSet& set)
 }
 std::size_t bytesOf(const MeshedBranches& m)
 {
-    return bytesOf(m.mesh->mesh) + bytesOf(m.mesh->repairs) + bytesOf(m.report->defects);
+    const BranchMesh& mesh = *m.mesh;
+    return bytesOf(mesh.mesh) + bytesOf(mesh.tubes) + bytesOf(mesh.axes) + bytesOf(mesh.forkVertices) +
+           bytesOf(mesh.repairs) + bytesOf(m.report->defects) + (m.cuts ? bytesOf(*m.cuts) : 0) +
+           m.texture->bytes();
 }
 std::size_t bytesOf(const MeshedFoliage& f)
 {
@@ -259,9 +263,11 @@ Expected<MeshedBranches> meshBranches(const Skeleton& skeleton, const NodeParams
         return fail(std::move(made.error()));
     const auto mesh = scratch.share(std::move(made->mesh));
     const bool isCut = !skeleton.sawn.empty() || !skeleton.loose.empty();
-    return MeshedBranches{mesh, std::make_shared<const MeshReport>(std::move(made->report)),
-                          isCut ? std::make_shared<const TriangleMesh>(cutWood(*mesh, skeleton)) : nullptr,
-                          std::make_shared<const TextureStage>(mesh)};
+    return MeshedBranches{
+        mesh, std::make_shared<const MeshReport>(std::move(made->report)),
+        isCut ? std::make_shared<const TriangleMesh>(cutWood(*mesh, skeleton))
+              : nullptr,
+        std::make_shared<const TextureStage>(mesh)};
 }
 
 /// \param branches that plants' leaves and fruit stand on; null: they are faithful, or it is a draft, which
@@ -290,26 +296,20 @@ Expected<MeshedFoliage> meshFoliage(const Skeleton& skeleton, const NodeParams& 
 
 struct TreePipeline::Cache
 {
-    StageCache<GrownSymbols> symbols;
-    StageCache<Skeleton> skeleton;
-    StageCache<TreeAxes> axes; ///< of trees with edits, as they have grown
-    StageCache<EditedSkeleton> edited;
-    StageCache<SimplifiedSkeleton> simplified;
-    StageCache<SectionSet> sections;
-    StageCache<MeshedBranches> branches;
-    StageCache<MeshedFoliage> foliage;
+    StageCache<GrownSymbols> symbols{bytesOf};
+    StageCache<Skeleton> skeleton{bytesOf};
+    StageCache<TreeAxes> axes{bytesOf}; ///< of trees with edits, as they have grown
+    StageCache<EditedSkeleton> edited{bytesOf};
+    StageCache<SimplifiedSkeleton> simplified{bytesOf};
+    StageCache<SectionSet> sections{bytesOf};
+    StageCache<MeshedBranches> branches{bytesOf};
+    StageCache<MeshedFoliage> foliage{bytesOf};
     MeshScratch scratch; ///< of the branch meshes
 
-    void setCapacity(std::size_t capacity)
+    void forEach(const auto& change)
     {
-        symbols.setCapacity(capacity);
-        skeleton.setCapacity(capacity);
-        axes.setCapacity(capacity);
-        edited.setCapacity(capacity);
-        simplified.setCapacity(capacity);
-        sections.setCapacity(capacity);
-        branches.setCapacity(capacity);
-        foliage.setCapacity(capacity);
+        const auto all = std::tie(symbols, skeleton, axes, edited, simplified, sections, branches, foliage);
+        std::apply([&](auto&... caches) { (change(caches), ...); }, all);
     }
 };
 
@@ -328,7 +328,7 @@ Expected<std::shared_ptr<const T>> cached(StageCache<T>& cache, std::uint64_t ha
     if (!made)
         return fail(std::move(made.error()));
     auto result = std::make_shared<const T>(std::move(*made));
-    cache.keep(hash, result, bytesOf(*result));
+    cache.keep(hash, result);
     return result;
 }
 
@@ -534,7 +534,12 @@ Expected<TreeResult> TreePipeline::evaluateDraft(const NodeParams& params, const
 
 void TreePipeline::setCacheSize(std::size_t perStage)
 {
-    m_cache->setCapacity(perStage);
+    m_cache->forEach([&](auto& cache) { cache.setCapacity(perStage); });
+}
+
+void TreePipeline::setCacheBudget(std::size_t bytesPerStage)
+{
+    m_cache->forEach([&](auto& cache) { cache.setBudget(bytesPerStage); });
 }
 
 } // namespace ramure

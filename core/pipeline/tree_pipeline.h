@@ -63,9 +63,11 @@ public:
     /// draftTubes, with fewer cross-sections where there are very many branches. Where the mesh is in the
     /// cache, the full result. Errors as above.
     Expected<TreeResult> evaluateDraft(const NodeParams& params, const Progress& progress = {});
-    /// Most results kept per stage (default 8, at least 1); the oldest go first. Large results go sooner: one
-    /// stage keeps at most 256 MiB beside the newest.
+    /// Most results kept per stage (default 8, at least 1); the oldest go first.
     void setCacheSize(std::size_t perStage);
+    /// Most memory kept per stage (default 256 MiB), texture coordinates and cuts included: the oldest
+    /// results go first, and the newest always stays.
+    void setCacheBudget(std::size_t bytesPerStage);
 
 private:
     struct Cache;

@@ -50,6 +50,28 @@ private slots:
         QVERIFY(other && **other != **made);
         QCOMPARE(*result.texture->coordinates(TextureParams()), *made);
     }
+    /// What a mesh gets after it is kept takes of the budget too, and what a cut lays open.
+    void texturesAndCutsTakeOfTheBudget()
+    {
+        NodeParams params;
+        params.grammar.iterations = 3;
+        std::size_t textures = 0;
+        const std::size_t bare = leastBudget(params), textured = leastBudget(params, &textures);
+        QVERIFY(textures > bare / 10);
+        QCOMPARE(textured - bare, textures);
+        TreeEdit saw;
+        saw.id = 1;
+        saw.operation = EditOperation::Prune;
+        saw.shape = {EditShapeKind::Box, {-9.0, -9.0, -9.0, 9.0, 1.2, 9.0}};
+        params.edits = {saw};
+        const TreeResult cut = *m_pipeline.evaluate(params, Stage::Mesh);
+        QVERIFY(cut.cuts && !cut.cuts->empty());
+        const auto arrays = [](const TriangleMesh& mesh) {
+            return mesh.positions.size() * (2 * sizeof(glm::vec3) + 2 * sizeof(Index)) +
+                   mesh.triangles.size() * sizeof(glm::uvec3) + mesh.colours.size() * sizeof(glm::u8vec3);
+        };
+        QVERIFY(leastBudget(params) >= 2 * (arrays(cut.branches->mesh) + arrays(*cut.cuts)));
+    }
     /// As they are dressed: a tile is about as wide as a thick limb is around, and far too wide for twigs.
     void picturesFitEveryBranch_data()
     {
@@ -119,6 +141,35 @@ private:
         NodeParams params;
         params.grammar.iterations = 3;
         return *m_pipeline.evaluate(params, last);
+    }
+    /// The least budget, in bytes, under which a pipeline keeps the mesh of a tree beside that of another
+    /// with as many triangles. \param textures if given, both get coordinates: what these take
+    static std::size_t leastBudget(NodeParams params, std::size_t* textures = nullptr)
+    {
+        const auto keeps = [&](std::size_t budget) {
+            TreePipeline pipeline;
+            pipeline.setCacheBudget(budget);
+            std::size_t bytes = 0;
+            const auto mesh = [&](double softness) {
+                params.mesh.forkSoftness = softness;
+                TreeResult made = *pipeline.evaluate(params, Stage::Mesh);
+                if (textures && made.texture->coordinates(TextureParams()))
+                    bytes += made.texture->bytes();
+                return made.branches;
+            };
+            mesh(0.7);
+            const auto second = mesh(0.6);
+            if (textures)
+                *textures = bytes;
+            mesh(0.7);
+            return mesh(0.6) == second;
+        };
+        std::size_t low = 0, high = StageCache<int>::usualBudget;
+        while (high - low > 1) {
+            const std::size_t middle = low + (high - low) / 2;
+            (keeps(middle) ? high : low) = middle;
+        }
+        return high;
     }
     TreePipeline m_pipeline;
 };

@@ -532,16 +532,31 @@ void TestTreePipeline::randomParametersGiveValidMeshes()
 
 void TestTreePipeline::cacheHasABudget()
 {
-    StageCache<int> cache;
-    cache.keep(1, std::make_shared<const int>(1), StageCache<int>::budgetBytes / 2);
-    cache.keep(2, std::make_shared<const int>(2), StageCache<int>::budgetBytes / 2);
+    struct Result
+    {
+        mutable std::size_t bytes; // results may grow while they are kept
+    };
+    constexpr std::size_t budget = StageCache<Result>::usualBudget;
+    StageCache<Result> cache([](const Result& result) { return result.bytes; });
+    const auto keep = [&](std::uint64_t hash, std::size_t bytes) {
+        cache.keep(hash, std::make_shared<const Result>(Result{bytes}));
+    };
+    keep(1, budget / 2);
+    keep(2, budget / 2);
     QCOMPARE(cache.size(), std::size_t(2));
-    cache.keep(3, std::make_shared<const int>(3), 1);
+    QCOMPARE(cache.bytes(), budget);
+    keep(3, 1);
     QCOMPARE(cache.size(), std::size_t(2));
     QVERIFY(!cache.find(1) && cache.find(2) && cache.find(3));
-    cache.keep(4, std::make_shared<const int>(4), 10 * StageCache<int>::budgetBytes);
+    keep(4, 10 * budget);
     QCOMPARE(cache.size(), std::size_t(1));
-    QCOMPARE(*cache.find(4), 4);
+    QCOMPARE(cache.find(4)->bytes, 10 * budget);
+    keep(5, 1);
+    keep(6, 1);
+    QCOMPARE(cache.size(), std::size_t(2));
+    cache.find(5)->bytes = budget;
+    QCOMPARE(cache.find(5)->bytes, budget);
+    QCOMPARE(cache.size(), std::size_t(1));
 }
 
 void TestTreePipeline::hashesTellInputsApart()
