@@ -96,10 +96,19 @@ EvaluatedScene EvaluatedScene::at(double seconds) const
     return m_evaluator->at(*m_scene, seconds);
 }
 
-Evaluator::Evaluator(TreeSource rest, const TimelineSettings& timeline)
+Evaluator::Evaluator(TreeSource rest, const TimelineSettings& timeline, std::size_t memoryBytes)
     : m_rest(std::move(rest))
     , m_timeline(timeline)
+    , m_memoryBytes(memoryBytes)
 {
+}
+
+std::size_t Evaluator::bytes() const
+{
+    std::size_t sum = 0;
+    for (const auto& [id, run] : m_trees)
+        sum += run.bytes();
+    return sum;
 }
 
 EvaluatedScene Evaluator::at(const Scene& scene, double seconds)
@@ -161,6 +170,8 @@ Expected<PosedTree> Evaluator::posed(const Node& now, const PhysicsParams& physi
     TreeRun& run = m_trees[now.id];
     if (auto set = run.setTree(*tree, now.params); !set)
         return fail(std::move(set.error()));
+    for (auto& [id, each] : m_trees) // one more tree leaves less to each of the others
+        each.setMemoryLimit(m_memoryBytes / m_trees.size());
     if (!std::isfinite(seconds) || seconds > run.cache().timeAt(maxPhysicsSteps))
         return fail(ErrorCode::Invalid, RAMURE_NOOP("the time lies beyond what the physics counts"));
     run.setPhysics(physics, now.animation, seconds);

@@ -75,7 +75,9 @@ class Evaluator
 public:
     /// \param rest gives the trees at rest.
     /// \param timeline says whether, and where, the end of a loop blends into its beginning.
-    explicit Evaluator(TreeSource rest = {}, const TimelineSettings& timeline = {});
+    /// \param memoryBytes for the states that the runs of all trees keep together.
+    explicit Evaluator(TreeSource rest = {}, const TimelineSettings& timeline = {},
+                       std::size_t memoryBytes = std::size_t(512) << 20);
     Evaluator(const Evaluator&) = delete;
     Evaluator& operator=(const Evaluator&) = delete;
 
@@ -91,6 +93,7 @@ public:
     /// The same, not deformed yet. \param bones also where it rests.
     Expected<PosedTree> posedTree(const Node& node, Stage last, double seconds, bool bones,
                                   const Progress& progress = {});
+    [[nodiscard]] std::size_t bytes() const; ///< of the states that are kept
 
 private:
     Expected<PosedTree> posed(const Node& now, const PhysicsParams& physics, Stage last, double seconds,
@@ -98,6 +101,7 @@ private:
 
     TreeSource m_rest;
     TimelineSettings m_timeline;
+    std::size_t m_memoryBytes;
     std::map<NodeId, TreeRun> m_trees;
     std::map<NodeId, ArmRun> m_arms;
 };

@@ -26,6 +26,13 @@ public:
     Expected<NodeMotion> motionAt(double seconds, const TimelineSettings& timeline,
                                   const Progress& progress) override;
 
+    /// Of the states that are kept. A run without a tree has none.
+    void setMemoryLimit(std::size_t bytes)
+    {
+        if (m_cache)
+            m_cache->setMemoryLimit(bytes);
+    }
+    [[nodiscard]] std::size_t bytes() const { return m_cache ? m_cache->bytes() : 0; }
     [[nodiscard]] PhysicsCache& cache() { return *m_cache; }
     [[nodiscard]] const PhysicsCache& cache() const { return *m_cache; }
     [[nodiscard]] const PhysicsParams& params() const { return m_params; }

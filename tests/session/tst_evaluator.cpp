@@ -30,6 +30,7 @@ private slots:
     void movedMeshesAreValid();
     void exportTakesIt();
     void textureStaysThatOfTheRest();
+    void runsShareTheMemory();
 };
 
 static Node treeNode(const char* preset)
@@ -40,6 +41,28 @@ static Node treeNode(const char* preset)
     node.name = preset;
     node.params = presetParams(preset).value_or(NodeParams{});
     return node;
+}
+
+/// However many trees move, all states together keep to the budget; one tree may have all of it.
+void TestEvaluator::runsShareTheMemory()
+{
+    constexpr std::size_t budget = std::size_t(1) << 20;
+    TreePipeline pipeline;
+    Node node = treeNode("TinyTree");
+    const auto play = [&](int trees) {
+        Evaluator source(pipelineSource(pipeline), {}, budget);
+        for (int frame = 1; frame <= 40; ++frame)
+            for (int i = 0; i < trees; ++i) {
+                node.id = NodeId(i + 1);
+                const auto moved = source.tree(node, Stage::Foliage, 0.5 * frame);
+                QTest::qVerify(moved.has_value(), "moved", test::why(moved), __FILE__, __LINE__);
+            }
+        return source.bytes();
+    };
+    const std::size_t one = play(1);
+    QVERIFY2(one > budget / 4 && one <= budget, qPrintable(QString::number(one)));
+    const std::size_t five = play(5);
+    QVERIFY2(five > budget / 4 && five <= budget, qPrintable(QString::number(five)));
 }
 
 void TestEvaluator::badTimesAreErrors()
