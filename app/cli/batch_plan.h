@@ -6,6 +6,7 @@
 #include "core/levels/level_options.h"
 #include "core/wind/wind_profile.h"
 #include <QByteArray>
+#include <QSet>
 #include <QSize>
 #include <QStringList>
 #include <cstdint>
@@ -35,6 +36,7 @@ struct BatchPlan
     bool isCompressed = false;            ///< these
     WindProfile wind = WindProfile::None; ///< of these
     std::vector<BatchRow> rows;           ///< of the shard
+    QSet<QString> foreignFolders;         ///< into which rows of other shards write, see folderOf()
     std::size_t whole = 0;                ///< rows of the table
 };
 
@@ -51,9 +53,19 @@ struct Shard
 Expected<Shard> shardFrom(const QString& text);
 
 /// \param files templates of those rows that do not name their own
+/// Names of columns may have capitals. Numbers may have decimal commas where commas do not separate the
+/// cells. Cells that mean nothing, and empty ones that a file would be named by, are their rows' problem.
 /// Errors, with file and line: those of readCsv; Unknown (a column), Invalid (neither input nor preset, a
-/// file that two rows would write, one outside of the folder, one that has an unknown ending).
+/// file that two rows would write, one outside of the folder, one that has an unknown ending, a name that is
+/// no UTF-8).
 Expected<BatchPlan> readPlan(const QString& table, const QStringList& files, const Shard& shard);
+
+/// A file of a row, and those beside it whose names follow from it: no other row may write these.
+QStringList ownNames(const QString& file, WindProfile wind);
+/// "a/b" of "a/b/tree.obj" and of the folder of maps "a/b/"; empty of "tree.obj".
+QString folderOf(const QString& file);
+/// Is it a name below the folder of the batch, and none of the program's own?
+bool isBelowFolder(const QString& file);
 
 /// What the row's files depend on, as a SHA-256 in hexadecimal digits: its values, the bytes of its input
 /// where that is a file, the version of the program.

@@ -1,6 +1,9 @@
 #include "core/io/csv_table.h"
+#include "core/base/utf8.h"
 #include "core/io/read_parts.h"
 #include <algorithm>
+#include <array>
+#include <optional>
 
 namespace ramure {
 
@@ -18,6 +21,44 @@ tl::unexpected<Error> failAt(const std::string& file, int line, ErrorCode code, 
     return fail(std::move(error));
 }
 
+/// UTF-16, whose units have their high byte first or last, as UTF-8. Nothing where it is torn.
+std::optional<std::string> fromUtf16(std::string_view bytes, bool isHighFirst)
+{
+    const auto unit = [&](std::size_t i) -> char32_t {
+        const auto first = static_cast<unsigned char>(bytes[i]),
+                   second = static_cast<unsigned char>(bytes[i + 1]);
+        return isHighFirst ? (first << 8u) | second : (second << 8u) | first;
+    };
+    if (bytes.size() % 2 != 0)
+        return std::nullopt;
+    std::string text;
+    for (std::size_t i = 0; i < bytes.size(); i += 2) {
+        char32_t character = unit(i);
+        if (character >= 0xD800 && character < 0xE000) {
+            i += 2;
+            const char32_t low = i < bytes.size() ? unit(i) : 0;
+            if (character >= 0xDC00 || low < 0xDC00 || low >= 0xE000)
+                return std::nullopt;
+            character = 0x10000 + ((character - 0xD800) << 10u) + (low - 0xDC00);
+        }
+        appendUtf8(text, character);
+    }
+    return text;
+}
+
+/// As UTF-8 and without a byte order mark. Nothing where it is UTF-16 that is torn.
+std::optional<std::string> decoded(std::string_view bytes)
+{
+    if (bytes.starts_with("\xEF\xBB\xBF"))
+        return std::string(bytes.substr(3));
+    if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"))
+        return fromUtf16(bytes.substr(2), bytes.front() == '\xFE');
+    // Tables begin with a letter: one of two bytes that is zero tells UTF-16 without a mark.
+    if (bytes.size() > 1 && (bytes[0] == '\0') != (bytes[1] == '\0'))
+        return fromUtf16(bytes, bytes[0] == '\0');
+    return std::string(bytes);
+}
+
 /// Takes a text apart, row by row.
 class Reader
 {
@@ -26,11 +67,19 @@ public:
         : m_rest(text)
         , m_file(file)
     {
-        if (m_rest.starts_with("\xEF\xBB\xBF"))
-            m_rest.remove_prefix(3);
+        constexpr std::string_view said = "sep="; // as Excel has it
+        if (m_rest.starts_with(said) && m_rest.size() > said.size() + 1 &&
+            isLineEnd(m_rest[said.size() + 1])) {
+            m_separator = m_rest[said.size()];
+            m_rest.remove_prefix(said.size() + 1);
+            endLine();
+        } else {
+            m_separator = mostFrequent();
+        }
     }
 
     [[nodiscard]] bool atEnd() const { return m_rest.empty(); }
+    [[nodiscard]] char separator() const { return m_separator; }
 
     Expected<CsvTable::Row> row()
     {
@@ -40,21 +89,45 @@ public:
             if (!cell)
                 return fail(std::move(cell.error()));
             row.cells.push_back(std::move(*cell));
-            const bool more = m_rest.starts_with(',');
-            if (!m_rest.empty())
-                m_rest.remove_prefix(m_rest.starts_with("\r\n") ? 2 : 1);
-            if (more)
-                continue;
-            ++m_line;
-            return row;
+            if (!m_rest.starts_with(m_separator)) {
+                endLine();
+                return row;
+            }
+            m_rest.remove_prefix(1);
         }
     }
 
 private:
+    static bool isLineEnd(char letter) { return letter == '\n' || letter == '\r'; }
     [[nodiscard]] bool atBorder() const
     {
-        return m_rest.empty() || m_rest.starts_with(',') || m_rest.starts_with('\n') ||
-               m_rest.starts_with("\r\n");
+        return m_rest.empty() || m_rest.front() == m_separator || isLineEnd(m_rest.front());
+    }
+    void endLine()
+    {
+        if (!m_rest.empty())
+            m_rest.remove_prefix(m_rest.starts_with("\r\n") ? 2 : 1);
+        ++m_line;
+    }
+
+    /// Of the separators that the first line with text has outside of quotes.
+    [[nodiscard]] char mostFrequent() const
+    {
+        constexpr std::string_view known = ",;\t"; // the first one where none is more frequent
+        std::array<std::size_t, known.size()> counts{};
+        bool isQuoted = false;
+        const std::size_t begin = std::min(m_rest.find_first_not_of("\r\n"), m_rest.size());
+        for (const char letter : m_rest.substr(begin)) {
+            if (letter == '"')
+                isQuoted = !isQuoted;
+            if (isQuoted)
+                continue;
+            if (isLineEnd(letter))
+                break;
+            if (const std::size_t at = known.find(letter); at != std::string_view::npos)
+                ++counts[at];
+        }
+        return known[static_cast<std::size_t>(std::ranges::max_element(counts) - counts.begin())];
     }
 
     Expected<std::string> plain()
@@ -81,9 +154,9 @@ private:
                     return cell;
                 if (!m_rest.starts_with('"'))
                     return failAt(m_file, m_line, ErrorCode::Syntax,
-                                  RAMURE_NOOP("text behind a quoted cell: a comma expected"));
+                                  RAMURE_NOOP("text behind a quoted cell: a separator expected"));
             }
-            if (letter == '\n')
+            if (letter == '\n' || (letter == '\r' && !m_rest.starts_with("\r\n")))
                 ++m_line;
             cell += letter;
         }
@@ -92,44 +165,92 @@ private:
 
     std::string_view m_rest;
     std::string m_file;
+    char m_separator = ',';
     int m_line = 1;
 };
 
-Expected<void> checkColumns(const CsvTable::Row& head, const std::string& file)
+bool isBlank(std::string_view text)
 {
-    if (const auto found = std::ranges::find(head.cells, ""); found != head.cells.end())
-        return failAt(file, head.line, ErrorCode::Invalid, RAMURE_NOOP("column %1 has no name"),
-                      {std::to_string(found - head.cells.begin() + 1)});
+    return reading::trimmed(text).empty();
+}
+
+Expected<void> checkText(const CsvTable::Row& row, const std::vector<std::string>& columns,
+                         const std::string& file)
+{
+    for (std::size_t i = 0; i < row.cells.size(); ++i)
+        if (!isUtf8(row.cells[i]))
+            return failAt(file, row.line, ErrorCode::Syntax,
+                          RAMURE_NOOP("column \"%1\": bytes that are no text in UTF-8 or UTF-16"),
+                          {i < columns.size() && !columns[i].empty() ? columns[i] : std::to_string(i + 1)});
+    return {};
+}
+
+Expected<void> checkColumns(const CsvTable& table, int line, const std::string& file)
+{
+    if (const auto found = std::ranges::find(table.columns, ""); found != table.columns.end())
+        return failAt(file, line, ErrorCode::Invalid, RAMURE_NOOP("column %1 has no name"),
+                      {std::to_string(found - table.columns.begin() + 1)});
     // Sorted: a table that is no table may have a million of them.
-    std::vector<std::string_view> names(head.cells.begin(), head.cells.end());
+    std::vector<std::string_view> names(table.columns.begin(), table.columns.end());
     std::ranges::sort(names);
     if (const auto twice = std::ranges::adjacent_find(names); twice != names.end())
-        return failAt(file, head.line, ErrorCode::Invalid, RAMURE_NOOP("column \"%1\" is there twice"),
+        return failAt(file, line, ErrorCode::Invalid, RAMURE_NOOP("column \"%1\" is there twice"),
                       {std::string(*twice)});
     return {};
 }
 
-bool isBlank(const CsvTable::Row& row)
+/// Drops columns that have no name and say nothing; see parseCsv.
+void dropNameless(CsvTable& table)
 {
-    return row.cells.size() == 1 && row.cells.front().empty();
+    const auto saysNothing = [&](std::size_t column) {
+        const auto all = [&](auto is) {
+            return std::ranges::all_of(table.rows, [&](const auto& row) { return is(row.cells[column]); });
+        };
+        const auto isNumber = [](const std::string& cell) {
+            return !cell.empty() && cell.find_first_not_of("0123456789") == std::string::npos;
+        };
+        return table.columns[column].empty() && (all(&isBlank) || (column == 0 && all(isNumber)));
+    };
+    std::vector<std::size_t> kept;
+    for (std::size_t i = 0; i < table.columns.size(); ++i)
+        if (!saysNothing(i))
+            kept.push_back(i);
+    if (kept.size() == table.columns.size())
+        return;
+    const auto keep = [&kept](std::vector<std::string>& cells) {
+        std::vector<std::string> left;
+        for (const std::size_t i : kept)
+            left.push_back(std::move(cells[i]));
+        cells = std::move(left);
+    };
+    keep(table.columns);
+    for (CsvTable::Row& row : table.rows)
+        keep(row.cells);
 }
 
 } // namespace
 
-Expected<CsvTable> parseCsv(std::string_view text, const std::string& file)
+Expected<CsvTable> parseCsv(std::string_view bytes, const std::string& file)
 {
+    const auto text = decoded(bytes);
+    if (!text)
+        return failAt(file, 0, ErrorCode::Syntax, RAMURE_NOOP("this is neither UTF-8 nor whole UTF-16"));
     CsvTable table;
-    Reader reader(text, file);
+    Reader reader(*text, file);
+    table.separator = reader.separator();
+    int head = 0;
     while (!reader.atEnd()) {
         auto row = reader.row();
         if (!row)
             return fail(std::move(row.error()));
-        if (isBlank(*row))
+        if (std::ranges::all_of(row->cells, &isBlank))
             continue;
-        if (table.columns.empty()) {
-            if (auto checked = checkColumns(*row, file); !checked)
-                return fail(std::move(checked.error()));
-            table.columns = std::move(row->cells);
+        if (auto checked = checkText(*row, table.columns, file); !checked)
+            return fail(std::move(checked.error()));
+        if (head == 0) {
+            head = row->line;
+            for (const std::string& name : row->cells)
+                table.columns.emplace_back(reading::trimmed(name));
             continue;
         }
         if (row->cells.size() != table.columns.size())
@@ -138,8 +259,11 @@ Expected<CsvTable> parseCsv(std::string_view text, const std::string& file)
                           {std::to_string(row->cells.size()), std::to_string(table.columns.size())});
         table.rows.push_back(std::move(*row));
     }
-    if (table.columns.empty())
+    if (head == 0)
         return failAt(file, 0, ErrorCode::Invalid, RAMURE_NOOP("no columns: the first line names them"));
+    dropNameless(table);
+    if (auto checked = checkColumns(table, head, file); !checked)
+        return fail(std::move(checked.error()));
     return table;
 }
 

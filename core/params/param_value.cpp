@@ -104,13 +104,29 @@ template <class T> Expected<T> parseNumber(const ParamDef& def, std::string_view
     return number;
 }
 
+/// Also "3.0", as pandas writes whole numbers of a column with gaps; "10.000" may be ten thousand.
+Expected<std::int64_t> parseWhole(const ParamDef& def, std::string_view text)
+{
+    std::string_view digits = trimmed(text);
+    for (const std::string_view fraction : {".0", ".00"})
+        if (digits.ends_with(fraction)) {
+            digits.remove_suffix(fraction.size());
+            break;
+        }
+    auto number = parseNumber<std::int64_t>(def, digits);
+    return number ? number : parseNumber<std::int64_t>(def, text); // the error names what was given
+}
+
 Expected<ParamValue> parseBool(const ParamDef& def, std::string_view text)
 {
-    for (const std::string_view yes : {"true", "1", "yes", "on"})
-        if (text == yes)
+    std::string word(text); // spreadsheets write TRUE, pandas True, or 1.0 in a column with gaps
+    for (char& letter : word)
+        letter = letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter + 'a' - 'A') : letter;
+    for (const std::string_view yes : {"true", "1", "1.0", "yes", "on"})
+        if (word == yes)
             return ParamValue(true);
-    for (const std::string_view no : {"false", "0", "no", "off"})
-        if (text == no)
+    for (const std::string_view no : {"false", "0", "0.0", "no", "off"})
+        if (word == no)
             return ParamValue(false);
     return refuse(def, ErrorCode::Syntax, RAMURE_NOOP("\"%1\" is neither true nor false"),
                   {std::string(text)});
@@ -243,8 +259,7 @@ Expected<ParamValue> parseValue(const ParamDef& def, std::string_view text, bool
     case ParamType::Bool:
         return parseBool(def, trimmed(text));
     case ParamType::Int:
-        return parseNumber<std::int64_t>(def, text).map(
-            [](std::int64_t number) { return ParamValue(number); });
+        return parseWhole(def, text).map([](std::int64_t number) { return ParamValue(number); });
     case ParamType::Real:
         return parseNumber<double>(def, text).map([](double number) { return ParamValue(number); });
     case ParamType::Text:
@@ -254,9 +269,8 @@ Expected<ParamValue> parseValue(const ParamDef& def, std::string_view text, bool
     case ParamType::Enum: {
         const std::string_view name = trimmed(text);
         if (def.flags & paramNumbered)
-            for (std::size_t i = 0; i < def.items.size(); ++i)
-                if (name == numberText(static_cast<std::int64_t>(i)))
-                    return ParamValue(EnumValue{def.items[i].name});
+            if (const auto at = parseWhole(def, name); at && *at >= 0 && *at < std::ssize(def.items))
+                return ParamValue(EnumValue{def.items[static_cast<std::size_t>(*at)].name});
         return ParamValue(EnumValue{std::string(name)});
     }
     }

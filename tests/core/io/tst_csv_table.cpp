@@ -28,11 +28,15 @@ private slots:
         row("quote at the end", "a\n\"", "t.csv:2: a quote that is not closed");
         row("quote inside a cell", "a,b\n1,2\"3\n",
             "t.csv:2: a quote inside a cell: the whole cell has to be quoted");
-        row("text behind a quote", "a,b\n\"1\"2,3\n", "t.csv:2: text behind a quoted cell: a comma expected");
+        row("text behind a quote", "a,b\n\"1\"2,3\n",
+            "t.csv:2: text behind a quoted cell: a separator expected");
         row("space behind a quote", "a,b\n\"1\" ,3\n",
-            "t.csv:2: text behind a quoted cell: a comma expected");
-        row("column without a name", "a,,c\n", "t.csv:1: column 2 has no name");
-        row("comma behind the columns", "a,b,\n1,2,\n", "t.csv:1: column 3 has no name");
+            "t.csv:2: text behind a quoted cell: a separator expected");
+        row("column without a name", "a,,c\n1,2,3\n", "t.csv:1: column 2 has no name");
+        row("first column without a name", ",b\n1,2\none,3\n", "t.csv:1: column 1 has no name");
+        row("column of blanks", "a, \t,c\n1,2,3\n", "t.csv:1: column 2 has no name");
+        row("a value behind the columns", "a,b,\n1,2,\n1,2,3\n", "t.csv:1: column 3 has no name");
+        row("column twice but for blanks", "a, a\n", "t.csv:1: column \"a\" is there twice");
         row("column twice", "a,b,a\n", "t.csv:1: column \"a\" is there twice");
         row("column twice below blank lines", "\n\nb,b\n", "t.csv:3: column \"b\" is there twice");
         row("short row", "a,b\n1,2\n3\n", "t.csv:3: 1 cells, and there are 2 columns");
@@ -40,7 +44,30 @@ private slots:
         row("comma behind a row", "a,b\n1,2,\n", "t.csv:2: 3 cells, and there are 2 columns");
         row("short row behind a cell of lines", "a,b\n\"1\n\n1\",2\n3\n",
             "t.csv:5: 1 cells, and there are 2 columns");
-        row("semicolons", "a;b\n1,2\n", "t.csv:2: 2 cells, and there are 1 columns");
+        row("semicolons above commas", "a;b\n1,2\n", "t.csv:2: 1 cells, and there are 2 columns");
+        row("old Macintosh", "a,b\r1,2\r3\r", "t.csv:3: 1 cells, and there are 2 columns");
+        row("a cell of old Macintosh lines", "a,b\r\"1\r\r1\",2\r3\r",
+            "t.csv:5: 1 cells, and there are 2 columns");
+        row("Latin-1", "a,b\n1,2\n3,\xE9t\xE9\n",
+            "t.csv:3: column \"b\": bytes that are no text in UTF-8 or UTF-16");
+        row("Latin-1 in a name", "a,\xE9\n1,2\n",
+            "t.csv:1: column \"2\": bytes that are no text in UTF-8 or UTF-16");
+        row("torn UTF-16",
+            QByteArray("\xFF\xFE"
+                       "a\0,",
+                       5),
+            "t.csv: this is neither UTF-8 nor whole UTF-16");
+        row("half a pair in UTF-16",
+            QByteArray("\xFF\xFE"
+                       "a\0\x00\xD8",
+                       6),
+            "t.csv: this is neither UTF-8 nor whole UTF-16");
+        row("a second half alone",
+            QByteArray("\xFF\xFE"
+                       "a\0\x00\xDC"
+                       "b\0",
+                       8),
+            "t.csv: this is neither UTF-8 nor whole UTF-16");
     }
     void badTables()
     {
@@ -88,6 +115,26 @@ private slots:
         QTest::newRow("mark and quotes") << QByteArray("\xEF\xBB\xBF\"a\",\"b\"\n\"1\",2\n3,\"4\"\n");
         QTest::newRow("quotes and CRLF") << QByteArray("\"a\",b\r\n1,\"2\"\r\n3,\"4\"\r\n");
         QTest::newRow("blank lines") << QByteArray("\na,b\n\n1,2\r\n\r\n3,4\n\n");
+        QTest::newRow("rows without a text") << QByteArray("a,b\n1,2\n,\n3,4\n,,,\n \t,\"\"\n");
+        QTest::newRow("names with blanks") << QByteArray(" a ,\tb\n1,2\n3,4\n");
+        QTest::newRow("old Macintosh") << QByteArray("a,b\r1,2\r3,4\r");
+        QTest::newRow("all line ends") << QByteArray("\r\na,b\r\r\n1,2\n\r3,4");
+        QTest::newRow("semicolons") << QByteArray("a;b\n1;2\n3;4\n");
+        QTest::newRow("tabs") << QByteArray("a\tb\n1\t2\n3\t4\n");
+        QTest::newRow("Excel's line") << QByteArray("sep=;\r\na;b\r\n1;2\r\n3;4\r\n");
+        QTest::newRow("Excel's line of another") << QByteArray("sep=|\na|b\n1|2\n3|4\n");
+        QTest::newRow("empty columns") << QByteArray("a,,b,\n1,,2,\n3, ,4,\"\"\n");
+        QTest::newRow("numbers of pandas") << QByteArray(",a,b\n0,1,2\n17,3,4\n");
+        const std::u16string wide = u"a,b\r\n1,2\r\n3,4\r\n";
+        QByteArray low, high;
+        for (const char16_t unit : wide) {
+            low += QByteArray(1, char(unit)) + QByteArray(1, '\0');
+            high += QByteArray(1, '\0') + QByteArray(1, char(unit));
+        }
+        QTest::newRow("UTF-16") << "\xFF\xFE" + low;
+        QTest::newRow("UTF-16 the other way") << "\xFE\xFF" + high;
+        QTest::newRow("UTF-16 without a mark") << low;
+        QTest::newRow("UTF-16 the other way without a mark") << high;
     }
     void goodTables()
     {
@@ -98,6 +145,33 @@ private slots:
         QCOMPARE(table->rows.size(), std::size_t(2));
         QCOMPARE(table->rows[0].cells, (std::vector{"1"s, "2"s}));
         QCOMPARE(table->rows[1].cells, (std::vector{"3"s, "4"s}));
+    }
+
+    /// A header says how cells are separated: what stands in quotes, or in the cells, does not.
+    void separators()
+    {
+        const auto cellsOf = [](std::string_view text) {
+            const auto table = parseCsv(text, "t.csv");
+            return table ? table->rows.at(0).cells : std::vector<std::string>();
+        };
+        QCOMPARE(cellsOf("a,b\n1;2;3,4\n"), (std::vector{"1;2;3"s, "4"s}));
+        QCOMPARE(cellsOf("\"a;;;\",b\n1,2\n"), (std::vector{"1"s, "2"s}));
+        QCOMPARE(cellsOf("a;b\n\"1;2\";3,4\n"), (std::vector{"1;2"s, "3,4"s}));
+        QCOMPARE(cellsOf("a\n1;2\n"), (std::vector{"1;2"s}));
+        QCOMPARE(parseCsv("a;b", "t.csv")->separator, ';');
+        QCOMPARE(parseCsv("a", "t.csv")->separator, ',');
+    }
+
+    void textOfUtf16()
+    {
+        const std::u16string wide = u"\uFEFFa,\u00E9\U0001F333\r\n\u00E9,\U0001F333\r\n";
+        QByteArray bytes;
+        for (const char16_t unit : wide)
+            bytes += QByteArray(1, char(unit & 0xFF)) + QByteArray(1, char(unit >> 8));
+        const auto table = parseCsv(bytes.toStdString(), "t.csv");
+        QVERIFY2(table.has_value(), test::why(table));
+        QCOMPARE(table->columns, (std::vector{"a"s, "\xC3\xA9\xF0\x9F\x8C\xB3"s}));
+        QCOMPARE(table->rows[0].cells, (std::vector{"\xC3\xA9"s, "\xF0\x9F\x8C\xB3"s}));
     }
 
     void columnsAlone()

@@ -345,6 +345,8 @@ void TestParamTable::textRoundTrip()
     QCOMPARE(formatValue(0.1), std::string("0.1"));
     QCOMPARE(formatValue(glm::dvec3(1.0, -0.5, 1e100)), std::string("1,-0.5,1e+100"));
     QCOMPARE(formatValue(true), std::string("true"));
+    for (const char* text : {"3", "3.0", "3.00", " +3.0 "}) // as pandas writes a column with gaps
+        QVERIFY2(*parseValue(row("grammar.iterations"), text) == ParamValue(std::int64_t(3)), text);
     QVERIFY(*parseValue(row("tree.translation"), " 1, 2 ,+3") == ParamValue(glm::dvec3(1, 2, 3)));
 }
 
@@ -356,7 +358,8 @@ void TestParamTable::badTextOfNumbers_data()
     const auto bad = [](const char* key, const char* text, ErrorCode code = ErrorCode::Syntax) {
         QTest::addRow("%s=%s", key, text) << QByteArray(key) << QByteArray(text) << int(code);
     };
-    for (const char* text : {"", " ", "x", "1.5", "1e3", "0x10", "1 2", "+-1", "--1", "1,000", "+"})
+    for (const char* text : {"", " ", "x", "1.5", "1e3", "0x10", "1 2", "+-1", "--1", "1,000", "+", "10.000",
+                             "1.01", ".0", "1e3.0", "1..0", "1.0.0"})
         bad("grammar.iterations", text);
     bad("grammar.iterations", "99999999999999999999", ErrorCode::Invalid);
     for (const char* text : {"", "x", "1,5", "0.1.2", "1 m", "+-1", "0x10", "."})
@@ -382,9 +385,9 @@ void TestParamTable::badTextOfNumbers()
 void TestParamTable::boolWords()
 {
     const ParamDef& def = row("grammar.stochastic");
-    for (const char* yes : {"true", "1", "yes", "on", " on "})
+    for (const char* yes : {"true", "1", "yes", "on", " on ", "TRUE", "True", "1.0"})
         QVERIFY2(*parseValue(def, yes) == ParamValue(true), yes);
-    for (const char* no : {"false", "0", "no", "off"})
+    for (const char* no : {"false", "0", "no", "off", "FALSE", "False", "0.0"})
         QVERIFY2(*parseValue(def, no) == ParamValue(false), no);
 }
 
