@@ -2,6 +2,7 @@
 #include "app/editor_options.h"
 #include "core/base/file_writer.h"
 #include "core/base/kept_memory.h"
+#include "core/base/utf8.h"
 #include "core/io/formats/file_format.h"
 #include "core/session/exporter.h"
 #include "core/session/job.h"
@@ -61,6 +62,39 @@ void say(const QString& text)
 void complain(const QString& text)
 {
     std::fprintf(stderr, "ramure: %s\n", qPrintable(text));
+}
+
+/// Listens while Qt looks for a display. Where it finds none, it warns of the reason, explains at length and
+/// aborts: here that is one sentence and an exit code.
+void sayWhyNoWindow(QtMsgType type, const QMessageLogContext&, const QString& text)
+{
+    static QString reason;
+    if (type != QtFatalMsg) {
+        if (type == QtWarningMsg || type == QtCriticalMsg)
+            reason = text.simplified();
+        return;
+    }
+    const bool isPlatformSet = !qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM");
+    const char* const variable = isPlatformSet ? "QT_QPA_PLATFORM" : "DISPLAY";
+    const QString value = qEnvironmentVariableIsSet(variable)
+                              ? QLatin1Char('=') + qEnvironmentVariable(variable)
+                              : QStringLiteral(" is not set");
+    complain(QStringLiteral("no window can be opened: %1 (%2%3); ramure-cli needs no display")
+                 .arg(reason.isEmpty() ? text.section(QLatin1Char('\n'), 0, 0) : reason,
+                      QLatin1String(variable), value));
+    std::_Exit(2);
+}
+
+/// The names of files reach a window as texts, and not every name is one.
+void checkNames(int argc, char** argv)
+{
+    for (int i = 1; i < argc; ++i)
+        if (!isUtf8(argv[i])) {
+            complain(
+                QStringLiteral("\"%1\": the name is no UTF-8; rename it, or use ramure-cli, which takes it")
+                    .arg(QString::fromUtf8(argv[i])));
+            std::exit(2);
+        }
 }
 
 /// Those of the whole program: they are asked for where there is no screen as well.
@@ -283,7 +317,10 @@ int main(int argc, char** argv)
     keepFreedMemory();
     makeFileLimitAnError();
     prepareOpenGl();
+    checkNames(argc, argv);
+    qInstallMessageHandler(&sayWhyNoWindow);
     QApplication application(argc, argv);
+    qInstallMessageHandler(nullptr);
     QGuiApplication::setApplicationDisplayName(QString());
     QGuiApplication::setDesktopFileName(QStringLiteral("org.ramure.Ramure"));
     // What runs in the background ends all at once when the last window is closed, not one after the other.

@@ -8,11 +8,16 @@ Expected<void> Painter::begin()
 {
     if (const auto ensured = m_display.ensure(); !ensured)
         return fail(ensured.error());
-    if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
-        qputenv("QT_QPA_PLATFORM", "offscreen");
+    // Whatever the user's desktop needs (wayland, a wrong name): this one needs nothing but the X server.
+    qputenv("QT_QPA_PLATFORM", "offscreen");
     m_application.emplace(m_argc, m_argv);
     m_renderer.emplace();
-    return m_renderer->begin();
+    if (const auto begun = m_renderer->begin(); !begun)
+        return fail(ErrorCode::Unknown,
+                    "%1: the driver of the X server at DISPLAY=%2 has none (Debian package libgl1-mesa-dri; "
+                    "where DISPLAY is not set, Xvfb is started)",
+                    {begun.error().message(), qgetenv("DISPLAY").toStdString()});
+    return {};
 }
 
 Expected<QImage> Painter::draw(const RenderScene& scene, const Camera& camera, QSize size,

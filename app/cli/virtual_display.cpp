@@ -1,6 +1,10 @@
 #include "app/cli/virtual_display.h"
 #include <QDeadlineTimer>
 #include <csignal>
+#include <poll.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <xcb/xcb.h>
 #ifdef __linux__
 #include <sys/prctl.h>
 #endif
@@ -10,6 +14,31 @@ namespace ramure::cli {
 namespace {
 
 constexpr int startMs = 20'000;
+constexpr int answerMs = 5'000; ///< a server on another machine may not be there at all
+
+/// Asked by another process: a connection that nobody answers could not be given up.
+bool displayAnswers()
+{
+    int told[2];
+    if (qEnvironmentVariableIsEmpty("DISPLAY") || ::pipe(told) != 0)
+        return false;
+    const pid_t asker = ::fork();
+    if (asker == 0) {
+        const char isThere = xcb_connection_has_error(xcb_connect(nullptr, nullptr)) == 0 ? 1 : 0;
+        ::_exit(::write(told[1], &isThere, 1) == 1 ? 0 : 1);
+    }
+    ::close(told[1]);
+    pollfd waited{told[0], POLLIN, 0};
+    char isThere = 0;
+    if (asker < 0 || ::poll(&waited, 1, answerMs) != 1 || ::read(told[0], &isThere, 1) != 1)
+        isThere = 0;
+    ::close(told[0]);
+    if (asker > 0) {
+        ::kill(asker, SIGKILL);
+        ::waitpid(asker, nullptr, 0);
+    }
+    return isThere != 0;
+}
 
 } // namespace
 
@@ -25,7 +54,7 @@ VirtualDisplay::~VirtualDisplay()
 
 Expected<void> VirtualDisplay::ensure()
 {
-    if (!qEnvironmentVariableIsEmpty("DISPLAY"))
+    if (displayAnswers())
         return {};
     m_server.setChildProcessModifier([] {
         // It would inherit that we block the signals that a thread of ours waits for, and never end.
@@ -43,8 +72,12 @@ Expected<void> VirtualDisplay::ensure()
                     QStringLiteral("0"), QStringLiteral("640x480x24"), QStringLiteral("-nolisten"),
                     QStringLiteral("tcp")});
     if (!m_server.waitForStarted(startMs))
-        return fail(ErrorCode::Unknown, "there is no display, and Xvfb, which stands in for one, cannot be "
-                                        "started (Debian package xvfb)");
+        return fail(ErrorCode::Unknown,
+                    "there is no display%1, and Xvfb, which stands in for one, cannot be started (Debian "
+                    "package xvfb)",
+                    {qEnvironmentVariableIsEmpty("DISPLAY")
+                         ? std::string()
+                         : " that answers at DISPLAY=" + qgetenv("DISPLAY").toStdString()});
     const QDeadlineTimer deadline(startMs);
     QByteArray number;
     while (!number.endsWith('\n')) {

@@ -1,5 +1,5 @@
 /// \file
-/// A display where there is none: an X server of our own that nobody sees.
+/// A display where there is none that answers: an X server of our own that nobody sees.
 #pragma once
 
 #include "core/base/error.h"
@@ -15,8 +15,8 @@ public:
     VirtualDisplay(const VirtualDisplay&) = delete;
     VirtualDisplay& operator=(const VirtualDisplay&) = delete;
 
-    /// Nothing where DISPLAY is set; else starts Xvfb and sets DISPLAY. Call before any QGuiApplication.
-    /// Error: Unknown (Xvfb is missing or does not start).
+    /// Nothing where an X server answers behind DISPLAY; else starts Xvfb and sets DISPLAY. Call before any
+    /// QGuiApplication. Error: Unknown (Xvfb is missing or does not start).
     Expected<void> ensure();
 
 private:

@@ -162,6 +162,56 @@ private slots:
         }
     }
 
+    /// One sentence instead of an abort.
+    void theProgramSaysWhyItOpensNoWindow_data()
+    {
+        QTest::addColumn<QString>("platform");
+        QTest::addColumn<QString>("display");
+        QTest::addColumn<QString>("part");
+        QTest::newRow("nobody answers")
+            << QString() << QStringLiteral(":4711")
+            << QStringLiteral("could not connect to display :4711 (DISPLAY=:4711)");
+        QTest::newRow("none") << QString() << QString() << QStringLiteral("(DISPLAY is not set)");
+        for (const char* platform : {"nonsense", "wayland", "xcb"})
+            QTest::newRow(platform) << QString(platform) << QStringLiteral(":4711")
+                                    << QStringLiteral("(QT_QPA_PLATFORM=%1)").arg(QLatin1String(platform));
+    }
+    void theProgramSaysWhyItOpensNoWindow()
+    {
+        QFETCH(QString, platform);
+        QFETCH(QString, display);
+        QFETCH(QString, part);
+        QProcessEnvironment odd = QProcessEnvironment::systemEnvironment();
+        for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
+            odd.remove(QLatin1String(name));
+        if (!platform.isEmpty())
+            odd.insert("QT_QPA_PLATFORM", platform);
+        if (!display.isEmpty())
+            odd.insert("DISPLAY", display);
+        QProcess program;
+        program.setProcessEnvironment(odd);
+        program.start(QStringLiteral(RAMURE_EDITOR), {QStringLiteral("preset:TinyTree")});
+        QVERIFY(program.waitForFinished(patienceMs));
+        QCOMPARE(program.exitStatus(), QProcess::NormalExit);
+        QCOMPARE(program.exitCode(), 2);
+        const QByteArray said = program.readAllStandardError();
+        QVERIFY2(said.startsWith("ramure: no window can be opened: ") && said.count('\n') == 1 &&
+                     said.contains(part.toUtf8()),
+                 said.constData());
+    }
+
+    void namesThatAreNoUtf8AreRefused()
+    {
+        QProcess program;
+        program.start(QStringLiteral("bash"),
+                      {QStringLiteral("-c"), QStringLiteral("exec \"$0\" $'ch\\xEAne.obj'"),
+                       QStringLiteral(RAMURE_EDITOR)});
+        QVERIFY(program.waitForFinished(patienceMs));
+        QCOMPARE(program.exitCode(), 2);
+        const QByteArray said = program.readAllStandardError();
+        QVERIFY2(said.contains("the name is no UTF-8") && said.count('\n') == 1, said.constData());
+    }
+
     void theProgramSaysWhatItCannotOpen()
     {
         QProcess program;
