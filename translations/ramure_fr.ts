@@ -7054,10 +7054,6 @@
         <translation>un guillemet dans une cellule : il faut mettre toute la cellule entre guillemets</translation>
     </message>
     <message>
-        <source>text behind a quoted cell: a comma expected</source>
-        <translation>du texte après une cellule entre guillemets : une virgule est attendue</translation>
-    </message>
-    <message>
         <source>a quote that is not closed</source>
         <translation>un guillemet n’est pas refermé</translation>
     </message>
@@ -7588,6 +7584,22 @@
     <message>
         <source>Between a stem and the one that carries it: 0 goes on straight, a quarter turn stands away. Of the trunk, between it and the vertical. Negative: to the other side.</source>
         <translation>Entre une tige et celle qui la porte : 0 continue tout droit, un quart de tour s’en écarte. Pour le tronc, entre lui et la verticale. Négatif : de l’autre côté.</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made: %1</source>
+        <translation>le dossier ne peut être créé : %1</translation>
+    </message>
+    <message>
+        <source>text behind a quoted cell: a separator expected</source>
+        <translation>du texte après une cellule entre guillemets : un séparateur est attendu</translation>
+    </message>
+    <message>
+        <source>column &quot;%1&quot;: bytes that are no text in UTF-8 or UTF-16</source>
+        <translation>colonne « %1 » : des octets qui ne sont pas du texte en UTF-8 ou en UTF-16</translation>
+    </message>
+    <message>
+        <source>this is neither UTF-8 nor whole UTF-16</source>
+        <translation>ce n’est ni de l’UTF-8, ni de l’UTF-16 entier</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,7 @@
 #include "app/cli/json_measures.h"
 #include "app/cli/mesh_check.h"
 #include "app/cli/painter.h"
+#include "core/base/file_writer.h"
 #include "core/generators/variety.h"
 #include "core/io/formats/file_format.h"
 #include "core/io/material_maps.h"
@@ -12,15 +13,13 @@
 #include "core/skeleton/measures.h"
 #include "core/surface/bark/bark_maps.h"
 #include "widgets/view/render/picture_file.h"
-#include <QDir>
-#include <QDirIterator>
-#include <QFile>
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QRegularExpression>
 #include <cerrno>
 #include <cstdio>
-#include <system_error>
+#include <filesystem>
+#include <unistd.h>
 
 namespace ramure::cli {
 
@@ -116,8 +115,9 @@ QJsonObject countsOf(EvaluatedScene& now, const ExportScene& written, const std:
 bool isOfLevelsAlone(const BatchPlan& plan, const BatchRow& row, const Scene& scene)
 {
     const auto has = [&](const char* ending) {
-        return std::ranges::count_if(
-            row.files, [&](const QString& file) { return file.endsWith(QLatin1String(ending)); });
+        return std::ranges::count_if(row.files, [&](const QString& file) {
+            return file.endsWith(QLatin1String(ending), Qt::CaseInsensitive);
+        });
     };
     const auto meshes = has(".glb");
     return plan.levels.isWanted() && !plan.levels.beginsWhole() && meshes > 0 &&
@@ -144,16 +144,20 @@ Expected<void> writeMapsOf(EvaluatedScene& now, const std::string& folder, int s
 
 QJsonArray filesBelow(const QString& folder)
 {
+    namespace fs = std::filesystem;
+    const fs::path below = systemPath(folder);
     QStringList names;
-    for (QDirIterator files(folder, QDir::Files | QDir::Hidden, QDirIterator::Subdirectories);
-         files.hasNext();)
-        names << files.next().mid(folder.size() + 1);
+    std::error_code problem; // where there is no folder, there is no file
+    for (fs::recursive_directory_iterator at(below, problem), end; !problem && at != end;
+         at.increment(problem))
+        if (at->is_regular_file(problem))
+            names << pathText(at->path().lexically_relative(below).string());
     names.sort();
     QJsonArray out;
     for (const QString& name : names) {
         const QString path = folder + QLatin1Char('/') + name;
         out.append(QJsonObject{{QStringLiteral("name"), name},
-                               {QStringLiteral("bytes"), QFileInfo(path).size()},
+                               {QStringLiteral("bytes"), qint64(fs::file_size(systemPath(path), problem))},
                                {QStringLiteral("sha256"), QString::fromLatin1(sha256Of(path))}});
     }
     return out;
@@ -164,7 +168,8 @@ QString placed(const BatchPlan& plan, const BatchRow& row, QString text)
 {
     if (!row.input.contains(QLatin1Char(':')))
         text.replace(row.input, QFileInfo(row.input).fileName());
-    text.remove(stagingFolder(plan, row) + QLatin1Char('/')).remove(plan.folder + QLatin1Char('/'));
+    for (const QString& folder : {stagingFolder(plan, row), plan.folder})
+        text.remove(fromText(systemPath(folder)) + QLatin1Char('/'));
     return QStringLiteral("%1:%2: %3").arg(plan.table).arg(row.line).arg(text);
 }
 
@@ -197,18 +202,33 @@ QString stagingFolder(const BatchPlan& plan, const BatchRow& row)
     return QStringLiteral("%1/.row-%2.part").arg(plan.folder).arg(row.number);
 }
 
+void clearStaging(const BatchPlan& plan, const BatchRow& row)
+{
+    std::error_code problem; // what cannot be removed is in nobody's way
+    std::filesystem::remove_all(systemPath(stagingFolder(plan, row)), problem);
+}
+
 void clearStaging(const BatchPlan& plan)
 {
     if (plan.rows.empty())
         return;
     // What is there is looked at, not what might be: a row more costs nothing.
+    namespace fs = std::filesystem;
     static const QRegularExpression name(QStringLiteral("^\\.row-(\\d+)\\.part$"));
-    const QDir folder(plan.folder);
-    for (const QString& entry :
-         folder.entryList({QStringLiteral(".row-*.part")}, QDir::Dirs | QDir::Hidden | QDir::NoDotAndDotDot))
-        if (const qint64 row = name.match(entry).captured(1).toLongLong();
+    std::vector<fs::path> left;
+    std::error_code problem;
+    for (fs::directory_iterator at(systemPath(plan.folder), problem), end; !problem && at != end;
+         at.increment(problem))
+        if (const qint64 row = name.match(pathText(at->path().filename().string())).captured(1).toLongLong();
             row >= plan.rows.front().number && row <= plan.rows.back().number)
-            QDir(folder.filePath(entry)).removeRecursively();
+            left.push_back(at->path());
+    for (const fs::path& folder : left)
+        fs::remove_all(folder, problem);
+}
+
+const char* rowErrorOf(const Error& error)
+{
+    return isDiskFull(error) ? row_error::disk : isWriteError(error) ? row_error::output : row_error::input;
 }
 
 QJsonObject failedLine(const BatchPlan& plan, const BatchRow& row, const char* kind, const QString& text)
@@ -234,7 +254,8 @@ ExportOptions RowMaker::optionsFor(const QString& path) const
     options.texture = true;
     options.write.mapSize = m_plan.mapSize;
     options.write.compressed = m_plan.isCompressed;
-    if (path.endsWith(QLatin1String(".glb"))) { // others would be several files, of which no name is known
+    // Others would be several files, of which no name is known.
+    if (path.endsWith(QLatin1String(".glb"), Qt::CaseInsensitive)) {
         options.levels = m_plan.levels;
         options.wind = m_plan.wind;
     }
@@ -271,7 +292,7 @@ QJsonObject RowMaker::make(const BatchRow& row)
     if (!row.problem.isEmpty())
         return failedLine(m_plan, row, row_error::input, row.problem);
     const auto failed = [&](const Error& error) {
-        return failedLine(m_plan, row, row_error::input, fromText(error.message()));
+        return failedLine(m_plan, row, rowErrorOf(error), fromText(error.message()));
     };
     const auto input = inputOf(row);
     if (!input)
@@ -297,10 +318,10 @@ QJsonObject RowMaker::make(const BatchRow& row)
         return line;
     }
     const QString staging = stagingFolder(m_plan, row);
-    QDir(staging).removeRecursively();
+    clearStaging(m_plan, row);
     for (const QString& file : row.files)
         if (const auto written = write(now, staging + QLatin1Char('/') + file); !written) {
-            QDir(staging).removeRecursively();
+            clearStaging(m_plan, row);
             return failed(written.error());
         }
     line.insert(QStringLiteral("files"), filesBelow(staging));
@@ -309,9 +330,9 @@ QJsonObject RowMaker::make(const BatchRow& row)
 
 Expected<void> RowMaker::write(EvaluatedScene& now, const QString& path)
 {
-    const QString folder = path.section(QLatin1Char('/'), 0, -2);
-    if (!QDir().mkpath(folder))
-        return fail(ErrorCode::Io, "%1: the folder cannot be made", {systemPath(folder)});
+    const QString folder = folderOf(path);
+    if (auto made = makeFolder(systemPath(folder)); !made)
+        return made;
     if (path.endsWith(QLatin1Char('/')))
         return writeMapsOf(now, systemPath(folder), std::max(m_plan.mapSize, int(leastBarkSize)));
     if (path.endsWith(QLatin1String(".png")))
@@ -338,28 +359,65 @@ Expected<void> RowMaker::draw(EvaluatedScene& now, const QString& path)
 Expected<void> placeFiles(const BatchPlan& plan, const BatchRow& row, const QJsonObject& line)
 {
     const QString staging = stagingFolder(plan, row);
-    for (const QJsonValue file : line.value(QStringLiteral("files")).toArray()) {
-        const QString name = file.toObject().value(QStringLiteral("name")).toString();
+    for (const QString& name : filesOf(line)) {
         const QString target = plan.folder + QLatin1Char('/') + name;
-        QDir().mkpath(target.section(QLatin1Char('/'), 0, -2));
+        if (auto made = makeFolder(systemPath(folderOf(target))); !made)
+            return made;
         if (::rename(systemPath(staging + QLatin1Char('/') + name).c_str(), systemPath(target).c_str()) != 0)
-            return fail(ErrorCode::Io, "%1: %2",
-                        {systemPath(target), std::generic_category().message(errno)});
+            return fail(writeError(systemPath(target), errno));
     }
-    QDir(staging).removeRecursively();
+    clearStaging(plan, row);
     return {};
 }
 
-void removeStale(const BatchPlan& plan, const BatchRow& row)
+QStringList filesOf(const QJsonObject& line)
 {
-    for (const QString& name : row.files) {
-        if (name.endsWith(QLatin1Char('/')))
+    QStringList names;
+    for (const QJsonValue file : line.value(QStringLiteral("files")).toArray())
+        names << file.toObject().value(QStringLiteral("name")).toString();
+    return names;
+}
+
+/// With the folders that are empty then.
+static void removeBelow(const QString& folder, const QString& name)
+{
+    if (!isBelowFolder(name)) // a manifest may have been written by hand
+        return;
+    ::unlink(systemPath(folder + QLatin1Char('/') + name).c_str());
+    for (QString empty = folderOf(name); !empty.isEmpty(); empty = folderOf(empty))
+        if (::rmdir(systemPath(folder + QLatin1Char('/') + empty).c_str()) != 0)
+            return;
+}
+
+void removeStale(const BatchPlan& plan, const ManifestLines& before, const ManifestLines& now)
+{
+    const auto hasFailed = [&](const BatchRow& row) {
+        const auto line = now.find(row.number);
+        return line != now.end() && line->second.contains(QStringLiteral("error"));
+    };
+    if (std::ranges::none_of(plan.rows, hasFailed))
+        return;
+    QSet<QString> stale, kept;
+    for (const BatchRow& row : plan.rows) {
+        if (!hasFailed(row))
             continue;
-        const QString path = plan.folder + QLatin1Char('/') + name;
-        QFile::remove(path);
-        if (path.endsWith(QLatin1String(".obj")))
-            QFile::remove(path.chopped(4) + QLatin1String(".mtl")); // goes with it
+        for (const QString& file : row.files)
+            if (!file.endsWith(QLatin1Char('/')))
+                for (const QString& name : ownNames(file, plan.wind))
+                    stale << name;
+        if (const auto line = before.find(row.number); line != before.end())
+            for (const QString& name : filesOf(line->second))
+                if (!plan.foreignFolders.contains(folderOf(name)))
+                    stale << name;
     }
+    for (const auto& [number, line] : now)
+        for (const QString& name : filesOf(line)) // those that failed have none
+            kept << name;
+    for (const auto& [number, line] : before) // rows that were not reached have what they had
+        for (const QString& name : now.contains(number) ? QStringList() : filesOf(line))
+            kept << name;
+    for (const QString& name : stale - kept)
+        removeBelow(plan.folder, name);
 }
 
 bool isDone(const BatchPlan& plan, const BatchRow& row, const QJsonObject& line)

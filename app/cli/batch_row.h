@@ -5,6 +5,7 @@
 
 #include "app/cli/batch_plan.h"
 #include "app/cli/input.h"
+#include "app/cli/manifest.h"
 #include "app/cli/mesh_check.h"
 #include "core/evaluate/evaluator.h"
 #include "core/session/exporter.h"
@@ -22,6 +23,8 @@ inline constexpr const char* input = "input";
 inline constexpr const char* check = "check";   ///< a mesh failed its check
 inline constexpr const char* memory = "memory"; ///< the limit was reached
 inline constexpr const char* crash = "crash";   ///< the process ended
+inline constexpr const char* output = "output"; ///< a file cannot be written
+inline constexpr const char* disk = "disk";     ///< the disk is full: no other row has room either
 } // namespace row_error
 
 /// The tree or scene of a row, with its seed and its parameters. Errors: those of loadInput and
@@ -54,17 +57,23 @@ private:
     std::optional<ExportScene> m_levels; ///< of the row, where they are all it writes
 };
 
+/// What kind of row_error it is.
+const char* rowErrorOf(const Error& error);
 /// The line of a row that could not be done. \param kind of row_error
 QJsonObject failedLine(const BatchPlan& plan, const BatchRow& row, const char* kind, const QString& text);
 /// Where a row is made: beside the places of its files, so that they can be renamed.
 QString stagingFolder(const BatchPlan& plan, const BatchRow& row);
 /// Removes what rows of the plan that were stopped have left there.
 void clearStaging(const BatchPlan& plan);
-/// Puts what was made in its place; only then the row is done. Error: Io.
+void clearStaging(const BatchPlan& plan, const BatchRow& row);
+/// Puts what was made in its place; only then the row is done. Error: Io; some files may be in their places.
 Expected<void> placeFiles(const BatchPlan& plan, const BatchRow& row, const QJsonObject& line);
-/// What an earlier run has put in the places of files that the row could not make now. Folders of maps are
-/// shared and stay.
-void removeStale(const BatchPlan& plan, const BatchRow& row);
+/// The names of a line's files: all that writing the row gave.
+QStringList filesOf(const QJsonObject& line);
+/// Removes the files of rows that have failed: those that stand in the places of the row's own ones, those
+/// that earlier lines of the row name, and folders that are empty then. What another row has stays: a picture
+/// that the lines of now name, or one in a folder into which rows of other shards write.
+void removeStale(const BatchPlan& plan, const ManifestLines& before, const ManifestLines& now);
 /// Are the row's values those of the line, and its files there, byte for byte?
 bool isDone(const BatchPlan& plan, const BatchRow& row, const QJsonObject& line);
 

@@ -4,11 +4,11 @@
 #include "app/cli/commands.h"
 #include "app/cli/manifest.h"
 #include "app/cli/virtual_display.h"
+#include "core/base/file_writer.h"
 #include "core/base/stopwatch.h"
-#include <QDir>
-#include <QFileInfo>
 #include <QJsonDocument>
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
 #include <memory>
 #include <sys/resource.h>
@@ -24,7 +24,8 @@ constexpr CommandText batchText = {
     "beside the table), `seed`, which grows the tree by chance, `name`, `files` (templates with ; between "
     "them, in the place of --file), notes whose names begin with #, and any key that `ramure-cli list "
     "params` "
-    "shows. An empty cell leaves what the input has.\n"
+    "shows. An empty cell leaves what the input has, and makes no name of a file: its row fails. The table "
+    "may come from a spreadsheet: cells with commas, semicolons or tabs between them, in UTF-8 or UTF-16.\n"
     "Rows hang on nothing but themselves. One that cannot be done has an error in the manifest, and the "
     "others "
     "go on; its files are there whole or not at all, and those of an earlier run go when it fails. The "
@@ -35,7 +36,9 @@ constexpr CommandText batchText = {
     "`files` with their SHA-256, and `error`. It says nothing of times and machines: manifests of shards, "
     "one "
     "behind the other, are the manifest of one run, byte for byte. --timings has the seconds.\n"
-    "SIGINT and SIGTERM drop the rows under way and keep those that are done. A process that is killed "
+    "SIGINT, SIGTERM and a full disk end the batch: rows under way are dropped, those that are done are "
+    "kept. "
+    "A process that is killed "
     "leaves "
     "folders .row-NUMBER.part, which --resume clears away."};
 
@@ -100,16 +103,6 @@ Expected<BatchRequest> batchRequestOf(const CommandLine& line)
     return out;
 }
 
-const char* kindOf(const QJsonObject& line)
-{
-    const QString kind =
-        line.value(QStringLiteral("error")).toObject().value(QStringLiteral("kind")).toString();
-    for (const char* known : {row_error::check, row_error::memory, row_error::input})
-        if (kind == QLatin1String(known))
-            return known;
-    return line.contains(QStringLiteral("error")) ? row_error::crash : nullptr;
-}
-
 /// A batch at work.
 class Batch
 {
@@ -117,6 +110,7 @@ public:
     Batch(const BatchRequest& request, ManifestWriter& manifest)
         : m_request(request)
         , m_manifest(manifest)
+        , m_before(manifest.before())
         , m_progress(request.dialect, request.plan.rows.size())
     {
     }
@@ -128,13 +122,14 @@ public:
         if (!m_request.timings.isEmpty()) {
             m_timings.reset(std::fopen(systemPath(m_request.timings).c_str(), "w"));
             if (!m_timings)
-                return fail(ErrorCode::Io, "%1: the file cannot be written", {systemPath(m_request.timings)});
+                return fail(writeError(systemPath(m_request.timings), errno));
         }
         const int signal = runJobs(
             m_request.plan.rows.size(), m_request.pool, [this](std::size_t job) { return work(job); },
-            [this](std::size_t job, JobEnd end, const QByteArray& answer) { take(job, end, answer); });
-        if (signal != 0)
+            [this](std::size_t job, JobEnd end, const QByteArray& answer) { return take(job, end, answer); });
+        if (signal != 0 || m_isDiskFull || m_problem)
             clearStaging(m_request.plan);
+        removeStale(m_request.plan, m_before, m_manifest.lines());
         std::vector<std::int64_t> rows;
         for (const BatchRow& row : m_request.plan.rows)
             rows.push_back(row.number);
@@ -142,6 +137,11 @@ public:
             return fail(std::move(written.error()));
         if (m_problem)
             return fail(*m_problem);
+        if (m_isDiskFull) {
+            m_progress.ended(
+                QStringLiteral("stopped: the disk is full; what is done is kept, --resume goes on"));
+            return exitDiskFull;
+        }
         return end(signal);
     }
 
@@ -166,12 +166,13 @@ private:
             .toJson(QJsonDocument::Compact);
     }
 
-    void take(std::size_t job, JobEnd end, const QByteArray& answer)
+    /// \returns whether the others are worth the work
+    bool take(std::size_t job, JobEnd end, const QByteArray& answer)
     {
         const BatchRow& row = m_request.plan.rows[job];
         if (end == JobEnd::Done && answer.isEmpty()) { // it was there
             m_progress.rowEnded({});
-            return;
+            return true;
         }
         const QJsonObject told = QJsonDocument::fromJson(answer).object();
         QJsonObject line = told.value(QStringLiteral("line")).toObject();
@@ -179,20 +180,23 @@ private:
             line = failedLine(m_request.plan, row, row_error::memory, QStringLiteral("out of memory"));
         else if (end == JobEnd::Crash)
             line = failedLine(m_request.plan, row, row_error::crash, QStringLiteral("its process ended"));
-        else if (const auto placed = placeFiles(m_request.plan, row, line); !placed)
-            line = failedLine(m_request.plan, row, row_error::input, fromText(placed.error().message()));
-        if (line.contains(QStringLiteral("error"))) {
-            QDir(stagingFolder(m_request.plan, row)).removeRecursively();
-            removeStale(m_request.plan, row);
+        else if (const auto placed = placeFiles(m_request.plan, row, line); !placed) {
+            m_before[row.number] = line; // some of its files may be in their places
+            line = failedLine(m_request.plan, row, rowErrorOf(placed.error()),
+                              fromText(placed.error().message()));
         }
+        if (line.contains(QStringLiteral("error")))
+            clearStaging(m_request.plan, row);
         if (auto added = m_manifest.add(line); !added)
             m_problem = added.error();
         if (m_timings)
             std::fprintf(m_timings.get(), "{\"row\":%lld,\"seconds\":%.6f,\"peakKiB\":%lld}\n",
                          static_cast<long long>(row.number), told.value(QStringLiteral("seconds")).toDouble(),
                          static_cast<long long>(told.value(QStringLiteral("peakKiB")).toInteger()));
-        m_progress.rowEnded(
-            line.value(QStringLiteral("error")).toObject().value(QStringLiteral("text")).toString());
+        const QJsonObject problem = line.value(QStringLiteral("error")).toObject();
+        m_progress.rowEnded(problem.value(QStringLiteral("text")).toString());
+        m_isDiskFull = problem.value(QStringLiteral("kind")) == QLatin1String(row_error::disk);
+        return !m_isDiskFull && !m_problem;
     }
 
     int end(int signal)
@@ -203,10 +207,15 @@ private:
         }
         bool isMemory = false, isCheck = false, isOther = false;
         for (const BatchRow& row : m_request.plan.rows) {
-            const char* kind = kindOf(m_manifest.lines().at(row.number));
-            isMemory = isMemory || kind == row_error::memory;
-            isCheck = isCheck || kind == row_error::check;
-            isOther = isOther || kind == row_error::input || kind == row_error::crash;
+            const QJsonObject error =
+                m_manifest.lines().at(row.number).value(QStringLiteral("error")).toObject();
+            const QString kind = error.value(QStringLiteral("kind")).toString();
+            if (kind == QLatin1String(row_error::memory))
+                isMemory = true;
+            else if (kind == QLatin1String(row_error::check))
+                isCheck = true;
+            else
+                isOther = isOther || !error.isEmpty();
         }
         const bool isGood = !isMemory && !isCheck && !isOther;
         m_progress.ended(isGood ? QString()
@@ -223,10 +232,12 @@ private:
 
     const BatchRequest& m_request;
     ManifestWriter& m_manifest;
+    ManifestLines m_before; ///< whose files go where a row fails
     BatchProgress m_progress;
     std::unique_ptr<std::FILE, Closer> m_timings;
     std::unique_ptr<RowMaker> m_maker; ///< of a process of the pool
-    std::optional<Error> m_problem;
+    std::optional<Error> m_problem;    ///< of what it writes down
+    bool m_isDiskFull = false;
 };
 
 void addBatchOptions(CommandLine& line)
@@ -258,8 +269,8 @@ Expected<int> runBatch(const CommandLine& line)
     const auto request = batchRequestOf(line);
     if (!request)
         return fail(request.error());
-    if (!QDir().mkpath(request->plan.folder))
-        return fail(ErrorCode::Io, "%1: the folder cannot be made", {systemPath(request->plan.folder)});
+    if (auto made = makeFolder(systemPath(request->plan.folder)); !made)
+        return fail(std::move(made.error()));
     VirtualDisplay display; // one for all processes
     const auto isPicture = [](const QString& file) { return file.endsWith(QLatin1String(".png")); };
     const auto& rows = request->plan.rows;

@@ -3,13 +3,14 @@
 #include "app/cli/moments.h"
 #include "app/cli/painter.h"
 #include "app/cli/work.h"
+#include "core/base/file_writer.h"
 #include "core/evaluate/evaluator.h"
 #include "core/levels/billboard_view.h"
 #include "widgets/view/render/billboard_files.h"
-#include <QDir>
 #include <QFileInfo>
 #include <QJsonArray>
 #include <algorithm>
+#include <filesystem>
 
 namespace ramure::cli {
 
@@ -65,11 +66,11 @@ Expected<void> takeOutput(const CommandLine& line, BillboardRequest& out)
         return fail(
             ErrorCode::Invalid,
             "one -o FOLDER or -o FILE.glb expected: `ramure-cli billboard --help` shows what it takes");
-    const QFileInfo info(out.output);
     if (out.isFile() && out.isAtlas)
         return fail(ErrorCode::Invalid, "%1: an atlas is three files: -o FOLDER expected",
                     {systemPath(out.output)});
-    if (!out.isFile() && !info.isDir() && !info.suffix().isEmpty())
+    if (!out.isFile() && !std::filesystem::is_directory(systemPath(out.output)) &&
+        !QFileInfo(out.output).suffix().isEmpty())
         return fail(ErrorCode::Unknown, "%1: unknown file ending: a FOLDER or FILE.glb expected",
                     {systemPath(out.output)});
     return {};
@@ -238,8 +239,8 @@ Expected<int> runBillboard(const CommandLine& line)
     const auto scene = sceneOf(*input, *moments, work.progress());
     if (!scene)
         return fail(scene.error());
-    if (!request->isFile() && !QDir().mkpath(request->output))
-        return fail(ErrorCode::Io, "%1: the folder cannot be made", {systemPath(request->output)});
+    if (auto made = !request->isFile() ? makeFolder(systemPath(request->output)) : Expected<void>(); !made)
+        return fail(std::move(made.error()));
     Painter painter;
     if (auto begun = painter.begin(); !begun)
         return fail(std::move(begun.error()));

@@ -3,6 +3,7 @@
 #include "core/document/edit_script.h"
 #include <QFile>
 #include <QFileInfo>
+#include <filesystem>
 
 namespace ramure::cli {
 
@@ -42,12 +43,12 @@ void addEditOptions(CommandLine& line)
 
 Expected<QByteArray> readScript(const QString& path)
 {
-    QFile file(path);
-    const bool isOpen =
-        path == QLatin1String("-") ? file.open(stdin, QIODevice::ReadOnly) : file.open(QIODevice::ReadOnly);
-    if (isOpen)
-        return file.readAll();
-    return ioError(path, "cannot be read: %1", file.errorString());
+    QFile file;
+    if (path == QLatin1String("-"))
+        file.open(stdin, QIODevice::ReadOnly);
+    else if (auto opened = openToRead(file, path); !opened)
+        return fail(std::move(opened.error()));
+    return file.readAll();
 }
 
 Expected<NodeId> treeOf(const Scene& scene, const QString& name)
@@ -66,7 +67,8 @@ Expected<NodeId> treeOf(const Scene& scene, const QString& name)
 /// What the file holds besides its scene is kept.
 Expected<std::string> extrasOf(const QString& input)
 {
-    if (QFileInfo(input).suffix().toLower() != QLatin1String("ramure") || !QFileInfo::exists(input))
+    if (QFileInfo(input).suffix().toLower() != QLatin1String("ramure") ||
+        !std::filesystem::exists(systemPath(input)))
         return std::string();
     return loadProjectFile(input).map([](Project&& project) { return std::move(project.extras); });
 }
@@ -98,7 +100,7 @@ Expected<int> runEdit(const CommandLine& line)
     if (auto replayed = replayEdits(document, *tree, *script); !replayed) {
         Error error = std::move(replayed.error());
         if (error.line > 0)
-            error.file = line.value("script").toStdString();
+            error.file = systemPath(line.value("script"));
         return fail(std::move(error));
     }
     if (auto saved = saveProjectFile(document.project(), line.value("output")); !saved)

@@ -7,6 +7,7 @@
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonObject>
+#include <filesystem>
 
 namespace ramure::cli {
 
@@ -111,7 +112,7 @@ Expected<int> runImport(const CommandLine& line)
         return fail(ErrorCode::Invalid,
                     "missing -o FILE.ramure: `ramure-cli import --help` shows what it takes");
     const Work work("import");
-    if (QFileInfo(output).isDir()) {
+    if (std::filesystem::is_directory(systemPath(output))) {
         const auto scene = loadInput(input, {});
         if (!scene)
             return fail(scene.error());

@@ -2,6 +2,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/job_script.h"
 #include "core/base/file_writer.h"
+#include "core/base/utf8.h"
 #include <QDir>
 #include <QFileInfo>
 #include <algorithm>
@@ -96,8 +97,12 @@ Expected<int> runJob(const CommandLine& line)
     const auto shards = shardsOf(line, plan->whole);
     if (!shards)
         return fail(shards.error());
-    if (!QDir().mkpath(folder))
-        return fail(ErrorCode::Io, "%1: the folder cannot be made", {systemPath(folder)});
+    for (const QString& name : {folder, line.arguments().front()})
+        if (!isUtf8(systemPath(name)))
+            return fail(ErrorCode::Invalid, "\"%1\": the name is no UTF-8, and a script cannot hold it",
+                        {name.toStdString()});
+    if (auto made = makeFolder(systemPath(folder)); !made)
+        return fail(std::move(made.error()));
     const QString table = QFileInfo(line.arguments().front()).absoluteFilePath();
     const JobRequest request{QDir(folder).relativeFilePath(table),
                              passedOn(line, *pool),

@@ -1,13 +1,12 @@
 #include "app/cli/command_line.h"
+#include "core/base/file_writer.h"
 #include "core/io/formats/file_format.h"
-#include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <system_error>
 
 namespace ramure::cli {
 
@@ -143,8 +142,7 @@ Expected<void> print(const QString& text)
     const std::size_t written =
         std::fwrite(bytes.constData(), 1, static_cast<std::size_t>(bytes.size()), stdout);
     if (written != static_cast<std::size_t>(bytes.size()) || std::fflush(stdout) != 0)
-        return fail(ErrorCode::Io, "the standard output cannot be written: %1",
-                    {std::generic_category().message(errno)});
+        return fail(writeError("the standard output", errno));
     return {};
 }
 
@@ -164,11 +162,6 @@ void printError(const QString& text)
 QString versionText()
 {
     return QStringLiteral("ramure-cli %1\n").arg(QLatin1String(RAMURE_VERSION));
-}
-
-std::string systemPath(const QString& path)
-{
-    return QFile::encodeName(path).toStdString();
 }
 
 QString fromText(const std::string& text)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/document/system_path.h"
 #include <QCommandLineParser>
 #include <QJsonValue>
 #include <QString>
@@ -16,6 +17,7 @@ inline constexpr int exitCheckFailed = 1;
 inline constexpr int exitBad = 2;        ///< usage or input
 inline constexpr int exitRowsFailed = 3; ///< some rows of a batch
 inline constexpr int exitMemory = 4;     ///< rows of a batch wanted more than they may take
+inline constexpr int exitDiskFull = 5;
 
 /// What stands in a command's help.
 struct CommandText
@@ -79,8 +81,6 @@ Expected<void> printJson(const QJsonValue& value);
 void printError(const QString& text);
 QString versionText();
 
-/// The bytes that the system knows the path by, and back.
-std::string systemPath(const QString& path);
 QString fromText(const std::string& text);
 
 /// "a, b, c"

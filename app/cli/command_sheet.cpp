@@ -71,7 +71,10 @@ private:
         }
         if (found.isEmpty())
             return {};
-        const QImage image(m_trees + QLatin1Char('/') + found);
+        QFile file;
+        const QImage image = openToRead(file, m_trees + QLatin1Char('/') + found)
+                                 ? QImage::fromData(file.readAll())
+                                 : QImage();
         return image.isNull() ? image
                               : image.scaled(m_side, m_side, Qt::KeepAspectRatio, Qt::SmoothTransformation);
     }
@@ -175,6 +178,7 @@ Expected<int> runSheet(const CommandLine& line)
     const int signal =
         runJobs(rows.size(), *pool, draw, [&](std::size_t job, JobEnd, const QByteArray& picture) {
             pictures[rows[job]->first] = picture;
+            return true;
         });
     if (signal != 0)
         return 128 + signal;

@@ -2,10 +2,10 @@
 #include "app/cli/input.h"
 #include "app/cli/moments.h"
 #include "app/cli/work.h"
+#include "core/base/file_writer.h"
 #include "core/evaluate/evaluator.h"
 #include "core/io/material_maps.h"
 #include "core/surface/bark/bark_maps.h"
-#include <QDir>
 #include <QJsonArray>
 #include <QJsonObject>
 
@@ -107,8 +107,8 @@ Expected<int> runTextures(const CommandLine& line)
     const auto surfaces = surfacesOf(*input->scene(), *moments);
     if (!surfaces)
         return fail(surfaces.error());
-    if (!QDir().mkpath(folder))
-        return fail(ErrorCode::Io, "%1: the folder cannot be made", {systemPath(folder)});
+    if (auto made = makeFolder(systemPath(folder)); !made)
+        return fail(std::move(made.error()));
     const Work work("textures");
     QJsonArray all, written;
     const auto note = [&written](const Expected<std::vector<std::string>>& names) {

@@ -1,5 +1,6 @@
 #include "app/cli/file_hash.h"
 
+#include "core/document/system_path.h"
 #include <QFile>
 #include <nettle/sha2.h>
 
@@ -8,8 +9,8 @@ namespace ramure::cli {
 QByteArray sha256Of(const QString& path)
 {
     constexpr qint64 piece = 1 << 18; // stays in the cache between reading and hashing
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly | QIODevice::Unbuffered))
+    QFile file;
+    if (!openToRead(file, path))
         return {};
     sha256_ctx hash{};
     sha256_init(&hash);

@@ -1,4 +1,5 @@
 #include "app/cli/input.h"
+#include "core/base/utf8.h"
 #include "core/document/project_file.h"
 #include "core/generators/parametric/grammar_notes.h"
 #include "core/io/formats/file_format.h"
@@ -80,6 +81,8 @@ Expected<Scene> projectScene(const QString& path)
 Expected<void> applySettings(Scene& scene, const QStringList& sets)
 {
     for (const QString& text : sets) {
+        if (!isUtf8(systemPath(text)))
+            return fail(ErrorCode::Syntax, "--set \"%1\": the text is no UTF-8", {text.toStdString()});
         if (text.startsWith(QLatin1String("joints["))) {
             if (auto set = applyJointSetting(scene, text); !set)
                 return set;

@@ -4,6 +4,7 @@
 #include "core/base/kept_memory.h"
 #include <QCoreApplication>
 #include <algorithm>
+#include <cstdlib>
 #include <new>
 #include <optional>
 
@@ -42,7 +43,7 @@ Expected<int> runProgram(int& argc, char** argv)
 {
     QStringList arguments;
     for (int i = 1; i < argc; ++i)
-        arguments << QString::fromLocal8Bit(argv[i]);
+        arguments << pathText(argv[i]);
     const QString first = arguments.isEmpty() ? QString() : arguments.takeFirst();
     if (const auto text = programText(first)) {
         const auto printed = print(*text);
@@ -66,9 +67,13 @@ Expected<int> runProgram(int& argc, char** argv)
     return runCommand(**command, arguments);
 }
 
-/// Errors are told once, by us: warnings of the libraries are not.
-void dropMessage(QtMsgType, const QMessageLogContext&, const QString&)
+/// Errors are told once, by us: warnings of the libraries are not, but what makes them end the program is.
+void dropMessage(QtMsgType type, const QMessageLogContext&, const QString& text)
 {
+    if (type != QtFatalMsg)
+        return;
+    printError(text);
+    std::_Exit(exitBad);
 }
 
 } // namespace
@@ -83,6 +88,8 @@ int main(int argc, char** argv)
         if (code)
             return *code;
         printError(fromText(code.error().message()));
+        if (isDiskFull(code.error()))
+            return exitDiskFull;
     } catch (const std::bad_alloc&) {
         printError(QStringLiteral("out of memory"));
     }

@@ -7,7 +7,6 @@
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
-#include <system_error>
 #include <unistd.h>
 #include <utility>
 
@@ -22,7 +21,7 @@ QString journalOf(const QString& path)
 
 tl::unexpected<Error> ioError(const QString& path)
 {
-    return fail(ErrorCode::Io, "%1: %2", {systemPath(path), std::generic_category().message(errno)});
+    return fail(writeError(systemPath(path), errno));
 }
 
 /// Of a line of JSON, 0 where it is none.
@@ -40,9 +39,9 @@ QByteArray lineText(const QJsonObject& line)
 
 Expected<ManifestLines> readManifest(const QString& path)
 {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly))
-        return fail(ErrorCode::Io, "%1: %2", {systemPath(path), file.errorString().toStdString()});
+    QFile file;
+    if (auto opened = openToRead(file, path); !opened)
+        return fail(std::move(opened.error()));
     ManifestLines lines;
     for (int number = 1; !file.atEnd(); ++number) {
         QJsonParseError problem;
@@ -75,6 +74,7 @@ ManifestWriter::ManifestWriter(ManifestWriter&& other) noexcept
     : m_path(std::move(other.m_path))
     , m_journal(std::exchange(other.m_journal, -1))
     , m_lines(std::move(other.m_lines))
+    , m_before(std::move(other.m_before))
 {
 }
 
@@ -98,13 +98,14 @@ Expected<ManifestWriter> ManifestWriter::open(const QString& path, bool resume)
         struct stat mine = {}, there = {};
         if (::fstat(file, &mine) != 0 || ::stat(journal.c_str(), &there) != 0 || mine.st_ino != there.st_ino)
             continue;
+        writer.read(path);
+        writer.read(journalOf(path));
         if (resume) {
-            writer.read(path);
-            writer.read(journalOf(path));
+            writer.m_lines = writer.m_before;
             if (mine.st_size > 0 && ::write(file, "\n", 1) != 1) // the last line may be torn
                 return ioError(journalOf(path));
         } else {
-            QFile::remove(path);
+            ::unlink(systemPath(path).c_str());
             if (::ftruncate(file, 0) != 0)
                 return ioError(journalOf(path));
         }
@@ -115,13 +116,13 @@ Expected<ManifestWriter> ManifestWriter::open(const QString& path, bool resume)
 /// What a kill tore is no line; later lines count.
 void ManifestWriter::read(const QString& path)
 {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly))
+    QFile file;
+    if (!openToRead(file, path))
         return;
     while (!file.atEnd()) {
         const QJsonObject line = QJsonDocument::fromJson(file.readLine()).object();
         if (rowOf(line) > 0)
-            m_lines[rowOf(line)] = line;
+            m_before[rowOf(line)] = line;
     }
 }
 

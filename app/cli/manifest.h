@@ -31,7 +31,9 @@ public:
     ManifestWriter& operator=(ManifestWriter&&) = delete;
     ~ManifestWriter(); ///< leaves the journal for the next run
 
-    /// What earlier runs wrote, and what was added.
+    /// What earlier runs wrote, also where that is not gone on with.
+    [[nodiscard]] const ManifestLines& before() const { return m_before; }
+    /// What earlier runs wrote and is gone on with, and what was added.
     [[nodiscard]] const ManifestLines& lines() const { return m_lines; }
     /// Error: Io.
     Expected<void> add(const QJsonObject& line);
@@ -45,7 +47,7 @@ private:
 
     QString m_path;
     int m_journal;
-    ManifestLines m_lines;
+    ManifestLines m_lines, m_before;
 };
 
 } // namespace ramure::cli

@@ -142,7 +142,7 @@ Expected<Moments> momentsOf(const CommandLine& line, const Input& input)
 
 QString numberedFile(const QString& file, std::int64_t frame)
 {
-    return QString::fromStdString(ramure::numberedFile(file.toStdString(), frame));
+    return pathText(ramure::numberedFile(systemPath(file), frame));
 }
 
 } // namespace ramure::cli

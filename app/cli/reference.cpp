@@ -13,8 +13,8 @@ namespace {
 constexpr const char* summary = "Grows, checks, moves, exports and draws trees without a window.";
 constexpr const char* inputForms = "INPUT of a command is preset:NAME, demo:NAME or a file .ramure, {read}.";
 constexpr const char* exits =
-    "Exit codes: 0 good, 1 the check failed, 2 bad usage or input; of batch also 3 some rows "
-    "failed, 4 out of memory, 130 and 143 stopped.";
+    "Exit codes: 0 good, 1 the check failed, 2 bad usage or input, 5 the disk is full; of batch also 3 some "
+    "rows failed, 4 out of memory, 130 and 143 stopped.";
 
 /// Text as man(7) reads it: nothing in it is a macro, what stands between ` and ` is bold.
 QString roff(QString text)

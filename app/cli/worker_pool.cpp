@@ -116,8 +116,7 @@ JobEnd endOf(int status)
 class Pool
 {
 public:
-    Pool(std::size_t count, const PoolOptions& options, const RowWork& work,
-         const std::function<void(std::size_t, JobEnd, const QByteArray&)>& done)
+    Pool(std::size_t count, const PoolOptions& options, const RowWork& work, const JobDone& done)
         : m_count(count)
         , m_options(options)
         , m_work(work)
@@ -147,7 +146,7 @@ public:
             m_workers.push_back(begin());
         for (Worker& worker : m_workers)
             order(worker);
-        while (m_ended < m_count)
+        while (m_ended < m_count && !m_isStopped)
             if (const int signal = turn())
                 return signal;
         return 0;
@@ -220,7 +219,7 @@ private:
         worker.received.clear();
         order(worker); // it works while this process writes down what it answered
         ++m_ended;
-        m_done(job, JobEnd::Done, answer);
+        m_isStopped = !m_done(job, JobEnd::Done, answer) || m_isStopped;
     }
 
     void lose(Worker& worker)
@@ -237,23 +236,23 @@ private:
         if (!job)
             return;
         ++m_ended;
-        m_done(*job, endOf(status), {});
+        m_isStopped = !m_done(*job, endOf(status), {}) || m_isStopped;
     }
 
     std::size_t m_count;
     PoolOptions m_options;
     const RowWork& m_work;
-    const std::function<void(std::size_t, JobEnd, const QByteArray&)>& m_done;
+    const JobDone& m_done;
     std::vector<Worker> m_workers;
     std::size_t m_next = 0, m_ended = 0;
+    bool m_isStopped = false;
     sigset_t m_signals{}, m_before{};
     int m_told = -1;
 };
 
 } // namespace
 
-int runJobs(std::size_t count, const PoolOptions& options, const RowWork& work,
-            const std::function<void(std::size_t, JobEnd, const QByteArray&)>& done)
+int runJobs(std::size_t count, const PoolOptions& options, const RowWork& work, const JobDone& done)
 {
     return Pool(count, options, work, done).run();
 }

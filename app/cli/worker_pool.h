@@ -22,16 +22,16 @@ struct PoolOptions
     std::size_t memoryBytes = 0; ///< that each may take; 0: no limit
 };
 
+using JobDone = std::function<bool(std::size_t job, JobEnd end, const QByteArray& answer)>;
+
 /// Calls \p work for the jobs 0 to \p count - 1 on processes that are forked here, and \p done in this one as
-/// they end, in any order, with what work returned. Loops of a process keep to one thread. SIGINT and SIGTERM
-/// drop the jobs under way at once; nothing is told of them.
-/// \returns 0, or the number of the signal.
-/// \pre no other threads of ours in this process. Those that libraries have started wait: OpenVDB's log4cplus
-/// keeps four. (AddressSanitizer's allocator is not safe across fork() while they begin: under it a worker
-/// may hang.)
+/// they end, in any order, with what work returned. Loops of a process keep to one thread. SIGINT and
+/// SIGTERM, or false from done, drop the jobs under way at once; nothing is told of them. \returns 0, or the
+/// number of the signal. \pre no other threads of ours in this process. Those that libraries have started
+/// wait: OpenVDB's log4cplus keeps four. (AddressSanitizer's allocator is not safe across fork() while they
+/// begin: under it a worker may hang.)
 int runJobs(std::size_t count, const PoolOptions& options,
-            const std::function<QByteArray(std::size_t job)>& work,
-            const std::function<void(std::size_t job, JobEnd end, const QByteArray& answer)>& done);
+            const std::function<QByteArray(std::size_t job)>& work, const JobDone& done);
 
 /// How many processes this machine has cores for.
 int usualProcesses();

@@ -105,17 +105,45 @@ int syncPath(const std::string& path)
     return code;
 }
 
+/// By the address of its text an error says that it is one of these: people read the same words.
+constexpr char refused[] = RAMURE_NOOP("cannot be written: %1");
+constexpr char full[] = RAMURE_NOOP("cannot be written: %1");
+
+} // namespace
+
 Error writeError(const std::string& path, int code)
 {
     Error out;
     out.code = ErrorCode::Io;
-    out.text = RAMURE_NOOP("cannot be written: %1");
+    out.text = code == ENOSPC || code == EDQUOT ? full : refused;
     out.args = {std::generic_category().message(code)};
     out.file = path;
     return out;
 }
 
-} // namespace
+bool isWriteError(const Error& error)
+{
+    return error.text == refused || error.text == full;
+}
+
+bool isDiskFull(const Error& error)
+{
+    return error.text == full;
+}
+
+Expected<void> makeFolder(const std::string& path)
+{
+    std::error_code problem;
+    std::filesystem::create_directories(path, problem);
+    if (!problem && std::filesystem::is_directory(path, problem))
+        return {};
+    if (problem == std::errc::no_space_on_device || problem.value() == EDQUOT)
+        return fail(writeError(path, problem.value()));
+    auto error = fail(ErrorCode::Io, RAMURE_NOOP("the folder cannot be made: %1"),
+                      {std::generic_category().message(problem ? problem.value() : ENOTDIR)});
+    error.value().file = path;
+    return error;
+}
 
 FileCalls& fileCalls()
 {

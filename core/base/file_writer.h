@@ -94,6 +94,16 @@ private:
     std::unique_ptr<char[]> m_buffer;
 };
 
+/// The error of a file that the system refuses to write. \param code of errno
+Error writeError(const std::string& path, int code);
+/// Did writeError() make it?
+bool isWriteError(const Error& error);
+/// Did it because the disk, or what the user may have of it, is full? Whatever is written next will fail too.
+bool isDiskFull(const Error& error);
+
+/// Makes a folder and those above it that do not exist yet. Error: Io.
+Expected<void> makeFolder(const std::string& path);
+
 /// A whole file at once. Errors: those of FileWriter.
 Expected<void> writeFile(const std::string& path, std::string_view bytes);
 

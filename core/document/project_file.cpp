@@ -6,6 +6,7 @@
 #include "core/document/project_migrations.h"
 #include "core/document/project_places.h"
 #include "core/document/project_timeline.h"
+#include "core/document/system_path.h"
 #include "core/scene/growth_spaces.h"
 
 #include <QCoreApplication>
@@ -14,6 +15,7 @@
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
+#include <filesystem>
 
 namespace ramure {
 
@@ -131,7 +133,7 @@ Expected<Project> readProject(const QByteArray& bytes, const QString& file)
     auto root = parseJson(bytes);
     Expected<Project> project = root ? readParsed(std::move(*root)) : fail(std::move(root.error()));
     if (!project)
-        project.error().file = file.toStdString();
+        project.error().file = systemPath(file);
     return project;
 }
 
@@ -148,27 +150,27 @@ static void movePictures(Scene& scene, const QString& file, bool isRead)
             const std::string path = std::get<std::string>(def.get(listed.params));
             if (path.empty())
                 continue;
-            const QString given = QFile::decodeName(path.c_str());
+            const QString given = pathText(path);
             const QString moved = isRead ? QDir::cleanPath(folder.absoluteFilePath(given))
                                          : folder.relativeFilePath(QFileInfo(given).absoluteFilePath());
-            def.assign(scene.find(listed.id)->params, QFile::encodeName(moved).toStdString());
+            def.assign(scene.find(listed.id)->params, systemPath(moved));
         }
 }
 
 tl::unexpected<Error> ioError(const QString& path, const char* text, const QString& reason)
 {
     auto error = fail(ErrorCode::Io, text, {reason.toStdString()});
-    error.value().file = path.toStdString();
+    error.value().file = systemPath(path);
     return error;
 }
 
 Expected<Project> loadProjectFile(const QString& path)
 {
-    QFile file(path);
+    QFile file;
     if (path.isEmpty())
         return ioError(path, RAMURE_NOOP("cannot be opened: %1"), QStringLiteral("the name is empty"));
-    if (!file.open(QIODevice::ReadOnly))
-        return ioError(path, RAMURE_NOOP("cannot be opened: %1"), file.errorString());
+    if (auto opened = openToRead(file, path); !opened)
+        return fail(std::move(opened.error()));
     // One byte more than allowed tells too large a file, also where the system knows no size (a pipe).
     const QByteArray bytes = file.read(projectSizeLimit + 1);
     if (file.error() != QFileDevice::NoError)
@@ -196,13 +198,16 @@ Expected<void> saveProjectFile(const Project& project, const QString& path)
 Expected<void> saveAtomically(const QByteArray& bytes, const QString& path)
 {
     // No project is a stream: a device takes it and keeps nothing.
-    const QFileInfo target(path);
-    if (target.exists() && !target.isFile() && !target.isDir())
+    namespace fs = std::filesystem;
+    const std::string name = systemPath(path);
+    std::error_code unknown; // where nothing is known of it, writing will tell
+    const fs::file_type kind = fs::status(name, unknown).type();
+    if (kind != fs::file_type::not_found && kind != fs::file_type::none && kind != fs::file_type::regular &&
+        kind != fs::file_type::directory)
         return ioError(path, RAMURE_NOOP("cannot be written: %1"),
                        QCoreApplication::translate("core", RAMURE_NOOP("it is a device, not a file")));
     if (path.isEmpty())
         return ioError(path, RAMURE_NOOP("cannot be written: %1"), QStringLiteral("the name is empty"));
-    const std::string name = QFile::encodeName(path).toStdString();
     return writeFile(name, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
 }
 

@@ -1,5 +1,6 @@
 #include "core/session/baker.h"
 
+#include "core/document/system_path.h"
 #include "core/rig/physics/physics_bake.h"
 #include "core/session/exporter.h"
 
@@ -19,11 +20,6 @@ struct BakedTree
     PhysicsParams params;
     std::string file;
 };
-
-std::string systemPath(const QString& path)
-{
-    return QFile::encodeName(path).toStdString();
-}
 
 tl::unexpected<Error> refuse(const std::string& file, ErrorCode code, const char* text,
                              std::vector<std::string> args = {})

@@ -59,11 +59,11 @@ inline CliRun runCli(const QStringList& arguments,
     return runProgram(QStringLiteral(RAMURE_CLI), arguments, environment);
 }
 
-/// Exit code 2, nothing on the standard output, one line on the standard error that holds \p part.
-inline bool isRefused(const CliRun& run, const QString& part)
+/// Exit code \p code, nothing on the standard output, one line on the standard error that holds \p part.
+inline bool isRefused(const CliRun& run, const QString& part, int code = 2)
 {
     const bool isOneLine = run.err.count(QLatin1Char('\n')) == 1 && run.err.endsWith(QLatin1Char('\n'));
-    const bool isRight = run.code == 2 && run.out.isEmpty() && isOneLine &&
+    const bool isRight = run.code == code && run.out.isEmpty() && isOneLine &&
                          run.err.startsWith(QStringLiteral("ramure-cli: ")) && run.err.contains(part);
     if (!isRight)
         qWarning("code %d, out \"%s\", err \"%s\"", run.code, qPrintable(run.out.left(200)),

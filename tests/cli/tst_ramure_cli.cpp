@@ -219,7 +219,7 @@ private slots:
         process.setStandardOutputFile(QStringLiteral("/dev/full"));
         process.start(QStringLiteral(RAMURE_CLI), {"info", "preset:TinyTree"});
         QVERIFY(process.waitForFinished());
-        QCOMPARE(process.exitCode(), 2);
+        QCOMPARE(process.exitCode(), 5);
         QVERIFY(process.readAllStandardError().contains("No space left on device"));
     }
 

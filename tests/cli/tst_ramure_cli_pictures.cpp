@@ -205,7 +205,39 @@ private slots:
         QVERIFY(QFile::link(QStringLiteral("/dev/full"), path("full.png")));
         QVERIFY(
             isRefused(runCli({"render", "preset:TinyTree", "-o", path("full.png"), "--size", "64x64"}, bare),
-                      "No space left on device"));
+                      "No space left on device", 5));
+    }
+    /// What a desktop or a login shell has left in the environment does not matter to pictures.
+    void renderDoesNotDependOnTheDesktop_data()
+    {
+        QTest::addColumn<QString>("platform");
+        QTest::addColumn<QString>("display");
+        for (const char* platform : {"wayland", "eglfs", "nonsense", "xcb", "minimal"})
+            QTest::newRow(platform) << QString(platform) << QString();
+        for (const char* display : {":4711", "nonsense", "127.0.0.1:4711", "no.such.machine.invalid:0"})
+            QTest::newRow(display) << QString() << QString(display);
+        QTest::newRow("both") << QStringLiteral("wayland") << QStringLiteral(":4711");
+    }
+    void renderDoesNotDependOnTheDesktop()
+    {
+        QFETCH(QString, platform);
+        QFETCH(QString, display);
+        QProcessEnvironment odd = QProcessEnvironment::systemEnvironment();
+        odd.remove("DISPLAY");
+        odd.insert("QT_QPA_PLATFORM", platform);
+        if (!display.isEmpty())
+            odd.insert("DISPLAY", display);
+        QProcessEnvironment without = odd;
+        without.insert("PATH", m_folder.path());
+        QVERIFY(isRefused(runCli({"render", "preset:TinyTree", "-o", path("odd.png")}, without),
+                          display.isEmpty() ? QString("there is no display, and Xvfb")
+                                            : "that answers at DISPLAY=" + display + ", and Xvfb"));
+        if (QStandardPaths::findExecutable("Xvfb").isEmpty())
+            RAMURE_CANNOT_RUN("Xvfb is not installed");
+        const auto run = runCli({"render", "preset:TinyTree", "-o", path("odd.png"), "--size", "64x64"}, odd);
+        QVERIFY2(run.code == 0 && run.err.isEmpty(), qPrintable(run.err));
+        QCOMPARE(QImage(path("odd.png")).size(), QSize(64, 64));
+        QVERIFY(QFile::remove(path("odd.png")));
     }
     void camerasOfTheSceneTakePictures()
     {

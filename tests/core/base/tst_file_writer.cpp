@@ -127,6 +127,33 @@ private slots:
         QVERIFY(QFileInfo(path).isSymLink());
         QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::System).size(), 2); // nothing left behind
     }
+    /// Of errors with the same words: batches stop at one, and go on after the others.
+    void aFullDiskIsToldFromOtherErrors()
+    {
+        for (const int code : {ENOSPC, EDQUOT})
+            QVERIFY(isDiskFull(writeError("a.obj", code)) && isWriteError(writeError("a.obj", code)));
+        for (const int code : {EIO, EACCES, EFBIG, ENAMETOOLONG, EROFS})
+            QVERIFY(!isDiskFull(writeError("a.obj", code)) && isWriteError(writeError("a.obj", code)));
+        const Error other = fail(ErrorCode::Io, "cannot be written: %1").value();
+        QVERIFY(!isDiskFull(other) && !isWriteError(other));
+        QVERIFY(isDiskFull(errorOf("/dev/full", m_part)));
+    }
+    void foldersAreMade()
+    {
+        QTemporaryDir folder;
+        const std::string path = folder.filePath("a/b/ch\xC3\xAAne/").toStdString() + "\xEA";
+        for (int i = 0; i < 2; ++i) { // made, and there already
+            const auto made = makeFolder(path);
+            QVERIFY2(made, test::why(made));
+        }
+        QVERIFY(writeFile(path + "/x", "1"));
+        for (const std::string& bad : {path + "/x", path + "/x/y"}) {
+            const auto made = makeFolder(bad);
+            QVERIFY(!made);
+            QCOMPARE(made.error().message(), bad + ": the folder cannot be made: Not a directory");
+        }
+        QVERIFY(!makeFolder("/sys/ramure"));
+    }
     void oldFilesSurviveEveryError()
     {
         test::checkNothingLost([](const QString& folder, int version) {

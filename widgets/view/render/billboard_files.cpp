@@ -1,11 +1,11 @@
 #include "widgets/view/render/billboard_files.h"
 
 #include "core/base/file_writer.h"
+#include "core/document/system_path.h"
 #include "core/io/export_scene.h"
 #include "core/io/formats/file_format.h"
 #include "core/io/picture_file.h"
 #include <QDir>
-#include <QFile>
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -13,11 +13,6 @@
 
 namespace ramure {
 namespace {
-
-std::string systemPath(const QString& file)
-{
-    return QFile::encodeName(file).toStdString();
-}
 
 /// \param channels the first ones; 1: the alpha alone
 Expected<void> writePng(const QString& file, const BillboardPicture& picture,
