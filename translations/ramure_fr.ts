@@ -5722,10 +5722,6 @@
         <translation>Générateur</translation>
     </message>
     <message>
-        <source>Coursework</source>
-        <translation>Travaux dirigés</translation>
-    </message>
-    <message>
         <source>The Algorithmic Beauty of Plants</source>
         <translation>The Algorithmic Beauty of Plants</translation>
     </message>
@@ -8136,6 +8132,10 @@
         <comment>Latin name: habit</comment>
         <translation>%1 : %2</translation>
     </message>
+    <message>
+        <source>Grammar examples</source>
+        <translation>Exemples de grammaires</translation>
+    </message>
 </context>
 <context>
     <name>ramure::AboutDialog</name>
@@ -9383,6 +9383,13 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
     </message>
 </context>
 <context>
+    <name>ramure::EmptyPage</name>
+    <message>
+        <source>The scene is empty. Choose a tree in the gallery, use the menu Edit &gt; Add to the scene, or drop a file onto the window.</source>
+        <translation>La scène est vide. Choisissez un arbre dans la galerie, passez par le menu Édition &gt; Ajouter à la scène, ou déposez un fichier sur la fenêtre.</translation>
+    </message>
+</context>
+<context>
     <name>ramure::ExportDialog</name>
     <message>
         <source>Export</source>
@@ -10122,6 +10129,10 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
     <message>
         <source>Found</source>
         <translation>Résultats</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Page</translation>
     </message>
 </context>
 <context>

@@ -275,8 +275,7 @@ std::vector<Preset> everyPreset()
                  LeafShape::Olive, 1.2, FruitKind::Olive, 0.1, BarkFamily::Fibrous)},
     };
     for (std::size_t i = 0; i < all.size(); ++i)
-        all[i].group =
-            i < courseworkCount ? RAMURE_NOOP("Coursework") : RAMURE_NOOP("The Algorithmic Beauty of Plants");
+        all[i].group = i < courseworkCount ? "Coursework" : RAMURE_NOOP("The Algorithmic Beauty of Plants");
     const auto filled = colonised();
     all.insert(all.end(), filled.begin(), filled.end());
     for (const bool conifers : {false, true}) {

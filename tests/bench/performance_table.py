@@ -1,8 +1,11 @@
 #!/usr/bin/env python3
-"""Writes the handbook's page of speeds from what Google Benchmark wrote in one round or several, and all rounds into one
-file: performance_table.py PAGE.md ALL.json ROUND.json..."""
+"""Writes the handbook's page of speeds in English and in French (FOLDER/performance.md and FOLDER/fr/performance.md)
+from what Google Benchmark wrote in one round or several, and all rounds into one file: performance_table.py FOLDER
+ALL.json ROUND.json...
+Translates the French page anew from the English one: performance_table.py FOLDER"""
 
 import json
+import re
 import sys
 
 # Bars were set on a machine where these two yardsticks give so much, and hold as a ratio to them: work that waits for
@@ -57,6 +60,124 @@ GROWTH = [
     ("PLY read", "BM_growthRead/ply"),
     ("parameters to checked mesh", "BM_growthAll"),
 ]
+
+
+# The English page's texts in French: patterns that stand for whole lines, then cells of its tables.
+FRENCH_LINES = [
+    (r"# Speed", "# La vitesse"),
+    (
+        r"Written by `./dev bench` from its own results; do not edit\. Nanoseconds .* for one",
+        "Page écrite par `./dev bench` à partir de ses propres résultats ; ne pas la modifier. Nanosecondes de temps\n"
+        "processeur pour un élément, sur un seul fil,",
+    ),
+    (
+        r"element, on one thread, the best of all repetitions in (.+) rounds\.",
+        r"la meilleure de toutes les répétitions en \1 tours.",
+    ),
+    (
+        r"Bars hold as a ratio .* of (.+)",
+        r"Les limites valent comme rapport à deux étalons mesurés dans la même exécution : OpenMesh qui construit, face par "
+        r"face,\nune sphère de \1 triangles",
+    ),
+    (
+        r"triangles face by face \((.+) ns per triangle .* copying 256 MB \((.+)",
+        r"(\1 ns par triangle là où les limites ont été fixées), et la copie de 256 Mo (\2 là-bas).",
+    ),
+    (
+        r"there\)\. What waits for memory alone .*",
+        "Ce qui n’attend que la mémoire peut être jugé d’après le second ; le tableau dit où celui-là seul est respecté.",
+    ),
+    (r"The bars of OBJ and PLY .*", "Les limites d’OBJ et de PLY concernent les positions et les triangles."),
+    (
+        r"Machine: (.+) processors at (.+) MHz\. Yardsticks: (.+) ns per triangle of the sphere \((.+) times the reference\); "
+        r"256 MB copied at (.+) GB/s \((.+) times slower\)\. Programs .* began: (.+); more than .*",
+        r"Machine : \1 processeurs à \2 MHz. Étalons : \3 ns par triangle de la sphère (\4 fois la référence) ; 256 Mo "
+        r"copiés à \5 Go/s (\6 fois plus lentement). Programmes qui voulaient un processeur au début du dernier tour : \7 ; "
+        r"s’il y en a plus que de processeurs, tous les chiffres sont moins bons.",
+    ),
+    (r"## End to end", "## D’un bout à l’autre"),
+    (
+        r"The SmallTree with 12 iterations, (.+) triangles, from .*",
+        r"SmallTree avec 12 itérations, \1 triangles, de ses paramètres au maillage vérifié avec normales.",
+    ),
+    (r"## What grows", "## Ce qui pousse"),
+    (r"## Growth", "## La croissance"),
+    (
+        r"The SmallTree with 2, 5, 8, 12 and 15 iterations\. .*",
+        "SmallTree avec 2, 5, 8, 12 et 15 itérations. Nanosecondes par triangle ; la croissance est le rapport de la dernière",
+    ),
+    (r"the second\.", "taille à la deuxième."),
+    (r"## Ten million vertices", "## Dix millions de sommets"),
+    (
+        r"Written, read back and compared, 20 million triangles:",
+        "Écrits, relus et comparés, 20 millions de triangles :",
+    ),
+    (r"- (\w+): (.+) s of the processor, equal\.", r"- \1 : \2 s de processeur, identiques."),
+]
+FRENCH_CELLS = {
+    "stage": "étape",
+    "bar": "limite",
+    "by sphere": "selon la sphère",
+    "by copying": "selon la copie",
+    "met": "respectée",
+    "yes": "oui",
+    "no": "non",
+    "growth": "croissance",
+    "grammar, per output symbol": "grammaire, par symbole produit",
+    "skeleton, per branch": "squelette, par branche",
+    "simplify, per input branch": "simplification, par branche reçue",
+    "sections, per ring vertex": "sections, par sommet d’anneau",
+    "branch mesh with forks and caps, per triangle": "maillage des branches avec fourches et bouts, par triangle",
+    "rough model, per triangle": "modèle grossier, par triangle",
+    "full check, 100,000 triangles, per triangle": "vérification complète, 100,000 triangles, par triangle",
+    "full check, 1,600,000 triangles, per triangle": "vérification complète, 1,600,000 triangles, par triangle",
+    "normals, per triangle": "normales, par triangle",
+    "physics step, per branch": "pas de physique, par branche",
+    "skin, per vertex": "peau, par sommet",
+    "skin with normals, per vertex": "peau avec normales, par sommet",
+    "OBJ written, per triangle": "OBJ écrit, par triangle",
+    "OBJ written with normals": "OBJ écrit avec normales",
+    "OBJ read, per triangle": "OBJ lu, par triangle",
+    "OBJ read with normals": "OBJ lu avec normales",
+    "PLY written, per triangle": "PLY écrit, par triangle",
+    "PLY written with normals, colours, branches": "PLY écrit avec normales, couleurs, branches",
+    "PLY read, per triangle": "PLY lu, par triangle",
+    "PLY read with normals, colours, branches": "PLY lu avec normales, couleurs, branches",
+    "one thread": "un fil",
+    "two threads, by the clock": "deux fils, à l’horloge",
+    "aspen of Weber and Penn, 1,500 stems": "tremble de Weber et Penn, 1,500 tiges",
+    "24,000 points colonised": "24,000 points colonisés",
+    "1,000 edits find their places on 10,000 axes": "1,000 retouches trouvent leur place sur 10,000 axes",
+    "branch mesh": "maillage des branches",
+    "full check": "vérification complète",
+    "normals": "normales",
+    "rough model": "modèle grossier",
+    "OBJ written": "OBJ écrit",
+    "OBJ read": "OBJ lu",
+    "PLY written": "PLY écrit",
+    "PLY read": "PLY lu",
+    "parameters to checked mesh": "des paramètres au maillage vérifié",
+}
+
+
+def french(text):
+    """The page in French; a text without a translation ends the program."""
+    out = []
+    for line in text.splitlines():
+        if line.startswith("|"):
+            cells = [cell.strip() for cell in line.strip("|").split("|")]
+            unknown = [c for c in cells if c not in FRENCH_CELLS and re.search(r"[a-z]{3}", c)]
+            if unknown:
+                sys.exit(f"no French for the cell {unknown[0]!r}: see FRENCH_CELLS")
+            line = "| " + " | ".join(FRENCH_CELLS.get(cell, cell) for cell in cells) + " |"
+        elif line:
+            found = [(pattern, words) for pattern, words in FRENCH_LINES if re.fullmatch(pattern, line)]
+            if not found:
+                sys.exit(f"no French for the line {line!r}: see FRENCH_LINES")
+            line = re.sub(*found[0], line)
+        line = re.sub(r"(?<=\d),(?=\d{3})", "\u202f", line)
+        out.append(re.sub(r"(?<=\d)\.(?=\d)", ",", line).replace("GB/s", "Go/s"))
+    return "\n".join(out) + "\n"
 
 
 def nanoseconds(run):
@@ -201,10 +322,16 @@ def merged(paths):
 
 
 if __name__ == "__main__":
-    data = merged(sys.argv[3:])
-    with open(sys.argv[2], "w", encoding="utf-8") as target:
-        json.dump(data, target, indent=1)
-    text = page(data)
-    print(text)
-    with open(sys.argv[1], "w", encoding="utf-8") as target:
+    english, translated = (f"{sys.argv[1]}/{name}" for name in ("performance.md", "fr/performance.md"))
+    if len(sys.argv) > 2:
+        data = merged(sys.argv[3:])
+        with open(sys.argv[2], "w", encoding="utf-8") as target:
+            json.dump(data, target, indent=1)
+        text = page(data)
+        print(text)
+        with open(english, "w", encoding="utf-8") as target:
+            target.write(text)
+    with open(english, encoding="utf-8") as source:
+        text = french(source.read())
+    with open(translated, "w", encoding="utf-8") as target:
         target.write(text)

@@ -43,7 +43,7 @@ void nameGroups(QMenu* menu)
     for (QMenu* submenu : menu->findChildren<QMenu*>(QString(), Qt::FindDirectChildrenOnly)) {
         if (!submenu->menuAction()->property(isSpeciesKey).isValid())
             continue;
-        submenu->setTitle(coreText(submenu->objectName().toUtf8().constData()));
+        submenu->setTitle(presetGroupTitle(submenu->objectName().toUtf8().constData()));
         QList<QAction*> actions = submenu->actions();
         std::ranges::stable_sort(actions, [&collator](const QAction* a, const QAction* b) {
             return collator.compare(a->text(), b->text()) < 0;

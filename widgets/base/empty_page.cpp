@@ -5,6 +5,13 @@
 
 namespace ramure {
 
+QString emptySceneText()
+{
+    return EmptyPage::tr(
+        "The scene is empty. Choose a tree in the gallery, use the menu Edit > Add to the scene, "
+        "or drop a file onto the window.");
+}
+
 EmptyPage::EmptyPage(QWidget* parent)
     : QWidget(parent)
     , m_label(new QLabel(this))

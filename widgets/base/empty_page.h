@@ -8,6 +8,9 @@ class QLabel;
 
 namespace ramure {
 
+/// What stands in the view and in the scene panel while the document has no node: what to do first.
+QString emptySceneText();
+
 class EmptyPage : public QWidget
 {
     Q_OBJECT

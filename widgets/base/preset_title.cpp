@@ -5,6 +5,7 @@
 #include "widgets/base/core_text.h"
 #include <QCoreApplication>
 #include <algorithm>
+#include <string_view>
 
 namespace ramure {
 namespace {
@@ -94,6 +95,13 @@ namespace {
 QString presetTitle(const QString& name)
 {
     return QCoreApplication::translate("presets", spacedName(name).toUtf8().constData());
+}
+
+QString presetGroupTitle(const char* group)
+{
+    return std::string_view(group) == "Coursework"
+               ? QCoreApplication::translate("presets", "Grammar examples")
+               : coreText(group);
 }
 
 QString presetNames(const Preset& preset)

@@ -11,6 +11,8 @@ struct Preset;
 
 /// "SilverBirch": "Silver Birch", in French "Bouleau verruqueux"; other names as spacedName() has them.
 QString presetTitle(const QString& name);
+/// What a group of presets (Preset::group, the name of which scripts know) is called in menus and galleries.
+QString presetGroupTitle(const char* group);
 /// All names it has, for a search: the title, the English and the Latin one.
 QString presetNames(const Preset& preset);
 /// Its Latin name, where it has one, and what it is like.

@@ -13,6 +13,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QSet>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -67,13 +68,6 @@ ShortcutsDialog::ShortcutsDialog(ActionSet* set, const QList<QMenu*>& menus, Pre
     connect(m_resetAll, &QPushButton::clicked, this, &ShortcutsDialog::resetAll);
     m_search->setFocus();
     resize(startSize);
-    // The menus begin with many trees, none of which has keys.
-    const auto first = std::ranges::find_if(
-        m_listed, [](const ListedAction& listed) { return !listed.action->shortcut().isEmpty(); });
-    if (first != m_listed.end()) {
-        select(first->action->objectName());
-        m_tree->scrollToItem(m_tree->currentItem(), QAbstractItemView::PositionAtTop);
-    }
 }
 
 ShortcutsDialog::~ShortcutsDialog()
@@ -122,22 +116,51 @@ void ShortcutsDialog::fill()
     const QString kept = selectedAction() ? selectedAction()->objectName() : QString();
     m_listed = listedActions(*m_set, m_menus);
     m_tree->clear();
-    QTreeWidgetItem* heading = nullptr;
-    for (const ListedAction& listed : m_listed) {
-        if (!heading || heading->text(TextColumn) != listed.menu)
-            heading = addHeading(listed.menu);
-        auto* item = new QTreeWidgetItem(heading, {listed.text});
-        item->setIcon(TextColumn, listed.action->icon());
-        item->setData(TextColumn, actionRole, QVariant::fromValue(listed.action));
-        item->setToolTip(TextColumn, listed.action->statusTip());
-    }
-    addGestures();
+    addRows();
     m_tree->expandAll();
     showKeys();
     if (!kept.isEmpty())
         select(kept);
     filter(m_search->text());
     showSelected();
+}
+
+/// Menu by menu, what stands in the menu itself before its submenus; then the gestures. Submenus that come
+/// without any keys, such as the long lists of trees, stand below all else.
+void ShortcutsDialog::addRows()
+{
+    const QString separator = QStringLiteral(" › ");
+    const auto submenuOf = [&](const ListedAction& listed) {
+        const qsizetype end = listed.text.lastIndexOf(separator);
+        return end < 0 ? QString() : listed.menu + separator + listed.text.left(end);
+    };
+    QSet<QString> withKeys{QString()};
+    for (const ListedAction& listed : m_listed)
+        if (!m_set->defaultShortcut(listed.action).isEmpty())
+            withKeys += submenuOf(listed);
+    QList<ListedAction> rows = m_listed;
+    for (auto first = rows.begin(), last = first; first != rows.end(); first = last) {
+        last = std::find_if(first, rows.end(), [first](const auto& row) { return row.menu != first->menu; });
+        std::stable_partition(first, last, [&](const auto& row) { return submenuOf(row).isEmpty(); });
+    }
+    QTreeWidgetItem* heading = nullptr;
+    for (const bool isLater : {false, true}) {
+        if (isLater)
+            addGestures();
+        for (const ListedAction& listed : rows) {
+            const QString submenu = submenuOf(listed);
+            if (withKeys.contains(submenu) == isLater)
+                continue;
+            const QString title = isLater ? submenu : listed.menu;
+            if (!heading || heading->text(TextColumn) != title)
+                heading = addHeading(title);
+            auto* item = new QTreeWidgetItem(
+                heading, {isLater ? listed.text.mid(submenu.size() - listed.menu.size()) : listed.text});
+            item->setIcon(TextColumn, listed.action->icon());
+            item->setData(TextColumn, actionRole, QVariant::fromValue(listed.action));
+            item->setToolTip(TextColumn, listed.action->statusTip());
+        }
+    }
 }
 
 QTreeWidgetItem* ShortcutsDialog::addHeading(const QString& text)
@@ -150,7 +173,7 @@ QTreeWidgetItem* ShortcutsDialog::addHeading(const QString& text)
     return heading;
 }
 
-/// Below the actions: to be read and found, not to be changed.
+/// To be read and found, not to be changed.
 void ShortcutsDialog::addGestures()
 {
     for (const GestureKeys& group : gestureKeys()) {
@@ -319,6 +342,7 @@ void ShortcutsDialog::changeEvent(QEvent* event)
 void ShortcutsDialog::retranslate()
 {
     setWindowTitle(tr("Keyboard shortcuts"));
+    m_tree->setAccessibleName(tr("Keyboard shortcuts"));
     m_search->setPlaceholderText(tr("Search actions or keys"));
     m_search->setAccessibleName(m_search->placeholderText());
     m_tree->setHeaderLabels({tr("Action"), tr("Keys")});

@@ -42,6 +42,7 @@ private:
     void build();
     void fill();
     QTreeWidgetItem* addHeading(const QString& text);
+    void addRows();
     void addGestures();
     void filter(const QString& text);
     void selectSeen();

@@ -37,7 +37,6 @@ constexpr PageName pageNames[] = {
     {"performance", false},
 };
 
-/// Nothing where there is no such page in this language.
 QString readPage(const QString& language, const char* id)
 {
     QFile file(QStringLiteral(":/handbook/%1/%2.md").arg(language, QLatin1String(id)));
@@ -91,12 +90,9 @@ std::vector<HandbookPage> readHandbook()
             page.markdown = paramPage();
             page.headings = paramPageHeadings();
         } else {
-            const QString inEnglish = readPage(english, id);
             page.markdown = readPage(language, id);
-            if (page.markdown.isEmpty())
-                page.markdown = inEnglish;
             page.headings = headingsOf(page.markdown);
-            const auto names = headingsOf(inEnglish);
+            const auto names = headingsOf(readPage(english, id));
             for (std::size_t i = 0; i < std::min(names.size(), page.headings.size()); ++i)
                 page.headings[i].anchor = names[i].anchor;
         }

@@ -3,6 +3,7 @@
 #include "widgets/base/icons.h"
 #include "widgets/base/search_text.h"
 #include "widgets/help/page_browser.h"
+#include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QKeyEvent>
@@ -138,7 +139,13 @@ void HandbookWindow::showPlace(const QString& place)
     raise();
     activateWindow();
     m_browser->showPlace(place);
-    m_browser->setFocus();
+    focusSearch();
+}
+
+void HandbookWindow::focusSearch()
+{
+    m_search->setFocus();
+    m_search->selectAll();
 }
 
 void HandbookWindow::openItem(const QTreeWidgetItem* item)
@@ -172,12 +179,14 @@ void HandbookWindow::search(const QString& typed)
     }
 }
 
-/// Through what was found, while the field keeps the keys.
-void HandbookWindow::step(int rows)
+/// Through what was found or the contents, while the field keeps the keys.
+void HandbookWindow::step(bool down)
 {
-    const int at = m_found->indexOfTopLevelItem(m_found->currentItem());
-    if (QTreeWidgetItem* next = m_found->topLevelItem(at < 0 ? 0 : at + rows))
-        m_found->setCurrentItem(next);
+    auto* list = static_cast<QTreeWidget*>(m_lists->currentWidget());
+    const QTreeWidgetItem* at = list->currentItem();
+    QTreeWidgetItem* next = !at ? list->topLevelItem(0) : down ? list->itemBelow(at) : list->itemAbove(at);
+    if (next)
+        list->setCurrentItem(next);
 }
 
 bool HandbookWindow::eventFilter(QObject* watched, QEvent* event)
@@ -185,13 +194,17 @@ bool HandbookWindow::eventFilter(QObject* watched, QEvent* event)
     if (watched != m_search || event->type() != QEvent::KeyPress)
         return QWidget::eventFilter(watched, event);
     switch (static_cast<QKeyEvent*>(event)->key()) {
+    case Qt::Key_PageUp:
+    case Qt::Key_PageDown:
+        QCoreApplication::sendEvent(m_browser, event); // the page is read from there
+        return true;
     case Qt::Key_Return:
     case Qt::Key_Enter:
     case Qt::Key_Down:
-        step(1);
+        step(true);
         return true;
     case Qt::Key_Up:
-        step(-1);
+        step(false);
         return true;
     default:
         return false;
@@ -200,9 +213,8 @@ bool HandbookWindow::eventFilter(QObject* watched, QEvent* event)
 
 void HandbookWindow::keyPressEvent(QKeyEvent* event)
 {
-    if (event->matches(QKeySequence::Find)) {
-        m_search->setFocus();
-        m_search->selectAll();
+    if (event->matches(QKeySequence::Find) || event->matches(QKeySequence::HelpContents)) {
+        focusSearch();
     } else if (event->key() == Qt::Key_Escape && !m_search->text().isEmpty()) {
         m_search->clear();
     } else if (event->key() == Qt::Key_Escape) {
@@ -227,12 +239,11 @@ void HandbookWindow::retranslate()
 {
     const std::pair<QToolButton*, QString> names[] = {
         {m_back, tr("Back (Alt+Left)")}, {m_forward, tr("Forward (Alt+Right)")}, {m_start, tr("First page")}};
-    for (const auto& [button, name] : names) {
+    for (const auto& [button, name] : names)
         button->setToolTip(name);
-        button->setAccessibleName(name);
-    }
     m_search->setPlaceholderText(tr("Search all pages"));
     m_search->setAccessibleName(tr("Search all pages"));
+    m_browser->setAccessibleName(tr("Page"));
     m_contents->setAccessibleName(tr("Contents"));
     m_found->setAccessibleName(tr("Found"));
 }

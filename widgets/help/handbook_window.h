@@ -39,7 +39,8 @@ private:
     void follow();
     void search(const QString& typed);
     void openItem(const QTreeWidgetItem* item);
-    void step(int rows);
+    void step(bool down);
+    void focusSearch();
     void retranslate();
 
     QToolButton* m_back;

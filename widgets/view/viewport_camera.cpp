@@ -1,9 +1,11 @@
 // The view of a camera node.
 #include "core/evaluate/evaluator.h"
 #include "widgets/base/core_text.h"
+#include "widgets/base/empty_page.h"
 #include "widgets/view/render/camera_items.h"
 #include "widgets/view/viewport_private.h"
 #include <QPainter>
+#include <algorithm>
 #include <utility>
 
 namespace ramure {
@@ -81,27 +83,42 @@ void Viewport::Private::leaveCamera()
     widget->wishScene();
 }
 
+namespace {
+
+/// White on a dark box, whose middle is given.
+QRectF paintLabel(QPainter& painter, const QString& text, double width, QPointF middle)
+{
+    constexpr int flags = Qt::AlignCenter | Qt::TextWordWrap;
+    const double lineHeight = painter.fontMetrics().height();
+    QRectF words = painter.boundingRect(QRectF(0.0, 0.0, width, 100.0 * lineHeight), flags, text);
+    words.moveCenter(middle);
+    const QRectF box = words.adjusted(-10.0, -4.0, 10.0, 4.0);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(0, 0, 0, 150));
+    painter.drawRoundedRect(box, 4.0, 4.0);
+    painter.setPen(Qt::white);
+    painter.drawText(words, flags, text);
+    return box;
+}
+
+} // namespace
+
 /// Above the picture: the camera whose view it is, which moving the view leaves, and the game whose wind
-/// blows.
+/// blows. In the middle: what to do while there is nothing to see.
 void Viewport::paintLabels(QPainter& painter) const
 {
+    constexpr double margin = 10.0, broadest = 420.0;
     QStringList texts;
     if (const Node* node = d->document->scene().find(d->through))
         texts += tr("Through “%1”").arg(QString::fromStdString(node->name));
     if (d->isWindy())
         texts += tr("Wind: %1").arg(coreText(factsOf(d->settings->gameWind()).choice));
-    double top = 10.0;
-    for (const QString& text : texts) {
-        QRectF box = painter.fontMetrics().boundingRect(text);
-        box = box.adjusted(-10.0, -4.0, 10.0, 4.0);
-        box.moveCenter({0.5 * width(), top + 0.5 * box.height()});
-        top = box.bottom() + 4.0;
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(QColor(0, 0, 0, 150));
-        painter.drawRoundedRect(box, 4.0, 4.0);
-        painter.setPen(Qt::white);
-        painter.drawText(box, Qt::AlignCenter, text);
-    }
+    const double room = width() - 4.0 * margin, lineHeight = painter.fontMetrics().height();
+    double top = margin;
+    for (const QString& text : texts)
+        top = paintLabel(painter, text, room, {0.5 * width(), top + 0.5 * lineHeight + 4.0}).bottom() + 4.0;
+    if (d->document->scene().nodes().empty())
+        paintLabel(painter, emptySceneText(), std::min(room, broadest), QRectF(rect()).center());
 }
 
 } // namespace ramure

@@ -142,9 +142,11 @@ private slots:
         QVERIFY(species && grammars && species != grammars);
         const QList<QAction*> groups = qobject_cast<QMenu*>(species->parent())->actions();
         QVERIFY(groups.indexOf(species->menuAction()) < groups.indexOf(grammars->menuAction()));
+        QCOMPARE(grammars->title(), QStringLiteral("Grammar examples")); // scripts know it as "Coursework"
         const Language language(m_preferences.get());
         m_preferences->setLanguage(QStringLiteral("fr"));
         QTRY_COMPARE(baobab->text(), QStringLiteral("Baobab africain"));
+        QCOMPARE(grammars->title(), QStringLiteral("Exemples de grammaires"));
         QStringList names;
         for (const QAction* action : species->actions())
             names += action->text();

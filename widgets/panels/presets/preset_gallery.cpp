@@ -28,7 +28,7 @@ constexpr int usualColumns = 2;
 QString searchedText(const Preset& preset)
 {
     return searchable(presetNames(preset) + u' ' + coreText(preset.description) + u' ' +
-                      coreText(preset.group));
+                      presetGroupTitle(preset.group));
 }
 
 /// What grammars and points are shown with stands before the species among the presets, and behind them here.
@@ -283,7 +283,7 @@ void PresetGallery::retranslate()
     m_search->setAccessibleName(m_search->placeholderText());
     QCollator collator{QLocale()};
     for (Group& group : m_groups) {
-        group.heading->setText(coreText(group.name));
+        group.heading->setText(presetGroupTitle(group.name));
         for (const Item& item : group.items)
             describe(item);
         const bool areSpecies =

@@ -2,6 +2,7 @@
 
 #include "core/document/commands.h"
 #include "widgets/base/core_text.h"
+#include "widgets/base/empty_page.h"
 #include "widgets/base/icons.h"
 #include "widgets/base/targets.h"
 #include "widgets/panels/scene/scene_model.h"
@@ -526,6 +527,7 @@ void ScenePanel::changeEvent(QEvent* event)
 void ScenePanel::retranslate()
 {
     m_view->setAccessibleName(tr("Scene"));
+    m_view->setEmptyText(emptySceneText());
     m_list->setAccessibleName(tr("Found in the scene"));
     m_model->retranslate();
     m_results->retranslate();

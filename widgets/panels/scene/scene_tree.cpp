@@ -87,6 +87,27 @@ void SceneTree::fitNames(bool mayShrink)
         header()->resizeSection(SceneModel::NameColumn, width);
 }
 
+void SceneTree::setEmptyText(const QString& text)
+{
+    m_emptyText = text;
+    viewport()->update();
+}
+
+void SceneTree::paintEvent(QPaintEvent* event)
+{
+    QTreeView::paintEvent(event);
+    const bool isEmpty = model() && model()->rowCount() == 0;
+    if (const QString said = isEmpty ? m_emptyText : QString(); said != accessibleDescription())
+        setAccessibleDescription(said);
+    if (!isEmpty || m_emptyText.isEmpty())
+        return;
+    constexpr int margin = 24;
+    QPainter painter(viewport());
+    painter.setPen(palette().color(QPalette::PlaceholderText));
+    painter.drawText(viewport()->rect().adjusted(margin, margin, -margin, -margin),
+                     Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, m_emptyText);
+}
+
 void SceneTree::setPointed(const QModelIndex& index)
 {
     if (m_pointed == index)

@@ -22,6 +22,8 @@ public:
     /// A row that is pointed at elsewhere is tinted, until an invalid index is given.
     void setPointed(const QModelIndex& index);
     [[nodiscard]] QModelIndex pointedRow() const { return m_pointed; }
+    /// What stands in the view while it has no row.
+    void setEmptyText(const QString& text);
 
 signals:
     /// The row under the mouse; invalid where there is none.
@@ -41,6 +43,7 @@ protected:
     void mouseReleaseEvent(QMouseEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void leaveEvent(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
     void drawRow(QPainter* painter, const QStyleOptionViewItem& options,
                  const QModelIndex& index) const override;
     void resizeEvent(QResizeEvent* event) override;
@@ -56,6 +59,7 @@ private:
 
     QTimer* m_fitTimer;
     QPersistentModelIndex m_pointed;
+    QString m_emptyText;
     bool m_mayShrink = false;
     bool m_adding = false;
     bool m_keepsWorld = true; ///< as told last

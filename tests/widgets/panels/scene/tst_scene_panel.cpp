@@ -1,4 +1,5 @@
 #include "tests/widgets/base/fixture.h"
+#include "widgets/base/empty_page.h"
 #include "widgets/base/preferences.h"
 #include "widgets/panels/scene/scene_model.h"
 #include "widgets/panels/scene/scene_panel.h"
@@ -93,6 +94,21 @@ private slots:
         QVERIFY(
             !m_panel->model()->setData(m_panel->model()->nodeIndex(1), QStringLiteral("X"), Qt::EditRole));
         QCOMPARE(said.count(), 1);
+    }
+
+    void anEmptySceneSaysWhatToDo()
+    {
+        SceneTree* view = m_panel->view();
+        view->grab();
+        QVERIFY(view->accessibleDescription().isEmpty());
+        QVERIFY(edit::removeNodes(*m_document, {1, 2}));
+        const QImage empty = view->grab().toImage();
+        QCOMPARE(view->accessibleDescription(), emptySceneText());
+        view->setEmptyText({});
+        QVERIFY(view->grab().toImage() != empty);
+        m_document->undoStack()->undo();
+        view->grab();
+        QVERIFY(view->accessibleDescription().isEmpty());
     }
 
     void selectionGoesBothWays()
