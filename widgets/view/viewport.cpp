@@ -98,7 +98,6 @@ Viewport::Viewport(Document* document, ViewSettings* settings, QWidget* parent)
     const auto complain = [this](const Error& error) { emit messageRaised(errorText(error)); };
     connect(&d->builder, &BackgroundBuilder::failed, this, complain);
     connect(&d->picker, &BackgroundPicker::failed, this, complain);
-    d->uploading.setSingleShot(true);
     connect(&d->uploading, &QTimer::timeout, this, &Viewport::uploadScene);
     connect(&d->picker, &BackgroundPicker::readyChanged, this, [this] {
         d->tools.sceneReady();
@@ -107,7 +106,7 @@ Viewport::Viewport(Document* document, ViewSettings* settings, QWidget* parent)
     });
     connect(&d->barks, &BarkWaiter::ready, this, &Viewport::wishScene);
     connect(d->barks.job(), &Job::runningChanged, this, &Viewport::barkMissing);
-    d->settling.setSingleShot(true);
+    connect(&d->drawing, &QTimer::timeout, this, &Viewport::drawOn);
     d->settling.setInterval(settleMs);
     connect(&d->settling, &QTimer::timeout, this, qOverload<>(&QWidget::update));
     connect(&d->flight, &CameraFlight::moved, this, [this] {
@@ -119,7 +118,6 @@ Viewport::Viewport(Document* document, ViewSettings* settings, QWidget* parent)
         d->reachPose.forget();
         update();
     });
-    d->hoverRest.setSingleShot(true);
     d->hoverRest.setInterval(hoverRestMs);
     connect(&d->hoverRest, &QTimer::timeout, this, [this] { hoverAt(d->cursor); });
     connect(settings->gizmo(), &GizmoSettings::changed, this, [this] {
@@ -178,6 +176,7 @@ void Viewport::initializeGL()
 {
     // Called again whenever the widget got another context; the old one took its objects along.
     d->renderer.reset();
+    d->forgetPicture();
     auto made = Renderer::make();
     if (!made) {
         d->failure = QCoreApplication::translate("core", made.error().plain().c_str());

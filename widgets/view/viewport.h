@@ -98,6 +98,9 @@ public:
     [[nodiscard]] bool isPicturePending() const;
     /// Something moved just now; in a moment the picture is drawn once more, as good as was chosen.
     [[nodiscard]] bool isSettling() const;
+    /// Nothing moves, and the picture that is as good as was chosen is being made in parts; a quick one is
+    /// shown.
+    [[nodiscard]] bool isPictureInMaking() const;
     /// A click on a large tree takes effect when the structure to pick in is ready; true until then.
     [[nodiscard]] bool isPickPending() const;
 
@@ -190,6 +193,7 @@ private:
     void wishScene();
     void takeScene();
     void uploadScene();
+    void drawOn();
     void finishScene();
     void showScene();
     void rebuildHighlights();

@@ -51,29 +51,6 @@ void Viewport::Private::followCamera()
         flight.setCamera(seen->camera);
 }
 
-/// At rest, through a lens that is open: picture after picture, each finer.
-void Viewport::Private::draw(QSize pixels, const RenderOptions& options)
-{
-    const GLuint target = widget->defaultFramebufferObject();
-    const bool blurs = through != noNode && lens.diameter > 0.0 && !settling.isActive() &&
-                       !context.isPlaying() && !isWindy();
-    if (!blurs) {
-        lensPictures = {};
-        return renderer->draw(shownScene(), camera(), pixels, target, options);
-    }
-    const std::shared_ptr<const RenderScene> seen = shown.scene() ? shown.scene() : scene;
-    LensPictures& all = lensPictures;
-    if (all.scene != seen || all.camera != camera() || !(all.lens == lens) || all.size != pixels)
-        all = {0, seen, camera(), lens, pixels};
-    RenderOptions own = options;
-    own.lens = lens;
-    renderer->drawThroughLens(*seen, camera(), pixels, target, own, all.count);
-    if (all.count < lensSamples) {
-        ++all.count;
-        QTimer::singleShot(0, widget, qOverload<>(&QWidget::update));
-    }
-}
-
 void Viewport::Private::leaveCamera()
 {
     if (std::exchange(through, noNode) == noNode)

@@ -1,12 +1,82 @@
-// Screenshots of the viewport.
+// Pictures on the screen, and screenshots.
 #include "widgets/view/render/offscreen_renderer.h"
 #include "widgets/view/render/picture_file.h"
 #include "widgets/view/viewport_private.h"
 #include <QClipboard>
 #include <QFile>
 #include <QGuiApplication>
+#include <limits>
 
 namespace ramure {
+
+/// The best takes a processor seconds: a quick picture is shown at once, and the good one is made in parts.
+/// Through a lens that is open there is picture after picture, each finer.
+void Viewport::Private::draw(QSize pixels, const RenderOptions& options)
+{
+    const GLuint target = widget->defaultFramebufferObject();
+    const bool blurs = through != noNode && lens.diameter > 0.0 && !settling.isActive() &&
+                       !context.isPlaying() && !isWindy();
+    const bool inParts = isMadeInParts(options);
+    if (!blurs && !inParts) {
+        forgetPicture();
+        return renderer->draw(shownScene(), camera(), pixels, target, options);
+    }
+    Pictured now{shown.scene() ? shown.scene() : scene, camera(), pixels, options};
+    now.options.lens = through != noNode ? lens : Lens();
+    now.options.hurried = false;
+    const bool isNew = !(now == pictured);
+    if (isNew) {
+        forgetPicture();
+        pictured = std::move(now);
+    }
+    const int wanted = blurs ? lensSamples : options.hurried ? 0 : 1;
+    if (inParts && isNew) {
+        RenderOptions quick = options;
+        quick.hurried = true;
+        renderer->draw(*pictured.scene, camera(), pixels, target, quick);
+    } else {
+        if (!inParts && pictures < wanted)
+            drawPart();
+        renderer->show(pixels, target);
+    }
+    if (pictures < wanted)
+        drawing.start();
+}
+
+/// All of it at once, unless it is made in parts.
+void Viewport::Private::drawPart()
+{
+    constexpr double partMs = 20.0;
+    const double ms = isMadeInParts(pictured.options) ? partMs : std::numeric_limits<double>::infinity();
+    if (renderer->drawPart(*pictured.scene, pictured.camera, pictured.size, pictured.options, pictures, ms))
+        ++pictures;
+}
+
+void Viewport::Private::forgetPicture()
+{
+    drawing.stop();
+    pictured = {};
+    pictures = 0;
+    if (renderer)
+        renderer->restartParts();
+}
+
+void Viewport::drawOn()
+{
+    if (!d->renderer || !d->isMadeInParts(d->pictured.options))
+        return update();
+    const int before = d->pictures;
+    makeCurrent();
+    d->drawPart();
+    doneCurrent();
+    d->pictures > before ? update() : d->drawing.start();
+}
+
+bool Viewport::isPictureInMaking() const
+{
+    const RenderOptions now = d->options(devicePixelRatioF());
+    return d->renderer && d->isMadeInParts(now) && !now.hurried && d->pictures == 0;
+}
 
 QSize Viewport::pixelSize() const
 {

@@ -28,6 +28,8 @@ struct Viewport::Private final : ToolHost
         , document(ofDocument)
         , settings(ofView)
     {
+        for (QTimer* timer : {&uploading, &drawing, &settling, &hoverRest})
+            timer->setSingleShot(true);
     }
     Viewport* widget;
     Document* document;
@@ -36,16 +38,18 @@ struct Viewport::Private final : ToolHost
     CameraFlight flight;
     NodeId through = noNode; ///< the camera node that the view follows
     Lens lens;               ///< its
-    /// The pictures through the lens so far, and of what they are.
-    struct LensPictures
+    /// What a picture is of, that is at rest as good as was chosen.
+    struct Pictured
     {
-        int count = 0;
         std::shared_ptr<const RenderScene> scene;
         Camera camera;
-        Lens lens;
         QSize size;
+        RenderOptions options;
+        bool operator==(const Pictured&) const = default;
     };
-    LensPictures lensPictures;
+    Pictured pictured;
+    int pictures = 0;      ///< whole ones of it: with a lens many, of which the mean is shown
+    QTimer drawing;        ///< runs while one is made in parts
     bool frameNext = true; ///< the next scene that has something in it is framed
     /// The camera shows all, and nobody has moved it since: it still does when the view gets another size.
     bool framed = false;
@@ -114,6 +118,12 @@ struct Viewport::Private final : ToolHost
     void followCamera();
     [[nodiscard]] bool isWindy() const;
     void draw(QSize pixels, const RenderOptions& options);
+    [[nodiscard]] bool isMadeInParts(const RenderOptions& options) const
+    {
+        return software && options.quality == Quality::Best;
+    }
+    void drawPart();
+    void forgetPicture();
     void leaveCamera();
     [[nodiscard]] std::shared_ptr<const MotionFrame> motionOfNow();
     [[nodiscard]] SceneView sceneView() const;

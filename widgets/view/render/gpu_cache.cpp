@@ -21,6 +21,10 @@ GpuCache::GpuCache(Gl& gl)
     , m_pool(gl)
 {
     m_gl.glGetIntegerv(GL_MAX_TEXTURE_SIZE, &m_largestTexture);
+    const QOpenGLContext& context = *QOpenGLContext::currentContext();
+    if (context.format().version() >= qMakePair(4, 2) || context.hasExtension("GL_ARB_base_instance"))
+        m_drawCopiesFrom =
+            reinterpret_cast<DrawFrom>(context.getProcAddress("glDrawElementsInstancedBaseInstance"));
 }
 
 GpuCache::~GpuCache()
@@ -117,15 +121,36 @@ void GpuCache::restAttributes()
         gl.glVertexAttrib4f(place, 0.0f, 0.0f, 0.0f, 1.0f);
 }
 
-void GpuCache::drawTriangles(const GpuBlock& block, LeafDetail detail)
+void GpuCache::drawTriangles(const GpuBlock& block, PictureParts& parts, LeafDetail detail)
 {
+    constexpr int few = 4096; // their corners cost so little that they may be computed anew for some rows
     m_gl.glBindVertexArray(block.vertexArray);
-    const auto [from, count] = block.detail[std::size_t(detail)];
-    if (block.copies > 0)
-        m_gl.glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(3 * count), GL_UNSIGNED_INT,
-                                     offset(sizeof(glm::uvec3) * from), block.copies);
+    const MeshCopies::Faces faces = block.detail[std::size_t(detail)];
+    const bool isOfCopies = block.copies > 0;
+    const int all = isOfCopies ? block.copies : block.count / 3;
+    const auto draw = [&](int first, int count) {
+        if (isOfCopies)
+            drawCopies(faces, first, count);
+        else
+            m_gl.glDrawElements(GL_TRIANGLES, 3 * count, GL_UNSIGNED_INT,
+                                offset(sizeof(glm::uvec3) * std::size_t(first)));
+    };
+    // Colours are found by the number of the triangle in its draw.
+    if (std::int64_t(all) * (isOfCopies ? faces.count : 1) <= few || block.hasColours() ||
+        (isOfCopies && !m_drawCopiesFrom))
+        parts.rows([&] { draw(0, all); });
     else
-        m_gl.glDrawElements(GL_TRIANGLES, block.count, GL_UNSIGNED_INT, nullptr);
+        parts.share(all, draw);
+}
+
+void GpuCache::drawCopies(const MeshCopies::Faces& faces, int first, int count)
+{
+    const auto corners = static_cast<GLsizei>(3 * faces.count);
+    const void* from = offset(sizeof(glm::uvec3) * faces.from);
+    if (first > 0)
+        m_drawCopiesFrom(GL_TRIANGLES, corners, GL_UNSIGNED_INT, from, count, GLuint(first));
+    else
+        m_gl.glDrawElementsInstanced(GL_TRIANGLES, corners, GL_UNSIGNED_INT, from, count);
 }
 
 const GpuBlock& GpuCache::lines(const std::shared_ptr<const LineSet>& lines)

@@ -6,6 +6,7 @@
 
 #include "widgets/view/render/buffer_pool.h"
 #include "widgets/view/render/mesh_copies.h"
+#include "widgets/view/render/picture_parts.h"
 #include "widgets/view/render/render_scene.h"
 #include "widgets/view/render/renderer_options.h"
 #include "widgets/view/render/shader_program.h"
@@ -87,7 +88,7 @@ public:
     /// All that is no copy stands where its mesh has it: to be called before triangles are drawn.
     void restAttributes();
     /// Leaves the block's vertex array bound. \param detail of copies.
-    void drawTriangles(const GpuBlock& block, LeafDetail detail = LeafDetail::All);
+    void drawTriangles(const GpuBlock& block, PictureParts& parts, LeafDetail detail);
     /// A texture: per bone the rotation (x, y, z, w) and the translation.
     const GpuBlock& bones(const std::shared_ptr<const std::vector<RigidTransform>>& bones);
     const GpuBlock& lines(const std::shared_ptr<const LineSet>& lines);
@@ -120,6 +121,7 @@ public:
     std::vector<std::shared_ptr<const void>> takeReleased();
 
 private:
+    void drawCopies(const MeshCopies::Faces& faces, int first, int count);
     void fillMesh(GpuBlock& block, const TriangleMesh& mesh);
     void fillCopies(GpuBlock& block, const MeshCopies& copies);
     void fillColours(GpuBlock& block, const std::vector<glm::u8vec3>& colours);
@@ -148,7 +150,10 @@ private:
     void addBuffer(GpuBlock& block, GLenum target, const void* data, std::size_t bytes);
     void free(GpuBlock& block);
 
+    using DrawFrom = void(QOPENGLF_APIENTRYP)(GLenum, GLsizei, GLenum, const void*, GLsizei, GLuint);
+
     Gl& m_gl;
+    DrawFrom m_drawCopiesFrom = nullptr; ///< of OpenGL 4.2; null where the driver has none
     BufferPool m_pool;
     std::map<const void*, GpuBlock> m_blocks;
     std::vector<glm::vec4> m_texels; ///< of bones, kept between pictures

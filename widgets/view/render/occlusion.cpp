@@ -23,7 +23,7 @@ void Occlusion::free()
     std::ranges::fill(m_textures, 0u);
 }
 
-bool Occlusion::begin(QSize size)
+bool Occlusion::begin(QSize size, bool clears)
 {
     if (m_textures[0] == 0 || size != m_size) {
         free();
@@ -57,11 +57,13 @@ bool Occlusion::begin(QSize size)
     }
     m_gl.glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffers[0]);
     m_gl.glViewport(0, 0, size.width(), size.height());
-    m_gl.glClear(GL_DEPTH_BUFFER_BIT);
+    if (clears)
+        m_gl.glClear(GL_DEPTH_BUFFER_BIT);
     return true;
 }
 
-void Occlusion::end(const Camera& camera, const glm::dmat4& clip, double radius, const Programs& programs)
+void Occlusion::end(const Camera& camera, const glm::dmat4& clip, double radius, const Programs& programs,
+                    PictureParts& parts)
 {
     m_gl.glDisable(GL_DEPTH_TEST);
     const double atTarget = m_size.height() / camera.heightAtTarget();
@@ -81,7 +83,7 @@ void Occlusion::end(const Camera& camera, const glm::dmat4& clip, double radius,
         program.set("uRadius", float(radius));
         program.set("uPixels", glm::vec4(glm::vec3(camera.backward()), pixels));
         program.set("uParallel", camera.orthographic);
-        m_gl.glDrawArrays(GL_TRIANGLES, 0, 3);
+        parts.rows([this] { m_gl.glDrawArrays(GL_TRIANGLES, 0, 3); });
     }
     m_gl.glUseProgram(0); // its samplers do not suit what is bound when the next target is cleared
     m_gl.glEnable(GL_DEPTH_TEST);

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "widgets/view/render/camera.h"
-#include "widgets/view/render/shader_program.h"
+#include "widgets/view/render/picture_parts.h"
 #include <QSize>
 
 namespace ramure {
@@ -24,13 +24,14 @@ public:
     Occlusion(const Occlusion&) = delete;
     Occlusion& operator=(const Occlusion&) = delete;
 
-    /// Binds a framebuffer without colours, of this size and cleared, for the depth of the picture. False
-    /// where the driver refuses it; then another framebuffer must be bound.
-    [[nodiscard]] bool begin(QSize size);
+    /// Binds a framebuffer without colours, of this size, for the depth of the picture. False where the
+    /// driver refuses it; then another framebuffer must be bound. \param clears it, too
+    [[nodiscard]] bool begin(QSize size, bool clears);
     /// \param clip eye-relative -> clip space, that the depth was drawn with \param radius of what counts as
     /// close, m. Any vertex array must be bound. Leaves another framebuffer bound.
-    void end(const Camera& camera, const glm::dmat4& clip, double radius, const Programs& programs);
-    /// Of one colour, 0 .. 1; 0 before the first begin.
+    void end(const Camera& camera, const glm::dmat4& clip, double radius, const Programs& programs,
+             PictureParts& parts);
+    /// Of one colour, 0 .. 1; 0 before the first begin, and where the driver refused it.
     [[nodiscard]] GLuint texture() const { return m_textures[2]; }
 
 private:

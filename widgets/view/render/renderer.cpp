@@ -28,25 +28,6 @@ glm::vec3 srgb(const glm::u8vec3& bytes)
     return glm::vec3(bytes) / 255.0f;
 }
 
-/// Side of a small cell, m: a power of ten, so that ten small cells make a large one.
-double gridStep(double height)
-{
-    return std::pow(10.0, std::floor(std::log10(std::max(height, 1e-6) / 4.0)));
-}
-
-/// Of a level plane "height" below the eye, met by rays x * across + y * along + forward; everything is
-/// eye-relative. One over a plane's distance is linear over a picture in perspective, and so is its depth.
-/// \param projected to clip space, in perspective.
-/// \return what (x, y, 1) is multiplied by; the far plane where the eye is not above.
-glm::vec3 planeDepth(const glm::dmat4& projected, const glm::dmat3& rays, double height)
-{
-    if (height <= 0.0)
-        return {0.0f, 0.0f, 1.0f};
-    const glm::dvec4 depth = glm::transpose(projected)[2];
-    const double perSlope = depth.w / height;
-    return glm::dvec3(depth) * rays - perSlope * glm::dvec3(rays[0].y, rays[1].y, rays[2].y);
-}
-
 } // namespace
 
 /// Twice as large each way, where the card can.
@@ -62,7 +43,9 @@ Renderer::Renderer(Gl& gl)
     , m_cache(gl)
     , m_shadowMap(gl)
     , m_nearShadow(gl)
+    , m_parts(gl)
     , m_smoothing(gl)
+    , m_large(gl)
     , m_lensPicture(gl)
     , m_lensSum(gl, GL_RGBA32F)
     , m_outline(gl)
@@ -152,6 +135,15 @@ Expected<void> Renderer::compile()
 void Renderer::draw(const RenderScene& scene, const Camera& camera, QSize size, GLuint framebuffer,
                     const RenderOptions& options)
 {
+    m_parts.restart();
+    if (drawAside(scene, camera, size, framebuffer, options))
+        show(size, framebuffer);
+}
+
+/// \returns whether there is a picture aside: else it is in the framebuffer, or not whole.
+bool Renderer::drawAside(const RenderScene& scene, const Camera& camera, QSize size, GLuint framebuffer,
+                         const RenderOptions& options)
+{
     Stopwatch watch;
     m_drawn = 0;
     m_cache.beginPicture(options.wind);
@@ -160,12 +152,16 @@ void Renderer::draw(const RenderScene& scene, const Camera& camera, QSize size, 
     m_stats.uploadMs = watch.elapsed().wallMs;
     watch.restart();
 
+    const bool inParts = m_parts.isActive();
     const bool shrinks = isDrawnLarge(size, options);
     const QSize drawn = shrinks ? 2 * size : size;
     RenderOptions own = options;
     if (shrinks)
         own.pixelRatio *= 2.0;
-    const GLuint aside = shrinks || options.smoothing ? m_smoothing.begin(drawn) : 0;
+    Smoothing& place = shrinks || inParts ? m_large : m_smoothing; // what is shown meanwhile stays
+    const GLuint aside = shrinks || inParts || options.smoothing ? place.begin(drawn) : 0;
+    if (inParts && aside == 0)
+        return false;
     const bool large = shrinks && aside != 0;
     Picture picture = arrange(scene, camera, large ? drawn : size, large ? own : options);
     occlude(picture, size);
@@ -173,53 +169,88 @@ void Renderer::draw(const RenderScene& scene, const Camera& camera, QSize size, 
     drawInto(aside != 0 ? aside : framebuffer, picture, large ? drawn : size);
     m_cache.freeUnused();
     resetState();
-    if (aside != 0) {
-        m_gl.glViewport(0, 0, size.width(), size.height());
-        m_gl.glBindVertexArray(m_emptyArray);
-        m_smoothing.end(framebuffer, large ? *m_shrink : *m_smooth);
-        resetState();
-    }
-    ++m_stats.pictures;
+    m_stats.pictures += m_parts.isWhole() ? 1 : 0;
     m_stats.drawMs = watch.elapsed().wallMs;
     m_stats.drawCpuMs = watch.elapsed().cpuMs;
+    if (aside == 0 || !m_parts.isWhole())
+        return false;
+    m_shown = large               ? Shown::Shrunk
+              : !inParts          ? Shown::Smoothed
+              : options.smoothing ? Shown::PartSmoothed
+                                  : Shown::Part;
+    return true;
 }
 
-void Renderer::drawThroughLens(const RenderScene& scene, const Camera& camera, QSize size, GLuint framebuffer,
-                               const RenderOptions& options, int sample)
+bool Renderer::drawPart(const RenderScene& scene, const Camera& camera, QSize size,
+                        const RenderOptions& options, int sample, double ms)
+{
+    const bool hasLens = options.lens.diameter > 0.0;
+    const Camera seenBy = hasLens ? throughLens(camera, options.lens, size, sample, lensSamples) : camera;
+    m_parts.begin(ms);
+    const bool isAside = drawAside(scene, seenBy, size, 0, options);
+    if (!m_parts.end())
+        return false;
+    m_parts.restart();
+    if (isAside && hasLens)
+        addThroughLens(size, sample);
+    return true;
+}
+
+/// The picture that is shown now joins those of the samples before.
+void Renderer::addThroughLens(QSize size, int sample)
 {
     const GLuint aside = m_lensPicture.begin(size), sum = m_lensSum.begin(size);
     if (aside == 0 || sum == 0)
-        return draw(scene, camera, size, framebuffer, options);
-    if (sample < lensSamples)
-        draw(scene, throughLens(camera, options.lens, size, sample, lensSamples), size, aside, options);
+        return;
+    show(size, aside);
     m_gl.glViewport(0, 0, size.width(), size.height());
     m_gl.glBindVertexArray(m_emptyArray);
-    if (sample < lensSamples) {
-        m_gl.glBindFramebuffer(GL_FRAMEBUFFER, sum);
-        m_gl.glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
-        if (sample == 0)
-            m_gl.glClear(GL_COLOR_BUFFER_BIT);
-        m_gl.glEnable(GL_BLEND);
-        m_gl.glBlendFunc(GL_ONE, GL_ONE);
-        m_lensPicture.end(sum, *m_lensAdd);
-        m_gl.glDisable(GL_BLEND);
+    m_gl.glBindFramebuffer(GL_FRAMEBUFFER, sum);
+    m_gl.glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    if (sample == 0)
+        m_gl.glClear(GL_COLOR_BUFFER_BIT);
+    m_gl.glEnable(GL_BLEND);
+    m_gl.glBlendFunc(GL_ONE, GL_ONE);
+    m_lensPicture.end(sum, *m_lensAdd);
+    m_gl.glDisable(GL_BLEND);
+    resetState();
+    m_shown = Shown::Lens;
+    m_lensPictures = sample + 1;
+}
+
+void Renderer::show(QSize size, GLuint framebuffer)
+{
+    m_gl.glViewport(0, 0, size.width(), size.height());
+    m_gl.glBindVertexArray(m_emptyArray);
+    if (m_shown == Shown::Lens) {
+        m_lensShow->bind();
+        m_lensShow->set("uShare", 1.0f / float(m_lensPictures));
+        m_lensSum.end(framebuffer, *m_lensShow);
+    } else if (m_shown == Shown::Part) {
+        m_gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, m_large.begin(size));
+        m_gl.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+        m_gl.glBlitFramebuffer(0, 0, size.width(), size.height(), 0, 0, size.width(), size.height(),
+                               GL_COLOR_BUFFER_BIT, GL_NEAREST);
+        m_gl.glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    } else {
+        Smoothing& aside = m_shown == Shown::Smoothed ? m_smoothing : m_large;
+        aside.end(framebuffer, m_shown == Shown::Shrunk ? *m_shrink : *m_smooth);
     }
-    m_lensShow->bind();
-    m_lensShow->set("uShare", 1.0f / float(std::min(sample + 1, lensSamples)));
-    m_lensSum.end(framebuffer, *m_lensShow);
     resetState();
 }
 
 void Renderer::drawInto(GLuint framebuffer, const Picture& picture, QSize size)
 {
     const RenderOptions& options = picture.options;
+    if (!m_parts.enter(PictureParts::Pass::Picture, size))
+        return;
     m_nearShadow.bind(nearUnit, nearDepthUnit); // first: what is new is made in the first unit
     m_shadowMap.bind(shadowUnit, shadowDepthUnit);
     m_gl.glActiveTexture(GL_TEXTURE0 + occlusionUnit);
     m_gl.glBindTexture(GL_TEXTURE_2D, picture.occluded ? m_occlusion.texture() : 0);
     m_gl.glActiveTexture(GL_TEXTURE0);
     m_gl.glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    beginState(size);
+    beginState(size, m_parts.isFirst());
     m_gl.glGetIntegerv(GL_SAMPLES, &m_samples);
     if (options.world && !picture.isLevel())
         drawWorld(picture);
@@ -237,7 +268,7 @@ void Renderer::drawInto(GLuint framebuffer, const Picture& picture, QSize size)
     drawPoints(picture, false);
     drawFaded(picture);
     if (options.outline)
-        drawOutline(picture, framebuffer);
+        m_parts.share(1, [&](int, int) { drawOutline(picture, framebuffer); });
 }
 
 Renderer::Picture Renderer::arrange(const RenderScene& scene, const Camera& camera, QSize size,
@@ -265,8 +296,11 @@ void Renderer::occlude(Picture& picture, QSize size)
     const Box& box = picture.scene.box;
     const bool draft =
         options.quality == Quality::Draft || (options.sparing && options.quality == Quality::Good);
-    if (draft || options.hurried || options.shading != ShadingMode::Solid || box.empty() ||
-        !m_occlusion.begin(size))
+    if (draft || options.hurried || options.shading != ShadingMode::Solid || box.empty())
+        return;
+    const bool isDue = m_parts.enter(PictureParts::Pass::Occlusion, size);
+    picture.occluded = isDue ? m_occlusion.begin(size, m_parts.isFirst()) : m_occlusion.texture() != 0;
+    if (!isDue || !picture.occluded)
         return;
     m_gl.glEnable(GL_DEPTH_TEST);
     m_gl.glDepthMask(GL_TRUE);
@@ -288,8 +322,7 @@ void Renderer::occlude(Picture& picture, QSize size)
     m_gl.glBindVertexArray(m_emptyArray);
     m_occlusion.end(picture.camera, picture.projectedView,
                     std::min(ofScene * box.radius(), ofView * picture.camera.heightAtTarget()),
-                    {*m_occlude, *m_occludeBlur});
-    picture.occluded = true;
+                    {*m_occlude, *m_occludeBlur}, m_parts);
 }
 
 void Renderer::castShadows(Picture& picture)
@@ -298,8 +331,9 @@ void Renderer::castShadows(Picture& picture)
     if (!options.shadows || options.shading == ShadingMode::Wire)
         return;
     const bool finest = options.quality == Quality::Best && !options.hurried;
-    const auto fit = m_shadowMap.update(picture.scene, picture.light.sun, m_cache, {*m_shadow, *m_shadowCut},
-                                        finest ? LeafDetail::All : LeafDetail::Few);
+    const auto fit =
+        m_shadowMap.update(picture.scene, picture.light.sun, m_cache, {*m_shadow, *m_shadowCut}, m_parts,
+                           PictureParts::Pass::Shadow, finest ? LeafDetail::All : LeafDetail::Few);
     if (!fit)
         return;
     picture.shadow = placeOf(*fit, picture.camera.eye());
@@ -319,12 +353,13 @@ void Renderer::castNear(Picture& picture, double side)
     if (2.0 * radius > worthwhile * side)
         return;
     const auto fit = m_nearShadow.update(picture.scene, picture.light.sun, m_cache, {*m_shadow, *m_shadowCut},
-                                         LeafDetail::All, ShadowFocus{camera.target, radius});
+                                         m_parts, PictureParts::Pass::NearShadow, LeafDetail::All,
+                                         ShadowFocus{camera.target, radius});
     if (fit)
         picture.near = placeOf(*fit, picture.camera.eye());
 }
 
-void Renderer::beginState(QSize size)
+void Renderer::beginState(QSize size, bool clears)
 {
     m_gl.glViewport(0, 0, size.width(), size.height());
     m_gl.glEnable(GL_MULTISAMPLE);
@@ -336,7 +371,8 @@ void Renderer::beginState(QSize size)
     m_gl.glDisable(GL_CULL_FACE);
     m_gl.glDisable(GL_SCISSOR_TEST);
     m_gl.glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
-    m_gl.glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    if (clears)
+        m_gl.glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
 void Renderer::upload(const RenderScene& scene)
@@ -385,46 +421,6 @@ void Renderer::setStates(ShaderProgram& program, const RenderScene& scene, NodeI
     program.set("uStateCount", count);
 }
 
-void Renderer::drawWorld(const Picture& picture, bool depthOnly)
-{
-    const Camera& camera = picture.camera;
-    const Box& box = picture.scene.box;
-    const double half = 0.5 * camera.heightAtTarget();
-    const double perDistance = camera.orthographic ? 1.0 : 1.0 / camera.distance;
-    const double reach = std::max(box.empty() ? 1.0 : box.radius(), 0.05);
-    const double height = std::abs(camera.eye().y - picture.scene.ground);
-    const bool meadow = picture.light.studio.r < 0.0f && !picture.light.sky;
-    ShaderProgram& world = m_world->with(meadow, switches::meadow)
-                               .with(picture.isLevel(), switches::level)
-                               .with(!picture.near, switches::one)
-                               .with(depthOnly, switches::depthOnly);
-    world.bind();
-    setLight(world, picture);
-    const glm::dvec3 across = half * picture.aspect * perDistance * camera.right();
-    const glm::dvec3 along = half * perDistance * camera.up();
-    const glm::dvec3 forward = -camera.backward() - camera.shift.x * across - camera.shift.y * along;
-    world.set("uForward", glm::vec3(forward));
-    world.set("uAcross", glm::vec3(across));
-    world.set("uAlong", glm::vec3(along));
-    world.set("uPlaneDepth", planeDepth(picture.projectedView, {across, along, forward},
-                                        camera.eye().y - picture.scene.ground));
-    world.set("uOrthographic", camera.orthographic);
-    world.set("uEye", glm::vec3(camera.eye()));
-    world.set("uGround", float(picture.scene.ground));
-    world.set("uGroundShown", picture.options.ground);
-    world.set("uCentre", glm::vec2(box.centre().x, box.centre().z));
-    world.set("uFade", float(12.0 * reach + 4.0 * height + 2.0 * camera.distance));
-    const double step = gridStep(camera.heightAtTarget());
-    world.set("uGridStep", picture.options.grid ? float(step) : 0.0f);
-    world.set("uPixelRatio", float(picture.options.pixelRatio));
-    world.set("uMottle", float(0.35 * reach));
-    world.set("uClip", glm::mat4(picture.projectedView));
-    m_gl.glBindVertexArray(m_emptyArray);
-    m_gl.glEnable(GL_DEPTH_CLAMP); // above the horizon, and before the near plane
-    m_gl.glDrawArrays(GL_TRIANGLES, 0, 3);
-    m_gl.glDisable(GL_DEPTH_CLAMP);
-}
-
 /// The depth pass and the shading pass must draw the same triangles.
 void Renderer::drawItem(const Picture& picture, const MeshItem& item, const GpuBlock& block)
 {
@@ -433,7 +429,7 @@ void Renderer::drawItem(const Picture& picture, const MeshItem& item, const GpuB
     const bool culls = item.closed && picture.options.shading == ShadingMode::Solid;
     m_gl.glFrontFace(glm::determinant(glm::dmat3(item.world)) < 0.0 ? GL_CW : GL_CCW);
     culls ? m_gl.glEnable(GL_CULL_FACE) : m_gl.glDisable(GL_CULL_FACE);
-    m_cache.drawTriangles(block, picture.detailOf(item));
+    m_cache.drawTriangles(block, m_parts, picture.detailOf(item));
     m_gl.glDisable(GL_CULL_FACE);
     m_gl.glFrontFace(GL_CCW);
     if (!m_progress)

@@ -9,6 +9,7 @@
 #include "widgets/view/render/occlusion.h"
 #include "widgets/view/render/outline.h"
 #include "widgets/view/render/picture_light.h"
+#include "widgets/view/render/picture_parts.h"
 #include "widgets/view/render/renderer_options.h"
 #include "widgets/view/render/shadow_map.h"
 #include "widgets/view/render/smoothing.h"
@@ -49,11 +50,17 @@ public:
     /// stop: the framebuffer then has no picture. For pictures that take long; it waits for the card each
     /// time. Null: none. Not owned.
     void setProgress(const Progress* progress) { m_progress = progress; }
-    /// One of the pictures that make depth of field (offscreen_renderer.h), and in \p framebuffer the mean of
-    /// those from 0 on: the more, the finer. Past the last nothing is drawn anew.
-    /// \param sample 0, or one more than the time before with the same scene, camera, lens and size.
-    void drawThroughLens(const RenderScene& scene, const Camera& camera, QSize size, GLuint framebuffer,
-                         const RenderOptions& options, int sample);
+    /// Makes a picture in parts, to be called again with the same arguments until it returns true: then
+    /// show() shows it, and until then what was drawn before. Takes about \p ms; infinity: as long as it
+    /// needs. \param sample of a picture with options.lens: 0, or one more than the last one that was made.
+    /// Shown is the mean of those from 0 on: depth of field (offscreen_renderer.h).
+    bool drawPart(const RenderScene& scene, const Camera& camera, QSize size, const RenderOptions& options,
+                  int sample, double ms);
+    /// The next part is of another picture.
+    void restartParts() { m_parts.restart(); }
+    /// Draws into \p framebuffer once more what the last draw() with options.smoothing, or drawPart(), made
+    /// in the same size.
+    void show(QSize size, GLuint framebuffer);
     /// What surfaces are instead of how they look in the light: into the framebuffer's first picture their
     /// own colour (sRGB), into the second their normal, in the world's axes from 0 to 1, and as alpha the
     /// depth: 1/255 is \p reach (m) behind the camera's target, 1 as far before it. Where nothing is, all is
@@ -73,6 +80,9 @@ private:
 
     explicit Renderer(Gl& gl);
     Expected<void> compile();
+    bool drawAside(const RenderScene& scene, const Camera& camera, QSize size, GLuint framebuffer,
+                   const RenderOptions& options);
+    void addThroughLens(QSize size, int sample);
     void upload(const RenderScene& scene);
     void setLight(ShaderProgram& program, const Picture& picture);
     void setStates(ShaderProgram& program, const RenderScene& scene, NodeId node, bool hasBranches = true);
@@ -95,15 +105,19 @@ private:
     void drawLineItem(const Picture& picture, const LineItem& item);
     void drawPoints(const Picture& picture, bool hidden);
     void drawGhosts(const Picture& picture);
-    void beginState(QSize size);
+    void beginState(QSize size, bool clears = true);
     void resetState();
 
     Gl& m_gl;
     std::unique_ptr<QOpenGLDebugLogger> m_messages; ///< null in a context that does not tell
     GpuCache m_cache;
     ShadowMap m_shadowMap, m_nearShadow;
-    Smoothing m_smoothing;
+    PictureParts m_parts;
+    Smoothing m_smoothing, m_large;
     Smoothing m_lensPicture, m_lensSum;
+    enum class Shown : std::uint8_t { Smoothed, Shrunk, Part, PartSmoothed, Lens };
+    Shown m_shown = Shown::Smoothed; ///< by show()
+    int m_lensPictures = 0;          ///< in their sum
     Outline m_outline;
     Occlusion m_occlusion;
     std::unique_ptr<ShaderProgram> m_plain, m_bark, m_leaf; ///< what m_mesh does, each a part of it

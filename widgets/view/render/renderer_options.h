@@ -69,6 +69,7 @@ struct RenderOptions
     SceneLight light;
     Lens lens;
     WindMoment wind;
+    bool operator==(const RenderOptions&) const = default;
 };
 
 } // namespace ramure

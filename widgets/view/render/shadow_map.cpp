@@ -106,7 +106,8 @@ void ShadowMap::create()
 }
 
 std::optional<ShadowFit> ShadowMap::update(const RenderScene& scene, const glm::dvec3& sun, GpuCache& cache,
-                                           const DepthPrograms& programs, LeafDetail detail,
+                                           const DepthPrograms& programs, PictureParts& parts,
+                                           PictureParts::Pass pass, LeafDetail detail,
                                            const std::optional<ShadowFocus>& focus)
 {
     std::vector<Caster> casters;
@@ -119,7 +120,9 @@ std::optional<ShadowFit> ShadowMap::update(const RenderScene& scene, const glm::
     const bool isWindy =
         std::ranges::any_of(casters, [](const Caster& c) { return c.motion.wind != nullptr; });
     const WindMoment wind = isWindy ? cache.wind() : WindMoment();
-    if (casters == m_drawn && sun == m_sun && focus == m_focus && detail == m_detail && wind == m_wind)
+    const bool isNew =
+        !(casters == m_drawn && sun == m_sun && focus == m_focus && detail == m_detail && wind == m_wind);
+    if ((!isNew && m_isWhole) || !parts.enter(pass, QSize(size, size)))
         return m_fit;
     if (m_framebuffer == 0)
         create();
@@ -130,7 +133,8 @@ std::optional<ShadowFit> ShadowMap::update(const RenderScene& scene, const glm::
     m_gl.glDepthMask(GL_TRUE);
     m_gl.glDepthFunc(GL_LESS);
     m_gl.glDisable(GL_CULL_FACE);
-    m_gl.glClear(GL_DEPTH_BUFFER_BIT);
+    if (isNew)
+        m_gl.glClear(GL_DEPTH_BUFFER_BIT);
     for (const Caster& caster : casters) {
         ShaderProgram& program = programs.of(*caster.item);
         program.bind();
@@ -138,7 +142,7 @@ std::optional<ShadowFit> ShadowMap::update(const RenderScene& scene, const glm::
             cache.bindPictures(program, *caster.item);
         cache.bindMotion(program, caster.motion);
         program.set("uClip", glm::mat4(m_fit.clip * caster.world));
-        cache.drawTriangles(cache.item(*caster.item),
+        cache.drawTriangles(cache.item(*caster.item), parts,
                             DepthPrograms::cuts(*caster.item) ? LeafDetail::All : detail);
     }
     m_gl.glBindVertexArray(0);
@@ -147,7 +151,8 @@ std::optional<ShadowFit> ShadowMap::update(const RenderScene& scene, const glm::
     m_wind = wind;
     m_focus = focus;
     m_detail = detail;
-    ++m_redraws;
+    m_isWhole = parts.isWhole();
+    m_redraws += isNew ? 1 : 0;
     return m_fit;
 }
 

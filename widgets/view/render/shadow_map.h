@@ -61,9 +61,10 @@ public:
     ShadowMap& operator=(const ShadowMap&) = delete;
 
     /// Redraws the map if what throws shadows, the sun or the focus has changed. Binds its own framebuffer
-    /// and viewport. \returns nothing where there is no caster.
+    /// and viewport. \param pass of the \p parts that it is. \returns nothing where there is no caster.
     std::optional<ShadowFit> update(const RenderScene& scene, const glm::dvec3& sun, GpuCache& cache,
-                                    const DepthPrograms& programs, LeafDetail detail,
+                                    const DepthPrograms& programs, PictureParts& parts,
+                                    PictureParts::Pass pass, LeafDetail detail,
                                     const std::optional<ShadowFocus>& focus = {});
     /// Binds the depth to two units: one that compares, one that reads.
     void bind(GLenum compareUnit, GLenum readUnit);
@@ -92,6 +93,7 @@ private:
     GLuint m_compareSampler = 0;
     GLuint m_readSampler = 0;
     std::vector<Caster> m_drawn;
+    bool m_isWhole = false; ///< all of them are
     glm::dvec3 m_sun{0.0};
     WindMoment m_wind; ///< where something stands in it
     std::optional<ShadowFocus> m_focus;
