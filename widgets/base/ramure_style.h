@@ -12,7 +12,8 @@ class RamureStyle : public QProxyStyle
 public:
     RamureStyle();
 
-    /// Nothing is changed by a wheel that passes by (widgets/base/wheel_guard.h).
+    /// Nothing is changed by a wheel that passes by (widgets/base/wheel_guard.h); buttons have a name and a
+    /// place in the order of Tab; areas that scroll have none, what they show has.
     using QProxyStyle::polish;
     void polish(QWidget* widget) override;
     /// Disabled icons are the same, only fainter: Fusion's own way makes light icons lighter.

@@ -11,7 +11,8 @@ namespace {
 
 struct Tones
 {
-    QColor window, base, alternate, button, text, dimText, highlight, highlightedText, light, mid, dark, link;
+    QColor window, base, alternate, button, text, disabledText, highlight, highlightedText, light, mid, dark,
+        link;
 };
 
 const Tones& tones(bool dark)
@@ -21,7 +22,7 @@ const Tones& tones(bool dark)
                                   .alternate = 0xf7f8f6,
                                   .button = 0xe9ebe8,
                                   .text = 0x20241f,
-                                  .dimText = 0x878d85,
+                                  .disabledText = 0x878d85,
                                   .highlight = 0x3d7a4e,
                                   .highlightedText = 0xffffff,
                                   .light = 0xffffff,
@@ -33,14 +34,20 @@ const Tones& tones(bool dark)
                                  .alternate = 0x212522,
                                  .button = 0x363b37,
                                  .text = 0xdfe3de,
-                                 .dimText = 0x7f8781,
-                                 .highlight = 0x4c8f60,
+                                 .disabledText = 0x7f8781,
+                                 .highlight = 0x427f54,
                                  .highlightedText = 0xffffff,
                                  .light = 0x454b46,
                                  .mid = 0x141715,
                                  .dark = 0x0f110f,
                                  .link = 0x86bfe0};
     return dark ? darkTones : lightTones;
+}
+
+/// Less important than other text, yet of a contrast of 4.5 : 1 on all that texts stand on.
+QColor dimmed(const QColor& window, const QColor& text)
+{
+    return blended(window, text, 0.74);
 }
 
 } // namespace
@@ -52,17 +59,17 @@ bool isDark(const QPalette& palette)
 
 QColor errorColour(const QPalette& palette)
 {
-    return isDark(palette) ? QColor(0xf0, 0x7a, 0x6a) : QColor(0xb3, 0x2b, 0x1e);
+    return isDark(palette) ? QColor(0xf5, 0x96, 0x8a) : QColor(0x9f, 0x24, 0x17);
 }
 
 QColor goodColour(const QPalette& palette)
 {
-    return isDark(palette) ? QColor(0x7c, 0xc8, 0x8e) : QColor(0x2f, 0x7a, 0x41);
+    return isDark(palette) ? QColor(0x7c, 0xc8, 0x8e) : QColor(0x25, 0x66, 0x3a);
 }
 
 QColor warningColour(const QPalette& palette)
 {
-    return isDark(palette) ? QColor(0xe3, 0xb3, 0x5c) : QColor(0x96, 0x66, 0x08);
+    return isDark(palette) ? QColor(0xe3, 0xb3, 0x5c) : QColor(0x7a, 0x52, 0x04);
 }
 
 QPalette themePalette(bool dark)
@@ -74,7 +81,7 @@ QPalette themePalette(bool dark)
     palette.setColor(QPalette::Base, tone.base);
     palette.setColor(QPalette::AlternateBase, tone.alternate);
     palette.setColor(QPalette::Text, tone.text);
-    palette.setColor(QPalette::PlaceholderText, tone.dimText);
+    palette.setColor(QPalette::PlaceholderText, dimmed(tone.window, tone.text));
     palette.setColor(QPalette::Button, tone.button);
     palette.setColor(QPalette::ButtonText, tone.text);
     palette.setColor(QPalette::BrightText, QColor(0xff, 0xff, 0xff));
@@ -91,7 +98,7 @@ QPalette themePalette(bool dark)
     palette.setColor(QPalette::LinkVisited, tone.link);
     for (const auto role :
          {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::HighlightedText})
-        palette.setColor(QPalette::Disabled, role, tone.dimText);
+        palette.setColor(QPalette::Disabled, role, tone.disabledText);
     palette.setColor(QPalette::Disabled, QPalette::Highlight, tone.mid);
     return palette;
 }

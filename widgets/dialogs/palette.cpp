@@ -45,6 +45,7 @@ void Palette::build()
     m_list->setItemDelegate(new PaletteDelegate(m_list));
     m_list->setUniformItemSizes(true);
     m_list->setFocusPolicy(Qt::NoFocus); // the field keeps the keys
+    m_list->setFocusProxy(m_field);
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_list->setMouseTracking(true);
     m_list->setFixedHeight(listHeight);

@@ -5,18 +5,8 @@
 #include <QPainter>
 
 namespace ramure {
-namespace {
 
-constexpr int rowMargin = 10, spacing = 10, rowIcon = 16, rowPadding = 10;
-
-QColor dimmed(QColor colour)
-{
-    constexpr double share = 0.6;
-    colour.setAlphaF(static_cast<float>(share));
-    return colour;
-}
-
-} // namespace
+static constexpr int rowMargin = 10, spacing = 10, rowIcon = 16, rowPadding = 10;
 
 void PaletteDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
                             const QModelIndex& index) const
@@ -28,7 +18,8 @@ void PaletteDelegate::paint(QPainter* painter, const QStyleOptionViewItem& optio
     row.text.clear();
     const QStyle* style = row.widget ? row.widget->style() : QApplication::style();
     style->drawPrimitive(QStyle::PE_PanelItemViewItem, &row, painter, row.widget);
-    const QColor text = row.palette.color(QPalette::Text), dim = dimmed(text);
+    const QColor text = row.palette.color(QPalette::Text);
+    const QColor dim = row.palette.color(QPalette::PlaceholderText);
     QRect room = row.rect.adjusted(rowMargin, 0, -rowMargin, 0);
     const QRect picture(room.left(), room.center().y() - rowIcon / 2, rowIcon, rowIcon);
     item->icon.paint(painter, picture, Qt::AlignCenter, item->enabled ? QIcon::Normal : QIcon::Disabled);

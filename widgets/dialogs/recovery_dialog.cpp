@@ -67,6 +67,7 @@ RecoveryDialog::RecoveryDialog(const QList<RecoveryEntry>& entries, QWidget* par
 
 void RecoveryDialog::addEntries(const QList<RecoveryEntry>& entries)
 {
+    m_list->setAccessibleName(windowTitle());
     m_list->setColumnCount(3);
     m_list->setHeaderLabels({tr("File"), tr("Folder"), tr("Last change kept")});
     m_list->setRootIsDecorated(false);

@@ -40,7 +40,7 @@ void ToolBox::addGroup(const QList<QAction*>& tools)
         button->setDefaultAction(tool);
         button->setIconSize({buttonIcon, buttonIcon});
         button->setAutoRaise(true);
-        button->setFocusPolicy(Qt::NoFocus); // a click leaves the keys with the view
+        button->setFocusPolicy(Qt::TabFocus); // a click leaves the keys with the view
         m_groups.back() += button;
     }
     place(m_columns);

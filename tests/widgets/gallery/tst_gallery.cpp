@@ -1,10 +1,11 @@
-// Every panel and dialog in both languages, light and dark, at 1x and 2x: no text is cut off. With
-// RAMURE_PICTURES set to a folder the pictures are written there, to be looked at.
+// Every panel and dialog in both languages, light and dark, at 1x and 2x: no text is cut off or faint, and
+// every control has a name and is reached by Tab. With RAMURE_PICTURES set to a folder the pictures are
+// written there, to be looked at.
 #include "core/document/commands.h"
 #include "core/scene/kinds/node_kinds.h"
 #include "core/session/recompute.h"
 #include "tests/widgets/base/fixture.h"
-#include "tests/widgets/gallery/text_fit.h"
+#include "tests/widgets/gallery/access.h"
 #include "widgets/actions/dialog_chooser.h"
 #include "widgets/actions/edit_actions.h"
 #include "widgets/actions/file_actions.h"
@@ -73,7 +74,7 @@ private:
     {
         QCoreApplication::processEvents(); // layouts that wait for the event loop
         QCoreApplication::sendPostedEvents();
-        for (const QString& wrong : test::misfits(window))
+        for (const QString& wrong : test::misfits(window) + test::inaccessible(window))
             m_wrong += QStringLiteral("%1 %2: %3").arg(m_look, QLatin1String(name), wrong);
         const QString folder = qEnvironmentVariable("RAMURE_PICTURES");
         if (folder.isEmpty())

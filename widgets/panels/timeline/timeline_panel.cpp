@@ -395,6 +395,7 @@ void TimelinePanel::retranslate()
     m_rangeLabel->setText(tr("Range"));
     m_first->setToolTip(tr("First frame that is played"));
     m_last->setToolTip(tr("Last frame that is played"));
+    m_last->setAccessibleName(m_last->toolTip());
     m_rateLabel->setText(tr("Rate"));
     m_rate->setFormat(plainFormat(tr(" fps"), 2));
     m_rate->setToolTip(tr("Frames per second, 1 to 240"));
