@@ -1,5 +1,7 @@
 #include "core/session/arm_reach.h"
 
+#include "core/rig/arm/arm_driver.h"
+#include "core/session/auto_key.h"
 #include "core/session/player.h"
 
 #include <QElapsedTimer>
@@ -15,36 +17,29 @@ namespace {
 constexpr int mostTicksAtOnce = 6; ///< after a stall the arm does not leap
 constexpr int longestWay = 20'000;
 
-/// Keys say where the arm is, or where it is to go.
-bool isHeld(const NodeAnimation& animation)
-{
-    const ParamId target = paramId(*findParam("arm.target"));
-    return std::ranges::any_of(animation.tracks(), [target](const auto& entry) {
-        const Channel& channel = entry.first;
-        return channel.part == ChannelPart::Joint ||
-               (channel.part == ChannelPart::Parameter && channel.param == target);
-    });
-}
-
 } // namespace
 
 struct ArmReach::Way
 {
-    Way(const Node& arm, std::vector<ArmJoint> from)
-        : joints(std::move(from))
-        , motion(joints, arm.params.ik)
+    Way(const Node& arm, ArmGiven from)
+        : given(std::move(from))
+        , motion(given.joints, arm.params.ik)
         , ik(arm.params.ik)
     {
         progress.node = arm.id;
-        target = arm.params.arm.target;
+        motion.setJoints(given.joints, given.pinned);
+        aim(*given.target);
+    }
+    void aim(const glm::dvec3& target)
+    {
+        given.target = target;
         motion.setTarget(target);
     }
 
-    std::vector<ArmJoint> joints; ///< as the document has them, with the angles at the start
+    ArmGiven given; ///< the arm and its target at rest, with the angles at the start
     ArmMotion motion;
     ArmSolverParams ik;
     GestureId gesture = 0; ///< of the last wish: landing belongs to it
-    glm::dvec3 target;
     ArmProgress progress;
     QTimer timer;
     QElapsedTimer clock;
@@ -65,32 +60,65 @@ const ArmProgress* ArmReach::progress() const
     return m_way ? &m_way->progress : nullptr;
 }
 
+void ArmReach::setPlayer(const Player* player)
+{
+    m_player = player;
+    connect(player, &Player::motionChanged, this, &ArmReach::moved);
+}
+
+bool ArmReach::isAtRest() const
+{
+    return !m_player || (m_player->frame() <= 0 && !m_player->isPlaying());
+}
+
+const ArmProgress* ArmReach::shown(NodeId arm) const
+{
+    if (!m_player || m_player->frame() <= 0)
+        return m_way && m_way->progress.node == arm ? &m_way->progress : nullptr;
+    const NodeMotion* moving = m_player->motion()->of(arm);
+    return moving ? moving->arm.get() : nullptr;
+}
+
 Expected<void> ArmReach::reachFor(NodeId arm, const glm::dvec3& target, GestureId gesture)
 {
     const Node* node = m_document->scene().find(arm);
+    const ParamDef& def = *findParam("arm.target");
+    ArmState state = node && node->kind == NodeKind::Arm ? armState(*node) : ArmState();
+    if (node && m_keys && m_keys->takes({arm}, def)) {
+        auto keyed = m_keys->withKeys(*node, def, target);
+        if (!keyed)
+            return fail(std::move(keyed.error()));
+        state.animation = std::move(*keyed);
+    } else {
+        state.target = target;
+    }
+    return send(arm, std::move(state), gesture);
+}
+
+Expected<void> ArmReach::reach(NodeId arm)
+{
+    const Node* node = m_document->scene().find(arm);
+    return send(arm, node && node->kind == NodeKind::Arm ? armState(*node) : ArmState(), 0);
+}
+
+Expected<void> ArmReach::send(NodeId arm, ArmState state, GestureId gesture)
+{
     const GestureId own = gesture == 0 ? newGesture() : gesture;
+    state.follows = true;
     {
         const QScopedValueRollback editing(m_editing, true);
-        ArmState state = node && node->kind == NodeKind::Arm ? armState(*node) : ArmState();
-        state.target = target;
-        state.follows = true;
         if (auto done = edit::setArm(*m_document, arm, std::move(state), tr("Reach for the target"), own);
             !done)
             return done;
     }
-    start(arm);
-    if (m_way)
+    if (isAtRest()) {
+        start(*m_document->scene().find(arm));
         m_way->gesture = own;
+    } else {
+        m_way.reset(); // its target is another one now
+        emit moved();
+    }
     return {};
-}
-
-Expected<void> ArmReach::aim(NodeId arm, const glm::dvec3& target, GestureId gesture)
-{
-    const Node* node = m_document->scene().find(arm);
-    const bool plays = m_player && (m_player->frame() > 0 || m_player->isPlaying());
-    if (plays || !node || isHeld(node->animation))
-        return edit::setParam(*m_document, {arm}, *findParam("arm.target"), target, gesture);
-    return reachFor(arm, target, gesture);
 }
 
 std::optional<Expected<void>> ArmReach::editTarget(NodeId arm, const ParamValue& target, GestureId gesture)
@@ -98,24 +126,20 @@ std::optional<Expected<void>> ArmReach::editTarget(NodeId arm, const ParamValue&
     const Node* node = m_document->scene().find(arm);
     if (!node || !node->params.arm.follows)
         return std::nullopt;
-    return aim(arm, std::get<glm::dvec3>(target), gesture);
+    return reachFor(arm, std::get<glm::dvec3>(target), gesture);
 }
 
 /// An arm that is on its way already goes on from where it is.
-void ArmReach::start(NodeId arm)
+void ArmReach::start(const Node& node)
 {
-    const Node* node = m_document->scene().find(arm);
-    if (!node || node->kind != NodeKind::Arm)
-        return;
-    std::vector<ArmJoint> joints = node->params.joints;
-    const bool goesOn = m_way && m_way->progress.node == arm && m_way->progress.moves;
-    if (goesOn && m_way->ik == node->params.ik) {
-        m_way->target = node->params.arm.target;
-        m_way->motion.setTarget(m_way->target);
+    ArmGiven given = armSource(node.params, node.animation)(0.0);
+    const bool goesOn = m_way && m_way->progress.node == node.id && m_way->progress.moves;
+    if (goesOn && m_way->ik == node.params.ik) {
+        m_way->aim(*given.target);
     } else {
         if (goesOn)
-            setArmAngles(joints, m_way->motion.angles());
-        auto way = std::make_unique<Way>(*node, std::move(joints));
+            setArmAngles(given.joints, m_way->motion.angles());
+        auto way = std::make_unique<Way>(node, std::move(given));
         way->timer.setInterval(16);
         connect(&way->timer, &QTimer::timeout, this, [this] {
             const double seconds = double(m_way->clock.nsecsElapsed()) * 1e-9;
@@ -153,13 +177,14 @@ void ArmReach::advance(int ticks)
 void ArmReach::report()
 {
     ArmProgress& progress = m_way->progress;
-    ArmChain chain(m_way->joints);
+    const ArmGiven& given = m_way->given;
+    ArmChain chain(given.joints);
     const std::span<const double> angles = m_way->motion.angles();
     chain.setAngles(angles);
     progress.angles.assign(angles.begin(), angles.end());
-    progress.limits = armLimits(m_way->joints, angles);
+    progress.limits = armLimits(given.joints, angles);
     progress.figures = m_way->motion.solver().figures();
-    progress.residual = glm::distance(chain.tip(), m_way->target);
+    progress.residual = glm::distance(chain.tip(), *given.target);
     if (progress.residuals.size() < mostResiduals)
         progress.residuals.push_back(static_cast<float>(progress.residual));
 }
@@ -170,11 +195,14 @@ void ArmReach::land()
 {
     m_way->timer.stop();
     m_way->progress.moves = false;
-    setArmAngles(m_way->joints, m_way->motion.angles());
     const QScopedValueRollback own(m_editing, true);
     const Node* node = m_document->scene().find(m_way->progress.node);
     ArmState state = node ? armState(*node) : ArmState();
-    state.joints = m_way->joints;
+    std::vector<double> angles = armAngles(state.joints);
+    for (std::size_t i = 0; i < angles.size(); ++i)
+        if (!m_way->given.pinned[i])
+            angles[i] = m_way->motion.angles()[i];
+    setArmAngles(state.joints, angles);
     // Errors (locked meanwhile) leave the joints as they are: the arm is shown there then.
     if (!edit::setArm(*m_document, m_way->progress.node, std::move(state), tr("Reach for the target"),
                       m_way->gesture))

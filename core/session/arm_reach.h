@@ -1,7 +1,7 @@
 /// \file
-/// An arm on its way to its target while nothing plays: the approach is seen, can be paused and gone through
-/// step by step, and ends in the joints. Target and joints are one undo step. Playing has the driver of
-/// core/arm instead.
+/// An arm on its way to its target while the timeline stands at rest: the approach is seen, can be paused and
+/// gone through step by step, and ends in the joints. Target and joints are one undo step. Elsewhere on the
+/// timeline the arm is where its driver (core/rig/arm) has it.
 #pragma once
 
 #include "core/document/commands.h"
@@ -13,6 +13,7 @@
 
 namespace ramure {
 
+class AutoKey;
 class Player;
 
 class ArmReach : public QObject
@@ -23,18 +24,26 @@ public:
     explicit ArmReach(Document* document, QObject* parent = nullptr);
     ~ArmReach() override;
 
-    /// Sets the target of an arm (its own space, Z up) and sends it there. One undo step per gesture, the
-    /// joints at its end included; 0 = one of its own. Errors: those of edit::setArm.
+    /// Sets the target of an arm (its own space, Z up), as a key where AutoKey takes it, and sends the arm
+    /// there. Angles with keys stay where those have them. Away from rest only the target is set, as the arm
+    /// follows it along the timeline by itself. One undo step per gesture, the joints at its end included;
+    /// 0 = one of its own. Errors: those of edit::setArm.
     Expected<void> reachFor(NodeId arm, const glm::dvec3& target, GestureId gesture);
-    /// As reachFor where the timeline stands at rest and no keys hold the arm; elsewhere only the target is
-    /// set, as the arm follows it along the timeline by itself. Errors: those of reachFor.
-    Expected<void> aim(NodeId arm, const glm::dvec3& target, GestureId gesture);
-    /// An edit of "arm.target": as aim, where the arm follows its target; nothing where it does not.
+    /// Sends the arm to the target that it has now. Errors: those of edit::setArm.
+    Expected<void> reach(NodeId arm);
+    /// An edit of "arm.target": as reachFor, where the arm follows its target; nothing where it does not.
     std::optional<Expected<void>> editTarget(NodeId arm, const ParamValue& target, GestureId gesture);
     /// Whose timeline it is; null: it stands at rest. Not owned.
-    void setPlayer(const Player* player) { m_player = player; }
+    void setPlayer(const Player* player);
+    /// Who makes keys of edits; null: nobody. Not owned.
+    void setKeys(AutoKey* keys) { m_keys = keys; }
     /// Null where no arm has been sent anywhere yet.
     [[nodiscard]] const ArmProgress* progress() const;
+    /// The timeline stands where the way begins and ends: the arm is shown where progress() has it.
+    [[nodiscard]] bool isAtRest() const;
+    /// How the arm that is shown does: on its way, or in the player's frame. Null where it was not sent
+    /// anywhere, or does not move. Valid until the next event.
+    [[nodiscard]] const ArmProgress* shown(NodeId arm) const;
     [[nodiscard]] bool isPaused() const { return m_paused; }
 
 public slots:
@@ -45,10 +54,11 @@ public slots:
     void finish();
 
 signals:
-    void moved(); ///< another progress, or none
+    void moved(); ///< what progress() or shown() say may have changed
 
 private:
-    void start(NodeId arm);
+    Expected<void> send(NodeId arm, ArmState state, GestureId gesture);
+    void start(const Node& node);
     void advance(int ticks);
     void report();
     void land();
@@ -57,6 +67,7 @@ private:
     struct Way;
     Document* m_document;
     const Player* m_player = nullptr;
+    AutoKey* m_keys = nullptr;
     std::unique_ptr<Way> m_way;
     bool m_paused = false;
     bool m_editing = false; ///< the document changes through this object

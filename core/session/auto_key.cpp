@@ -165,6 +165,19 @@ Expected<void> AutoKey::set(const std::vector<NodeId>& nodes, const ParamDef& de
     return edit::setTracks(*m_document, edits, tr("Set Key"), gesture);
 }
 
+Expected<NodeAnimation> AutoKey::withKeys(const Node& node, const ParamDef& def,
+                                          const ParamValue& value) const
+{
+    NodeAnimation animation = node.animation;
+    for (const Channel& channel : channelsOf(def)) {
+        auto edit = keyed(node, channel, now(), number(value, channel.component));
+        if (!edit)
+            return fail(std::move(edit.error()));
+        animation.set(channel, std::move(edit->track));
+    }
+    return animation;
+}
+
 /// One component of several nodes: each keeps its own others.
 Expected<void> AutoKey::setPlacement(const std::vector<NodeId>& nodes, const ParamDef& def,
                                      PlacementPart part, const glm::dvec3& value,

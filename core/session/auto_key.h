@@ -35,6 +35,10 @@ public:
     /// Errors: those of checkValue.
     Expected<void> set(const std::vector<NodeId>& nodes, const ParamDef& def, const ParamValue& value,
                        std::optional<int> component, GestureId gesture);
+    /// The tracks of a node with keys of all components at the frame on show, for an edit that changes more
+    /// than tracks. \pre isKeyable, no placement. Errors: values that are not finite.
+    [[nodiscard]] Expected<NodeAnimation> withKeys(const Node& node, const ParamDef& def,
+                                                   const ParamValue& value) const;
     /// The button beside the parameter: takes the keys here away, or inserts them.
     Expected<void> toggle(const std::vector<NodeId>& nodes, const ParamDef& def);
 

@@ -1,5 +1,8 @@
+#include "core/math/random.h"
+#include "core/rig/arm/arm_driver.h"
 #include "core/scene/arm_demo.h"
 #include "core/session/arm_reach.h"
+#include "core/session/auto_key.h"
 #include "core/session/player.h"
 #include "tests/support/suite.h"
 #include <QSignalSpy>
@@ -26,6 +29,8 @@ private slots:
     void anArmThatArrivesWaitsForTheHand();
     void outOfReachIsTold();
     void aimingAsksTheTimeline();
+    void aKeyedTargetIsReachedToo();
+    void whatIsToldIsOfTheArmThatIsShown();
 };
 
 namespace {
@@ -170,29 +175,108 @@ void TestArmReach::outOfReachIsTold()
     QVERIFY(std::abs(desk.reach.progress()->figures.shortBy() - 5.6) < 0.01);
 }
 
-/// At rest the arm is sent; elsewhere, or held by keys, it follows the timeline.
+/// At rest the arm is sent; elsewhere it follows the timeline.
 void TestArmReach::aimingAsksTheTimeline()
 {
     Desk desk;
     Player player(&desk.document);
     desk.reach.setPlayer(&player);
     desk.reach.setPaused(true);
-    QVERIFY(!desk.reach.aim(99, glm::dvec3(1.0), 0));
-    QVERIFY(!desk.reach.aim(2, glm::dvec3(1.0), 0)); // a terrain
+    QVERIFY(!desk.reach.reachFor(99, glm::dvec3(1.0), 0));
+    QVERIFY(!desk.reach.reachFor(2, glm::dvec3(1.0), 0)); // a terrain
     player.seek(10);
-    QVERIFY(desk.reach.aim(1, {1.0, 1.0, 1.0}, 0));
+    QVERIFY(desk.reach.reachFor(1, {1.0, 1.0, 1.0}, 0));
     QVERIFY(!desk.reach.progress());
     player.seek(0);
     const Channel size{ChannelPart::Parameter, 0, paramId(*findParam("surface.color"))};
     QVERIFY(edit::insertKeys(desk.document, {1}, {size}, 0)); // keeps the arm from nothing
-    QVERIFY(desk.reach.aim(1, {1.0, 1.5, 1.0}, 0));
+    QVERIFY(desk.reach.reachFor(1, {1.0, 1.5, 1.0}, 0));
     QVERIFY(desk.reach.progress() && desk.reach.progress()->moves);
-    QVERIFY(edit::insertKeys(desk.document, {1}, jointChannels(0), 0));
-    QVERIFY(!desk.reach.progress());
-    QVERIFY(desk.reach.aim(1, {1.0, 1.0, 1.5}, 0));
-    QVERIFY(!desk.reach.progress());
-    QVERIFY(desk.params().arm.target == glm::dvec3(1.0, 1.0, 1.5));
     QVERIFY(player.waitForIdle(20'000));
+}
+
+namespace {
+
+/// m, from the tip of the arm to its target, as tracks have both at the player's frame.
+double residualOf(const Player& player, const Document& document)
+{
+    const Node& arm = *document.scene().find(1);
+    const glm::dvec3 target = *armSource(arm.params, arm.animation)(player.timeSeconds()).target;
+    const NodeMotion* moving = player.motion()->of(1);
+    std::vector<ArmJoint> joints = armSource(arm.params, arm.animation)(player.timeSeconds()).joints;
+    setArmAngles(joints, moving->arm->angles);
+    return glm::distance(ArmChain(joints).tip(), target);
+}
+
+} // namespace
+
+/// With auto-key on the target is a key, and the arm goes there all the same.
+void TestArmReach::aKeyedTargetIsReachedToo()
+{
+    Desk desk;
+    Player player(&desk.document);
+    AutoKey keys(&desk.document, &player);
+    desk.reach.setPlayer(&player);
+    desk.reach.setKeys(&keys);
+    keys.setOn(true);
+    const Scene before = desk.document.scene();
+    const glm::dvec3 unkeyed = desk.params().arm.target, target(1.0, 2.0, 1.0);
+    QVERIFY(desk.reach.reachFor(1, target, newGesture()));
+    QVERIFY(desk.params().arm.target == unkeyed);
+    QVERIFY(desk.reach.shown(1) && desk.reach.shown(1)->moves);
+    desk.reach.finish();
+    QVERIFY(glm::distance(desk.tip(), target) <= 1e-4);
+    QVERIFY(desk.reach.shown(1)->residual <= 1e-4);
+    QVERIFY(player.waitForIdle(20'000));
+    QVERIFY(residualOf(player, desk.document) <= 1e-4);
+    QCOMPARE(desk.document.undoStack()->count(), 1); // key and joints
+    // Elsewhere the target gets another key, which the arm follows along the timeline.
+    player.seek(100);
+    QVERIFY(player.waitForIdle(20'000));
+    QVERIFY(desk.reach.reachFor(1, {1.0, -2.0, 1.0}, 0));
+    QVERIFY(player.waitForIdle(20'000));
+    QVERIFY(desk.reach.shown(1));
+    QVERIFY(std::abs(desk.reach.shown(1)->residual - residualOf(player, desk.document)) < 1e-9);
+    while (desk.document.undoStack()->canUndo())
+        desk.document.undoStack()->undo();
+    QVERIFY(desk.document.scene() == before);
+    QVERIFY(player.waitForIdle(20'000));
+}
+
+/// Whatever of it has keys, in whatever order it was sent and keyed.
+void TestArmReach::whatIsToldIsOfTheArmThatIsShown()
+{
+    Random random(40, RandomStream::Test);
+    const auto somewhere = [&random] {
+        return glm::dvec3(random.range(-2.0, 2.0), random.range(-2.0, 2.0), random.range(0.0, 2.0));
+    };
+    for (int round = 0; round < 12; ++round) {
+        Desk desk;
+        Player player(&desk.document);
+        AutoKey keys(&desk.document, &player);
+        desk.reach.setPlayer(&player);
+        desk.reach.setKeys(&keys);
+        for (int step = 0; step < 6; ++step) {
+            keys.setOn(random.below(2) == 0);
+            switch (random.below(4)) {
+            case 0:
+                QVERIFY(edit::insertKeys(desk.document, {1}, jointChannels(random.below(3)), 0));
+                break;
+            case 1:
+                QVERIFY(desk.reach.reach(1));
+                break;
+            default:
+                QVERIFY(desk.reach.reachFor(1, somewhere(), 0));
+            }
+            desk.reach.finish();
+            QVERIFY(player.waitForIdle(20'000));
+            const ArmProgress* told = desk.reach.shown(1);
+            const double real = residualOf(player, desk.document);
+            if (told)
+                QVERIFY2(std::abs(told->residual - real) < 1e-9,
+                         qPrintable(QStringLiteral("%1 %2").arg(told->residual).arg(real)));
+        }
+    }
 }
 
 RAMURE_SUITE(TestArmReach)

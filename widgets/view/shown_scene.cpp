@@ -1,6 +1,7 @@
 #include "widgets/view/shown_scene.h"
 
 #include "core/rig/arm/arm_chain.h"
+#include "core/rig/arm/arm_driver.h"
 
 namespace ramure {
 
@@ -13,7 +14,7 @@ std::shared_ptr<const MotionFrame> ReachPose::motion(const std::shared_ptr<const
     if (!node || node->kind != NodeKind::Arm || 2 * node->params.joints.size() != progress.angles.size())
         return frame;
     auto made = frame ? std::make_shared<MotionFrame>(*frame) : std::make_shared<MotionFrame>();
-    std::vector<ArmJoint> joints = node->params.joints;
+    std::vector<ArmJoint> joints = armSource(node->params, node->animation)(0.0).joints;
     setArmAngles(joints, progress.angles);
     made->nodes[progress.node] = armMotion(node->params, joints);
     m_of = frame;

@@ -11,6 +11,7 @@ namespace ramure {
 void Viewport::setKeys(AutoKey* keys)
 {
     d->context.keys = keys;
+    d->reach.setKeys(keys);
     connect(keys, &AutoKey::changed, this, qOverload<>(&QWidget::update));
 }
 

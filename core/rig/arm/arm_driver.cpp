@@ -130,21 +130,24 @@ Expected<ArmMoment> ArmDriver::momentAt(double timeSeconds, const Progress& prog
     return moment;
 }
 
-ArmDriver armDriver(const NodeParams& params, const NodeAnimation& animation)
+ArmDriver::Source armSource(const NodeParams& params, const NodeAnimation& animation)
 {
     NodeParams own; // without what paramsAt would copy for nothing
     own.joints = params.joints;
     own.arm = params.arm;
     own.grammar = {{}, {}};
     const bool moves = animation.movesParams();
-    return ArmDriver(
-        [own, animation, moves, pinned = pinnedAngles(animation, params.joints.size())](double seconds) {
-            const NodeParams now = moves ? paramsAt(own, animation, seconds) : own;
-            return ArmGiven{now.joints,
-                            now.arm.follows ? std::optional(now.arm.target) : std::optional<glm::dvec3>(),
-                            pinned};
-        },
-        params.ik);
+    return [own, animation, moves, pinned = pinnedAngles(animation, params.joints.size())](double seconds) {
+        const NodeParams now = moves ? paramsAt(own, animation, seconds) : own;
+        return ArmGiven{now.joints,
+                        now.arm.follows ? std::optional(now.arm.target) : std::optional<glm::dvec3>(),
+                        pinned};
+    };
+}
+
+ArmDriver armDriver(const NodeParams& params, const NodeAnimation& animation)
+{
+    return {armSource(params, animation), params.ik};
 }
 
 } // namespace ramure

@@ -57,8 +57,10 @@ private:
     std::vector<float> m_residuals; ///< m, after each tick that was ever made
 };
 
-/// A node's arm: its parameters, and its joints and target as their tracks have them. Angles with tracks are
-/// pinned, the solver turns the others. \pre checkArm of the joints
+/// A node's joints and target as their tracks have them at a time. Angles with tracks are pinned, and there
+/// is a target where the arm follows it. \pre checkArm of the joints
+ArmDriver::Source armSource(const NodeParams& params, const NodeAnimation& animation);
+/// The arm of a node, driven by armSource(). \pre checkArm of the joints
 ArmDriver armDriver(const NodeParams& params, const NodeAnimation& animation);
 
 } // namespace ramure

@@ -94,9 +94,8 @@ void ArmPanel::setReach(ArmReach* reach)
         return;
     connect(reach, &ArmReach::moved, this, &ArmPanel::showProgress);
     connect(m_go, &QPushButton::clicked, this, [this] {
-        const Node* node = m_document->scene().find(m_arm);
-        if (node && m_reach)
-            m_reach->reachFor(m_arm, node->params.arm.target, 0);
+        if (const auto done = m_reach->reach(m_arm); !done)
+            emit messageRaised(errorText(done.error()));
     });
     connect(m_pause, &QPushButton::toggled, reach, &ArmReach::setPaused);
     connect(m_step, &QPushButton::clicked, reach, &ArmReach::step);
@@ -128,9 +127,12 @@ void ArmPanel::keyPose()
         return;
     std::vector<double> angles = armAngles(*all);
     const auto motion = m_keys->player()->motion();
-    const NodeMotion* seen = motion ? motion->of(m_arm) : nullptr;
-    if (seen && seen->arm && seen->moves() && seen->arm->angles.size() == angles.size())
-        angles = seen->arm->angles;
+    const NodeMotion* moving = motion ? motion->of(m_arm) : nullptr;
+    const ArmProgress* seen = m_reach ? m_reach->shown(m_arm) : nullptr;
+    if (!seen && moving && moving->moves())
+        seen = moving->arm.get();
+    if (seen && seen->angles.size() == angles.size())
+        angles = seen->angles;
     std::vector<std::pair<Channel, double>> values;
     for (std::size_t i = 0; i < angles.size(); ++i)
         values.push_back({{ChannelPart::Joint, static_cast<std::uint8_t>(i / 2),
@@ -235,10 +237,9 @@ void ArmPanel::removeJoint()
 
 void ArmPanel::showProgress()
 {
-    const ArmProgress* progress = m_reach ? m_reach->progress() : nullptr;
-    const bool own = progress && progress->node == m_arm;
-    m_status->setText(own ? armStatusText(*progress) : QString());
-    m_step->setEnabled(own && progress->moves);
+    const ArmProgress* shown = m_reach ? m_reach->shown(m_arm) : nullptr;
+    m_status->setText(shown ? armStatusText(*shown) : QString());
+    m_step->setEnabled(shown && shown->moves && m_reach->isAtRest());
 }
 
 void ArmPanel::changeEvent(QEvent* event)

@@ -357,7 +357,8 @@ std::optional<Expected<void>> PropertiesPanel::editedItsOwnWay(const ParamDef& d
         return std::nullopt;
     if (axis < 0)
         return own->second(m_nodes.front(), value, gesture);
-    ParamValue whole = def.get(m_document->scene().find(m_nodes.front())->params);
+    ParamValue whole = m_keys ? m_keys->value(m_nodes.front(), def)
+                              : def.get(m_document->scene().find(m_nodes.front())->params);
     std::get<glm::dvec3>(whole)[axis] = std::get<double>(value);
     return own->second(m_nodes.front(), whole, gesture);
 }
@@ -365,22 +366,24 @@ std::optional<Expected<void>> PropertiesPanel::editedItsOwnWay(const ParamDef& d
 void PropertiesPanel::setValue(ParamRow* row, const ParamValue& value, quint64 gesture)
 {
     const ParamDef& def = row->def();
+    if (const auto own = editedItsOwnWay(def, value, -1, gesture))
+        return report(row, *own);
     if (m_keys && m_keys->takes(m_nodes, def))
         return report(row, m_keys->set(m_nodes, def, value, std::nullopt, gesture));
-    const auto own = editedItsOwnWay(def, value, -1, gesture);
-    report(row, own ? *own : edit::setParam(*m_document, m_nodes, def, value, gesture));
+    report(row, edit::setParam(*m_document, m_nodes, def, value, gesture));
 }
 
 void PropertiesPanel::setComponent(ParamRow* row, int axis, double value, quint64 gesture)
 {
     const ParamDef& def = row->def();
+    if (const auto own = editedItsOwnWay(def, value, axis, gesture))
+        return report(row, *own);
     if (m_keys && m_keys->takes(m_nodes, def)) {
         ParamValue whole = m_keys->value(m_nodes.front(), def);
         std::get<glm::dvec3>(whole)[axis] = value;
         return report(row, m_keys->set(m_nodes, def, whole, axis, gesture));
     }
-    const auto own = editedItsOwnWay(def, value, axis, gesture);
-    report(row, own ? *own : edit::setComponent(*m_document, m_nodes, def, axis, value, gesture));
+    report(row, edit::setComponent(*m_document, m_nodes, def, axis, value, gesture));
 }
 
 void PropertiesPanel::report(ParamRow* row, const Expected<void>& done)

@@ -25,7 +25,6 @@ void add(ArmResiduals& all, double now, std::span<const float> way)
 
 std::optional<ArmResiduals> armResiduals(const Scene& scene, const Player& player, const ArmReach* reach)
 {
-    const ArmProgress* onWay = reach && player.frame() <= 0 ? reach->progress() : nullptr;
     const std::shared_ptr<const MotionFrame> motion = player.motion();
     std::optional<ArmResiduals> all;
     for (const Node& node : scene.nodes()) {
@@ -34,10 +33,11 @@ std::optional<ArmResiduals> armResiduals(const Scene& scene, const Player& playe
         if (!all)
             all.emplace();
         const NodeMotion* moving = motion->of(node.id);
-        if (onWay && onWay->node == node.id)
-            add(*all, onWay->residual, onWay->residuals);
-        else if (moving && moving->arm)
-            add(*all, moving->arm->residual, moving->arm->residuals);
+        const ArmProgress* shown = reach ? reach->shown(node.id) : nullptr;
+        if (!shown && moving)
+            shown = moving->arm.get();
+        if (shown)
+            add(*all, shown->residual, shown->residuals);
         else
             add(*all, glm::distance(ArmChain(node.params.joints).tip(), node.params.arm.target), {});
     }

@@ -270,11 +270,7 @@ void TargetTool::aim(const ToolPoint& point)
         return;
     EvaluatedScene now(m_context.document.scene(), m_context.seconds());
     const glm::dvec3 target(glm::inverse(placeOfArm(now, m_arm)) * glm::dvec4(*world, 1.0));
-    const ParamDef& def = *findParam("arm.target");
-    const auto done = m_context.keys && m_context.keys->takes({m_arm}, def)
-                          ? m_context.keys->set({m_arm}, def, target, std::nullopt, m_gesture)
-                          : m_context.reach.aim(m_arm, target, m_gesture);
-    if (!done)
+    if (const auto done = m_context.reach.reachFor(m_arm, target, m_gesture); !done)
         m_context.host.raiseMessage(errorText(done.error()));
     m_context.host.repaint();
 }
@@ -309,18 +305,13 @@ void TargetTool::offer(ToolOffers& offers) const
         offers.add(ToolOffers::Drag, tr("Ctrl: click or drag sets the target of the arm"));
 }
 
-/// The targets; and how the arm does: in the player's frame, or the one that is on its way.
+/// The targets, and how the arm that is shown does.
 void TargetTool::paint(QPainter& painter, const PickView& view)
 {
     for (const Mark& mark : marks())
         paintTarget(painter, view, mark.at, m_mark && m_mark->arm == mark.arm);
-    const auto motion =
-        m_context.player && m_context.player->frame() > 0 ? m_context.player->motion() : nullptr;
-    const NodeMotion* played = motion ? motion->of(armForTarget()) : nullptr;
-    if (played && played->arm)
-        return paintArmStatus(painter, sizeOf(view), *played->arm);
-    if (const ArmProgress* progress = m_context.reach.progress(); progress && !motion)
-        paintArmStatus(painter, sizeOf(view), *progress);
+    if (const ArmProgress* shown = m_context.reach.shown(armForTarget()))
+        paintArmStatus(painter, sizeOf(view), *shown);
 }
 
 } // namespace
