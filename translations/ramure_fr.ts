@@ -1868,14 +1868,6 @@
         <translation>Sinon la branche seule change</translation>
     </message>
     <message>
-        <source>With twigs</source>
-        <translation>Avec rameaux</translation>
-    </message>
-    <message>
-        <source>Twigs grow on the branch as on those beside it</source>
-        <translation>Des rameaux poussent sur la branche comme sur ses voisines</translation>
-    </message>
-    <message>
         <source>Mirrored</source>
         <translation>En miroir</translation>
     </message>
@@ -2086,6 +2078,14 @@
     <message>
         <source>any</source>
         <translation>tous</translation>
+    </message>
+    <message>
+        <source>Twigs and leaves</source>
+        <translation>Rameaux et feuilles</translation>
+    </message>
+    <message>
+        <source>Twigs with their leaves grow on the branch, as dense as on the limbs beside it</source>
+        <translation>Des rameaux avec leurs feuilles poussent sur la branche, aussi serrés que sur les branches voisines</translation>
     </message>
 </context>
 <context>

@@ -154,54 +154,77 @@ void growLimb(EditTree& tree, const Scion& scion, const TreeEdit& edit, Index be
     }
 }
 
-/// The axis beside a share of a parent that carries most, nearer ones first; noIndex: none carries anything.
-Index fullestSibling(const EditTree& tree, Index parent, Index except, double share)
+/// The axes that spring from an axis, or, of noIndex, from the ground.
+std::vector<Index> axesOn(const EditTree& tree, Index axis)
 {
-    std::unordered_map<Index, Index> carried; // by axis
-    std::vector<Index> siblings;
+    std::vector<Index> axes;
     for (Index i = tree.firstPiece(); i != noIndex; i = tree.piece(i).after) {
         const EditPiece& piece = tree.piece(i);
-        if (piece.parent == noIndex || tree.axis(piece.axis).first != i)
-            continue;
-        const Index below = tree.piece(piece.parent).axis;
-        ++carried[below];
-        if (below == parent && piece.axis != except)
-            siblings.push_back(piece.axis);
+        const Index below = piece.parent == noIndex ? noIndex : tree.piece(piece.parent).axis;
+        if (tree.axis(piece.axis).first == i && below == axis)
+            axes.push_back(piece.axis);
     }
+    return axes;
+}
+
+/// Which axis a new one is to look like: one beside it, else any of its order, that carries something. Of
+/// several the one that stands nearest and is most like it in length. noIndex: none carries anything.
+Index modelFor(const EditTree& tree, Index axis, Index parent, double share)
+{
+    constexpr double farAway = 0.01; // what another limb's counts for
+    const EditMarks carries = [&tree] {
+        EditMarks marks(tree.pieces().size(), false); // by axis: there are no more of them
+        for (Index i = tree.firstPiece(); i != noIndex; i = tree.piece(i).after)
+            if (const Index below = tree.piece(i).parent;
+                below != noIndex && tree.piece(below).axis != tree.piece(i).axis)
+                marks[tree.piece(below).axis] = true;
+        return marks;
+    }();
+    const double length = tree.axisLength(axis), whole = parent == noIndex ? 0.0 : tree.axisLength(parent);
     Index best = noIndex;
     double bestWorth = 0.0;
-    const double whole = tree.axisLength(parent);
-    for (const Index sibling : siblings) {
-        const auto count = carried.find(sibling);
-        if (count == carried.end() || tree.axisLength(sibling) == 0.0)
+    for (Index i = tree.firstPiece(); i != noIndex; i = tree.piece(i).after) {
+        const EditPiece& piece = tree.piece(i);
+        const Index other = piece.axis;
+        if (tree.axis(other).first != i || other == axis || !carries[other] ||
+            piece.level != tree.piece(tree.axis(axis).first).level)
             continue;
-        const double away = std::abs(distanceOfFork(tree, sibling) / whole - share);
-        const double worth = static_cast<double>(count->second) / (1.0 + 4.0 * away);
+        const Index below = piece.parent == noIndex ? noIndex : tree.piece(piece.parent).axis;
+        const double own = tree.axisLength(other);
+        const double away = whole > 0.0 ? std::abs(distanceOfFork(tree, other) / whole - share) : 0.0;
+        const double worth = std::min(own, length) / std::max(own, length) *
+                             (below == parent ? 1.0 / (1.0 + 4.0 * away) : farAway);
         if (worth > bestWorth) {
             bestWorth = worth;
-            best = sibling;
+            best = other;
         }
     }
     return best;
 }
 
-/// What grows on one axis grows on another, at the same shares, in proportion.
+/// What grows on one axis grows on another at the same distances from the tip and as large, so that both are
+/// equally dense; where the other is longer, it grows there again further down. Nothing becomes thicker than
+/// what it stands on.
 void growAs(EditTree& tree, const TreeEdit& edit, Index model, Index axis)
 {
-    const double whole = tree.axisLength(model);
-    TreeEdit part = edit;
-    part.factor = tree.axisLength(axis) / whole;
-    std::vector<Index> limbs;
-    for (Index i = tree.firstPiece(); i != noIndex; i = tree.piece(i).after)
-        if (const EditPiece& piece = tree.piece(i); piece.parent != noIndex && piece.axis != model &&
-                                                    tree.axis(piece.axis).first == i &&
-                                                    tree.piece(piece.parent).axis == model)
-            limbs.push_back(piece.axis);
-    for (const Index limb : limbs) {
-        const Scion scion = scionOf(tree, edit.id, limb);
-        const Index below = tree.splitAt(forkSpot(tree, axis, distanceOfFork(tree, limb) / whole));
-        growLimb(tree, scion, part, below, turnedSeat(tree, below, 0.0));
-    }
+    constexpr double thickest = 0.9; // of the radius below
+    const double whole = tree.axisLength(model), length = tree.axisLength(axis);
+    std::vector<std::pair<Index, double>> limbs; // m from the tip
+    for (const Index limb : axesOn(tree, model))
+        limbs.emplace_back(limb, whole - distanceOfFork(tree, limb));
+    for (std::uint64_t round = 0; static_cast<double>(round) * whole < length; ++round)
+        for (const auto& [limb, fromTip] : limbs) {
+            const double share = 1.0 - (fromTip + static_cast<double>(round) * whole) / length;
+            if (share <= lowestFork)
+                continue;
+            const std::uint64_t graft = round == 0 ? edit.id : StageHash(edit.id).add(round).value();
+            const Scion scion = scionOf(tree, graft, limb);
+            const Index below = tree.splitAt(forkSpot(tree, axis, share));
+            const double radius = tree.piece(tree.axis(limb).first).a0;
+            TreeEdit part = edit;
+            part.factor = radius > 0.0 ? std::min(1.0, thickest * tree.piece(below).a1 / radius) : 1.0;
+            growLimb(tree, scion, part, below, turnedSeat(tree, below, 0.0));
+        }
 }
 
 /// What grows on a limb, as its branches stand now.
@@ -283,9 +306,9 @@ Expected<void> draw(EditTree& tree, const TreeEdit& edit, Index target, Index /*
     for (std::size_t i = 1; i < points.size(); ++i)
         below = tree.extend(axis, below, points[i - 1].position, points[i].position, points[i - 1].radius,
                             points[i].radius, level);
-    if (!edit.below || target == noIndex)
+    if (!edit.below)
         return {};
-    if (const Index model = fullestSibling(tree, target, axis, edit.at); model != noIndex)
+    if (const Index model = modelFor(tree, axis, target, edit.at); model != noIndex)
         growAs(tree, edit, model, axis);
     return {};
 }

@@ -218,7 +218,7 @@ std::vector<TreeEdit> DrawTool::branches(const glm::dvec3& sight) const
             edit.operation = EditOperation::Draw;
             edit.target.address = m_limb.address;
             edit.at = m_limb.share;
-            edit.below = options.drawTwigs && !isGround;
+            edit.below = options.drawTwigs;
             for (std::size_t i = isGround ? 0 : 1; i < line.size(); ++i) {
                 glm::dvec3 way = line[i].position - middle;
                 const glm::dvec3 across = glm::cross(m_limb.along, sight);

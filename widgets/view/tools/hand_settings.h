@@ -83,7 +83,7 @@ struct HandOptions
     double drawRadius = 0.0;    ///< m, at the foot; 0: to suit the parent
     double drawTip = 0.3;       ///< radius at the tip, of that at the foot
     double drawSmooth = 0.6;    ///< 0: as drawn, 1: very smooth
-    bool drawTwigs = false;     ///< twigs grow on the branch as on those beside it
+    bool drawTwigs = true;      ///< twigs grow on the branch, as dense as on those beside it
     DrawBy drawBy = DrawBy::Pressure;
     double graftSize = 1.0; ///< factor
     int copies = 1;         ///< Draw, Graft and Place: so many around the trunk

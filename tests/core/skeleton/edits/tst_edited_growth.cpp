@@ -17,6 +17,7 @@ private slots:
     void init() { test::failOnAnyWarning(); }
     void draws();
     void growsOnWhatIsDrawn();
+    void growsAsDenseAsBesideIt();
     void drawsFromTheGround();
     void extends();
     void redraws();
@@ -74,12 +75,54 @@ void TestEditedGrowth::growsOnWhatIsDrawn()
     QCOMPARE(axes.axes.size(), std::size_t{6}); // a twig as that of the limb
     const Axis& grown = axes.axes.back();
     QCOMPARE(axes.axes[grown.parent].address, *id);
-    QVERIFY(isNear(grown.share, twig.share));
+    QVERIFY(isNear(drawn.length - grown.s, limb.length - twig.s)); // m from the tip
     QVERIFY(isNear(grown.downAngle, twig.downAngle));
-    QVERIFY(isNear(grown.length / drawn.length, twig.length / limb.length));
+    QVERIFY(isNear(grown.length, twig.length));
     // It can be edited too, and has a name of its own.
     QVERIFY(shaped.make(editOf(EditOperation::Remove, grown.address)));
     QCOMPARE(axesOf(shaped.skeleton()).axes.size(), std::size_t{5});
+}
+
+/// Also on strokes that are much longer or shorter than what grows beside them, from the trunk, a twig and
+/// the ground: as many per metre, none thicker than what it stands on.
+void TestEditedGrowth::growsAsDenseAsBesideIt()
+{
+    Shaped shaped;
+    const auto perMetre = [&shaped](std::uint64_t address) {
+        const TreeAxes axes = axesOf(shaped.skeleton());
+        const auto own = std::ranges::find(axes.axes, address, &Axis::address);
+        const auto onIt = std::ranges::count(axes.axes, Index(own - axes.axes.begin()), &Axis::parent);
+        return double(onIt) / own->length;
+    };
+    const double beside = perMetre(shaped.address[1]);
+    for (const double length : {0.7, 4.0, 20.0}) {
+        Shaped tree;
+        TreeEdit edit = editOf(EditOperation::Draw, tree.address[0]);
+        edit.at = 0.4;
+        edit.below = true;
+        edit.points = {{{length, 0.0, 0.0}, 0.0}};
+        const auto id = tree.make(edit);
+        QVERIFY(id);
+        const TreeAxes axes = axesOf(tree.skeleton());
+        const auto own = std::ranges::find(axes.axes, *id, &Axis::address);
+        const auto number = Index(own - axes.axes.begin());
+        const auto count = std::ranges::count(axes.axes, number, &Axis::parent);
+        QVERIFY2(std::abs(double(count) - beside * own->length) <= 1.0, qPrintable(QString::number(count)));
+        for (const Axis& axis : axes.axes)
+            if (axis.parent == number)
+                QVERIFY(axis.radius < own->radius);
+        std::set<std::uint64_t> addresses;
+        for (const Axis& axis : axes.axes)
+            addresses.insert(axis.address);
+        QCOMPARE(addresses.size(), axes.axes.size());
+        QVERIFY(tree.tree(Stage::Mesh).report->valid);
+    }
+    TreeEdit stem = editOf(EditOperation::Draw, 0);
+    stem.below = true;
+    stem.points = {{{6.0, 0.0, 0.0}, 0.2}, {{6.0, 3.0, 0.0}, 0.1}};
+    const auto id = shaped.make(stem);
+    QVERIFY(id);
+    QVERIFY(perMetre(*id) > 0.0);
 }
 
 void TestEditedGrowth::drawsFromTheGround()
