@@ -218,13 +218,14 @@ private slots:
         QCOMPARE(expected.branches.size(), std::size_t{1});
         const auto& [key, own] = *expected.branches.begin();
         QVERIFY(std::abs(own.rollRad - std::numbers::pi / 6.0) < 1e-12);
-        // The branch that was clicked is the one whose name the panel gave, and the one that was rolled.
+        // The limb that was clicked is the one whose name the panel gave, and the one that was rolled.
         const auto grown = TreePipeline().evaluate(saved->params);
         QVERIFY(grown);
-        const BranchRows rows(grown->simplified);
+        const BranchRows rows(*grown);
         const auto rolled = rows.find(key);
         QVERIFY(rolled);
-        QCOMPARE(branchName.section(u'\n', -1), BranchNames().branch(rows, *rolled)); // below its tree's name
+        QCOMPARE(branchName.section(u'\n', -1),
+                 BranchNames().axis(rows, rows.axisOf(*rolled))); // below its tree's name
     }
 
     void openedAgainAndExported()

@@ -23,15 +23,14 @@ QString BranchNames::metres(double length) const
 QString BranchNames::axis(const BranchRows& rows, Index axis) const
 {
     const Index above = rows.above(axis);
-    const bool severalTrunks = rows.trunks().size() > 1;
     const QString number = counted(rows.number(axis));
     if (above == noIndex)
-        return severalTrunks ? m_trunkOfMany.arg(number) : m_trunk;
+        return rows.isOneOfTrunks(axis) ? m_trunkOfMany.arg(number) : m_trunk;
     const QString place = metres(rows.along(axis));
     switch (rows.order(axis)) {
     case 1:
-        return severalTrunks ? m_limbOfMany.arg(number, counted(rows.number(above)), place)
-                             : m_limb.arg(number, place);
+        return rows.isOneOfTrunks(above) ? m_limbOfMany.arg(number, counted(rows.number(above)), place)
+                                         : m_limb.arg(number, place);
     case 2:
         return m_bough.arg(number, counted(rows.number(above)), place);
     case 3:

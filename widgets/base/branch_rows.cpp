@@ -1,39 +1,74 @@
 #include "widgets/base/branch_rows.h"
 
+#include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace ramure {
 
-BranchRows::BranchRows(std::shared_ptr<const SimplifiedSkeleton> skeleton)
-    : m_skeleton(std::move(skeleton))
+BranchRows::BranchRows(const TreeResult& tree)
+    : m_skeleton(tree.simplified)
 {
-    findAxes();
+    const TreeAxes drawn = axesOf(tree.skeleton ? *tree.skeleton : skeleton());
+    findAxes(drawn);
     listBranches();
     listAxes();
+    tree.grown&& tree.grown != tree.skeleton ? numberAxes(drawn, axesOf(*tree.grown))
+                                             : numberAxes(drawn, drawn);
     measure();
 }
 
-void BranchRows::findAxes()
+void BranchRows::findAxes(const TreeAxes& axes)
 {
     const Skeleton& bones = skeleton();
     m_axisOf.resize(bones.size());
     m_place.assign(bones.size(), 0);
     m_forks.assign(bones.size(), 0);
-    std::vector<bool> ledOn(bones.size(), false);
+    std::vector<Index> rowOf(axes.axes.size(), noIndex);
     for (Index branch = 0; branch < bones.size(); ++branch) {
         const Index parent = bones.parent[branch];
         if (parent != noIndex)
             ++m_forks[parent];
-        // Only one leads on, should a skeleton have several children of its parent's level.
-        if (parent != noIndex && !ledOn[parent] && bones.level[branch] == bones.level[parent]) {
-            ledOn[parent] = true;
-            m_axisOf[branch] = m_axisOf[parent];
-            m_place[branch] = m_place[parent] + 1;
-        } else {
-            m_axisOf[branch] = axisCount();
+        Index& row = rowOf[axes.axisOf[bones.source[branch]]];
+        if (row == noIndex) {
+            row = axisCount();
             m_above.push_back(parent == noIndex ? noIndex : m_axisOf[parent]);
             m_order.push_back(parent == noIndex ? 0 : m_order[m_above.back()] + 1);
+        } else {
+            m_place[branch] = m_place[parent] + 1;
         }
+        m_axisOf[branch] = row;
+    }
+}
+
+/// Axes that grew are counted where they grew; those that edits made, or put elsewhere, after them.
+void BranchRows::numberAxes(const TreeAxes& drawn, const TreeAxes& grown)
+{
+    struct Grown
+    {
+        std::uint64_t parent = noAxisAddress;
+        Index number = 0;
+    };
+    std::unordered_map<std::uint64_t, Grown> places;
+    std::unordered_map<std::uint64_t, Index> counts; // of what springs from an axis, by its address
+    std::vector<Index> along(grown.axes.size());
+    std::iota(along.begin(), along.end(), Index(0));
+    std::ranges::stable_sort(
+        along, {}, [&grown](Index axis) { return std::pair(grown.axes[axis].fork, grown.axes[axis].mate); });
+    const auto addressOf = [](const TreeAxes& of, Index axis) {
+        return axis == noIndex ? noAxisAddress : of.axes[axis].address;
+    };
+    for (const Index axis : along) {
+        const std::uint64_t parent = addressOf(grown, grown.axes[axis].parent);
+        places[grown.axes[axis].address] = {parent, counts[parent]++};
+    }
+    m_grownTrunks = counts[noAxisAddress];
+    for (Index axis = 0; axis < axisCount(); ++axis) {
+        const Axis& own = drawn.axes[drawn.axisOf[skeleton().source[foot(axis)]]];
+        const std::uint64_t parent = addressOf(drawn, own.parent);
+        const auto found = places.find(own.address);
+        const bool isThere = found != places.end() && found->second.parent == parent;
+        m_number[axis] = isThere ? found->second.number : counts[parent]++;
     }
 }
 
@@ -59,12 +94,10 @@ void BranchRows::listAxes()
     std::vector<Index> first(bones.size() + std::size_t{1}, 0);
     m_number.assign(axisCount(), 0);
     for (Index axis = 0; axis < axisCount(); ++axis) {
-        if (m_above[axis] != noIndex) {
+        if (m_above[axis] != noIndex)
             ++first[springsFrom(axis) + 1];
-        } else {
-            m_number[axis] = static_cast<Index>(m_trunks.size());
+        else
             m_trunks.push_back(axis);
-        }
     }
     std::partial_sum(first.begin(), first.end(), first.begin());
     for (const Index begin : m_branches.first)
@@ -73,9 +106,7 @@ void BranchRows::listAxes()
     for (Index axis = 0; axis < axisCount(); ++axis) {
         if (m_above[axis] == noIndex)
             continue;
-        const Index at = first[springsFrom(axis)]++;
-        m_below.list[at] = axis;
-        m_number[axis] = at - m_below.first[m_above[axis]];
+        m_below.list[first[springsFrom(axis)]++] = axis;
     }
 }
 

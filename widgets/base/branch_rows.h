@@ -4,7 +4,8 @@
 /// of the scene panel, and unfolding goes from trunk to limb to twig.
 #pragma once
 
-#include "core/skeleton/simplify.h"
+#include "core/pipeline/tree_pipeline.h"
+#include "core/skeleton/axes.h"
 #include <memory>
 #include <optional>
 #include <unordered_map>
@@ -14,8 +15,10 @@ namespace ramure {
 class BranchRows
 {
 public:
-    /// A few passes over the skeleton: milliseconds for 100,000 branches. \p skeleton must not be null.
-    explicit BranchRows(std::shared_ptr<const SimplifiedSkeleton> skeleton);
+    /// A few passes over the skeletons: milliseconds for 100,000 branches. Axes are those of the tree before
+    /// it was simplified, and their numbers those of the tree as it grew, so that no edit renames another
+    /// limb. Without TreeResult::skeleton the tree was never simplified. \pre TreeResult::simplified
+    explicit BranchRows(const TreeResult& tree);
 
     [[nodiscard]] const Skeleton& skeleton() const { return m_skeleton->skeleton; }
 
@@ -31,8 +34,11 @@ public:
     /// The axes that spring from it, from its foot to its tip.
     [[nodiscard]] std::span<const Index> below(Index axis) const { return m_below.of(axis); }
     [[nodiscard]] const std::vector<Index>& trunks() const { return m_trunks; }
-    /// Position among those that spring from the same axis, or among the trunks, from 0.
+    /// Position among those that grew from the same axis, or among the trunks, from 0; what edits put there
+    /// comes after those.
     [[nodiscard]] Index number(Index axis) const { return m_number[axis]; }
+    /// There is another trunk that it has to be told from: it did not grow as the only one.
+    [[nodiscard]] bool isOneOfTrunks(Index trunk) const { return m_number[trunk] > 0 || m_grownTrunks > 1; }
     /// 0 for a trunk, 1 for what springs from it, and so on.
     [[nodiscard]] Index order(Index axis) const { return m_order[axis]; }
     /// m from the foot of the axis it springs from to where it springs; 0 for a trunk.
@@ -50,7 +56,8 @@ public:
     void refresh(std::shared_ptr<const SimplifiedSkeleton> skeleton);
 
 private:
-    void findAxes();
+    void findAxes(const TreeAxes& axes);
+    void numberAxes(const TreeAxes& drawn, const TreeAxes& grown);
     void listBranches();
     void listAxes();
     void measure();
@@ -64,6 +71,7 @@ private:
     std::vector<Index> m_above, m_number, m_order;
     ChildLists m_branches, m_below;
     std::vector<Index> m_trunks;
+    Index m_grownTrunks = 0;
     mutable std::unordered_map<std::uint64_t, Index> m_byName; ///< filled at the first find()
 };
 

@@ -28,7 +28,7 @@ void ViewMenu::addTitle(QString text)
 void ViewMenu::addBranch(const ViewMenuActions& actions, const NodeResult* tree, Index branch)
 {
     if (tree && tree->tree.simplified && branch < tree->tree.simplified->skeleton.size())
-        addTitle(BranchNames().branch(BranchRows(tree->tree.simplified), branch));
+        addTitle(BranchNames().branch(BranchRows(tree->tree), branch));
     addActions(actions.branches);
 }
 

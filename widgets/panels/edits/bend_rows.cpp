@@ -14,7 +14,7 @@ std::vector<BendRow> bendRows(const Document& document, NodeId tree)
     const auto isBent = [](const auto& entry) { return entry.second.bendRad != glm::dvec3(0.0); };
     if (!node || !result || !result->tree.simplified || std::ranges::none_of(node->params.branches, isBent))
         return {};
-    const BranchRows rows(result->tree.simplified);
+    const BranchRows rows(result->tree);
     const BranchNames names;
     const Skeleton& skeleton = result->tree.simplified->skeleton;
     std::vector<BendRow> bends;

@@ -107,7 +107,7 @@ void EditModel::updateLimbs()
     LimbFinder finder;
     if (m_edits.empty() || !result || !result->tree.simplified)
         return;
-    const BranchRows rows(result->tree.simplified);
+    const BranchRows rows(result->tree);
     const BranchNames names;
     for (int row = 0; row < editCount(); ++row) {
         const auto branches = finder.limb(*m_document, m_tree, addressAt(row));

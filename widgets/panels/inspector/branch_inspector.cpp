@@ -45,7 +45,7 @@ struct SkeletonCache
         if (tree.simplified == simplified && tree.foliage == foliage)
             return;
         if (tree.simplified != simplified)
-            rows.emplace(tree.simplified);
+            rows.emplace(tree);
         simplified = tree.simplified;
         foliage = tree.foliage;
         children = childLists(simplified->skeleton);

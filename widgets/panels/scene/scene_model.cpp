@@ -283,7 +283,7 @@ void SceneModel::replaceBranches(NodeId node, const std::shared_ptr<const Simpli
     tree.branches.reset();
     if (!skeleton || skeleton->skeleton.empty())
         return;
-    auto rows = std::make_unique<BranchRows>(skeleton);
+    auto rows = std::make_unique<BranchRows>(m_document->result(node)->tree);
     beginInsertRows(parent, first, first + static_cast<int>(rows->trunks().size()) - 1);
     tree.branches = std::move(rows);
     endInsertRows();

@@ -10,6 +10,7 @@
 #include <QGuiApplication>
 #include <QMenu>
 #include <algorithm>
+#include <vector>
 
 namespace ramure {
 
@@ -137,10 +138,22 @@ void SelectActions::copyNames()
     const NodeResult* result =
         selection.branches.empty() ? nullptr : m_document->result(selection.branchNode);
     if (result && result->tree.simplified) {
-        const BranchRows rows(result->tree.simplified);
+        const BranchRows rows(result->tree);
         const BranchNames called;
-        for (const Index branch : selection.branches)
-            names += called.branch(rows, branch);
+        std::vector<bool> isNamed(rows.axisCount(), false); // as a whole
+        for (const Index branch : selection.branches) {
+            const Index axis = rows.axisOf(branch);
+            const auto limb = rows.branches(axis);
+            const auto isSelected = [&](Index b) {
+                return std::ranges::binary_search(selection.branches, b);
+            };
+            if (branch == limb.front() && std::ranges::all_of(limb, isSelected)) {
+                isNamed[axis] = true;
+                names += called.axis(rows, axis);
+            } else if (!isNamed[axis]) {
+                names += called.branch(rows, branch);
+            }
+        }
     }
     QGuiApplication::clipboard()->setText(names.join(u'\n'));
 }

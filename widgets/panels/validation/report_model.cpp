@@ -326,10 +326,10 @@ std::vector<Index> ReportModel::branchesOf(const QModelIndex& index) const
 
 QString ReportModel::branchNames(const QModelIndex& index) const
 {
-    if (!m_source.simplified)
+    if (!m_source.tree.simplified)
         return {};
     if (!m_rows)
-        m_rows.emplace(m_source.simplified);
+        m_rows.emplace(m_source.tree);
     const BranchNames names;
     QStringList all;
     for (const Index branch : branchesOf(index))
@@ -343,8 +343,9 @@ std::optional<glm::dvec3> ReportModel::placeOf(const QModelIndex& index) const
     if (const Collision* found = collision(index))
         return found->place;
     if (const RepairNote* note = repair(index)) {
-        const bool known = m_source.simplified && note->branch < m_source.simplified->skeleton.size();
-        return known ? std::optional(m_source.simplified->skeleton.p0[note->branch]) : std::nullopt;
+        const bool known =
+            m_source.tree.simplified && note->branch < m_source.tree.simplified->skeleton.size();
+        return known ? std::optional(m_source.tree.simplified->skeleton.p0[note->branch]) : std::nullopt;
     }
     if (!m_source.branches)
         return std::nullopt;

@@ -3,7 +3,7 @@
 /// tree: one row per kind that occurs, below it one row each, made when the kind is opened.
 #pragma once
 
-#include "core/skeleton/simplify.h"
+#include "core/pipeline/tree_pipeline.h"
 #include "core/surface/check/mesh_analysis.h"
 #include "core/surface/mesher/branch_mesh.h"
 #include "core/surface/proof/validate.h"
@@ -23,7 +23,7 @@ struct ReportSource
 {
     std::shared_ptr<const MeshReport> report;
     std::shared_ptr<const BranchMesh> branches;
-    std::shared_ptr<const SimplifiedSkeleton> simplified;
+    TreeResult tree{}; ///< its skeletons
     std::shared_ptr<const MeshAnalysis> analysis{};
 };
 

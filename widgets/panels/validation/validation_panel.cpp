@@ -242,8 +242,7 @@ void ValidationPanel::Private::showNode()
 {
     const NodeResult* checked = result();
     if (checked && !checked->error)
-        model->setSource(
-            {checked->tree.report, checked->tree.branches, checked->tree.simplified, findings()});
+        model->setSource({checked->tree.report, checked->tree.branches, checked->tree, findings()});
     else
         model->setSource({});
     view->setVisible(model->rowCount() > 0);
@@ -346,7 +345,7 @@ void ValidationPanel::Private::activate(const QModelIndex& index)
 /// Both branches are selected; the point where they cross is framed with the thicker one around it.
 void ValidationPanel::Private::showCollision(const Collision& collision, const QModelIndex& index)
 {
-    const auto simplified = model->source().simplified;
+    const auto simplified = model->source().tree.simplified;
     if (!simplified || std::max(collision.first, collision.second) >= simplified->skeleton.size())
         return;
     const Skeleton& skeleton = simplified->skeleton;

@@ -1,7 +1,10 @@
+#include "core/math/random.h"
 #include "core/session/recompute.h"
 #include "tests/support/hand_bench.h"
+#include "tests/support/shaped_tree.h"
 #include "tests/widgets/base/fixture.h"
 #include "tests/widgets/tree_document.h"
+#include "widgets/base/branch_names.h"
 #include "widgets/base/empty_page.h"
 #include "widgets/panels/edits/edit_model.h"
 #include "widgets/panels/edits/edits_panel.h"
@@ -12,6 +15,7 @@
 #include <QSignalSpy>
 #include <QToolButton>
 #include <QTreeView>
+#include <map>
 #include <memory>
 
 namespace tst_edits_panel {
@@ -65,6 +69,8 @@ private:
 
 private slots:
     void init() { test::failOnWidgetWarning(); }
+    void limbsAreCalledByOrderAndPlace();
+    void editsElsewhereRenameNoLimb();
 
     void withoutEditsItSaysWhatItIsFor()
     {
@@ -246,6 +252,82 @@ private slots:
         QCoreApplication::removeTranslator(&stars);
     }
 };
+
+namespace {
+
+std::map<std::uint64_t, QString> namesByAddress(const TreeResult& tree)
+{
+    const TreeAxes axes = axesOf(*tree.skeleton);
+    const BranchRows rows(tree);
+    const BranchNames names;
+    std::map<std::uint64_t, QString> all;
+    for (Index b = 0; b < tree.simplified->skeleton.size(); ++b)
+        all[axes.axes[axes.axisOf[tree.simplified->skeleton.source[b]]].address] =
+            names.axis(rows, rows.axisOf(b));
+    return all;
+}
+
+TreeEdit drawnOn(std::uint64_t parent, double at, const glm::dvec3& to)
+{
+    TreeEdit edit = test::editOf(EditOperation::Draw, parent);
+    edit.at = at;
+    edit.points = {{to, 0.0}};
+    if (parent == 0)
+        edit.points.insert(edit.points.begin(), {{to.x, 0.0, to.z}, 0.0});
+    return edit;
+}
+
+} // namespace
+
+void TestEditsPanel::limbsAreCalledByOrderAndPlace()
+{
+    test::Shaped shaped;
+    const auto names = namesByAddress(shaped.tree());
+    QCOMPARE(names.at(shaped.address[0]), QStringLiteral("Trunk"));
+    QCOMPARE(names.at(shaped.address[1]), QStringLiteral("Limb 1 of the trunk, 1.0 m up"));
+    QVERIFY(names.at(shaped.address[2]).startsWith(QStringLiteral("Bough 1 of limb 1")));
+    QVERIFY(names.at(shaped.address[3]).startsWith(QStringLiteral("Limb 2 of the trunk")));
+}
+
+/// Whatever grows or goes beside them, or stands beside the tree. What edits make is called after all that
+/// grew.
+void TestEditsPanel::editsElsewhereRenameNoLimb()
+{
+    test::Shaped shaped;
+    const auto before = namesByAddress(shaped.tree());
+    const auto low = shaped.make(drawnOn(shaped.address[0], 0.1, {1.0, 1.0, 1.0}));
+    const auto stem = shaped.make(drawnOn(0, 0.5, {3.0, 2.0, 0.0}));
+    QVERIFY(low && stem);
+    QVERIFY(shaped.make(test::editOf(EditOperation::Remove, shaped.address[1])));
+    const auto after = namesByAddress(shaped.tree());
+    for (const std::size_t kept : {0, 3})
+        QCOMPARE(after.at(shaped.address[kept]), before.at(shaped.address[kept]));
+    QVERIFY(after.at(*low).startsWith(QStringLiteral("Limb 3 of the trunk")));
+    QCOMPARE(after.at(*stem), QStringLiteral("Trunk 2"));
+
+    // The same of a tree of many limbs.
+    Random random(40, RandomStream::Test);
+    NodeParams params = presetParams("SmallTree").value_or(NodeParams());
+    const TreeResult grown = test::grownTree(params);
+    const auto names = namesByAddress(grown);
+    QVERIFY(names.size() > 50);
+    const TreeAxes axes = axesOf(*grown.skeleton);
+    EditContext context(*grown.grown, {});
+    for (int i = 0; i < 12; ++i) {
+        const Axis& axis = axes.axes[random.below(static_cast<std::uint32_t>(axes.axes.size()))];
+        TreeEdit edit = i % 2 == 0 ? drawnOn(axis.address, random.range(0.1, 0.9), {0.3, 0.4, 0.2})
+                                   : test::editOf(EditOperation::Remove, axis.address);
+        if (axis.order > 0)
+            (void)test::make(params, edit, context); // it may be gone already
+    }
+    int kept = 0;
+    for (const auto& [address, name] : namesByAddress(test::grownTree(params)))
+        if (const auto was = names.find(address); was != names.end()) {
+            QCOMPARE(name, was->second);
+            ++kept;
+        }
+    QVERIFY(kept > 20);
+}
 
 RAMURE_SUITE(TestEditsPanel)
 

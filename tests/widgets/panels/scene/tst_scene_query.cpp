@@ -33,7 +33,7 @@ private slots:
     {
         const NodeId tree = m_trees.add(test::smallForks());
         QVERIFY(tree != noNode);
-        m_rows = std::make_unique<BranchRows>(m_trees.document().result(tree)->tree.simplified);
+        m_rows = std::make_unique<BranchRows>(m_trees.document().result(tree)->tree);
         QVERIFY(m_rows->skeleton().size() > 10);
     }
     void init() { test::failOnAnyWarning(); }

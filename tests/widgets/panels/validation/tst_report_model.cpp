@@ -88,7 +88,7 @@ void TestReportModel::emptySourcesAreEmptyModels()
     QCOMPARE(model.rowCount(), 0);
     model.setSource({std::make_shared<MeshReport>(), nullptr, nullptr});
     QCOMPARE(model.rowCount(), 0);
-    model.setSource({nullptr, std::make_shared<BranchMesh>(), nullptr});
+    model.setSource({nullptr, std::make_shared<BranchMesh>()});
     QCOMPARE(model.rowCount(), 0);
     QVERIFY(!model.kindIndex(DefectKind::BoundaryEdge).isValid());
     QVERIFY(!model.defect({}) && !model.repair({}));
@@ -187,11 +187,14 @@ void TestReportModel::tooltipsCallBranchesByName()
     skeleton.add(noIndex, {0, 0, 0}, {0, 1, 0}, 0.1, 0.1);
     skeleton.add(0, {0, 1, 0}, {1, 2, 0}, 0.1, 0.1, 1);
     ReportModel model;
-    model.setSource({std::make_shared<MeshReport>(), branches, simplified});
+    TreeResult tree;
+    tree.skeleton = std::make_shared<const Skeleton>(skeleton);
+    tree.simplified = simplified;
+    model.setSource({std::make_shared<MeshReport>(), branches, tree});
     QCOMPARE(shownRows(model).size(), qsizetype{2});
     const QModelIndex top = model.index(0, 0);
     const QString meaning = top.data(Qt::ToolTipRole).toString();
-    const BranchRows rows(simplified);
+    const BranchRows rows(tree);
     QCOMPARE(model.index(0, 0, top).data(Qt::ToolTipRole).toString(),
              BranchNames().branch(rows, 1) + QStringLiteral("\n\n") + meaning);
     QCOMPARE(model.index(1, 0, top).data(Qt::ToolTipRole).toString(), meaning); // no such branch
