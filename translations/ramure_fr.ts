@@ -840,10 +840,6 @@
         <translation>Conto&amp;ur de la sélection</translation>
     </message>
     <message>
-        <source>A line around what is selected, seen through leaves and branches</source>
-        <translation>Une ligne autour de ce qui est sélectionné, visible à travers les feuilles et les branches</translation>
-    </message>
-    <message>
         <source>Open a Ramure file, or objects into a new scene</source>
         <translation>Ouvrir un fichier Ramure, ou des objets dans une nouvelle scène</translation>
     </message>
@@ -1198,6 +1194,10 @@
     <message>
         <source>Lay the tool down; without one, go from branches to their tree, and from there to nothing</source>
         <translation>Pose l’outil ; sans outil, passe des branches à leur arbre, puis à rien</translation>
+    </message>
+    <message>
+        <source>An orange line around what is selected, seen through leaves and branches for a second after it was selected</source>
+        <translation>Un trait orange autour de ce qui est sélectionné, visible à travers feuilles et branches pendant une seconde après la sélection</translation>
     </message>
 </context>
 <context>
@@ -14030,6 +14030,14 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
     <message>
         <source>Trees that the timeline moves do not stand in the wind of a game.</source>
         <translation>Les arbres que la ligne de temps fait bouger ne sont pas pris dans le vent d’un jeu.</translation>
+    </message>
+    <message>
+        <source>selected</source>
+        <translation>sélectionné</translation>
+    </message>
+    <message>
+        <source>selected · %1: on or off</source>
+        <translation>sélectionné · %1 : montrer ou non</translation>
     </message>
 </context>
 <context>

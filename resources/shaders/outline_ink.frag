@@ -5,6 +5,7 @@ uniform bool uClosed;        // distances from what is far from the mask
 uniform float uScale;        // pixels per texel
 uniform float uOffset;       // pixels from the mask to the line's middle
 uniform float uWidth;        // pixels
+uniform float uOpacity;
 out vec4 fragment;
 
 const float reach = 4.0;
@@ -26,5 +27,5 @@ void main()
     float alpha = max(line, rim);
     if (alpha <= 0.0)
         discard;
-    fragment = vec4(mix(shade, ink, line), alpha);
+    fragment = vec4(mix(shade, ink, line), uOpacity * alpha);
 }

@@ -226,12 +226,15 @@ void ViewActions::addSwitches(ActionSet* set)
          {},
          QT_TRANSLATE_NOOP("Actions", "Without the ground, what lies below it can be seen")},
         settings->groundVisible(), &ViewSettings::setGroundVisible, &ViewSettings::groundVisibleChanged);
-    add({"view.outline",
-         QT_TRANSLATE_NOOP("Actions", "O&utline of the selection"),
-         nullptr,
-         {},
-         QT_TRANSLATE_NOOP("Actions", "A line around what is selected, seen through leaves and branches")},
+    add({"view.outline", QT_TRANSLATE_NOOP("Actions", "O&utline of the selection"), nullptr,
+         QKeySequence(Qt::SHIFT | Qt::Key_E),
+         QT_TRANSLATE_NOOP("Actions",
+                           "An orange line around what is selected, seen through leaves and branches "
+                           "for a second after it was selected")},
         settings->outlineVisible(), &ViewSettings::setOutlineVisible, &ViewSettings::outlineVisibleChanged);
+    if (Viewport* view = m_host->viewport())
+        view->setOutlineKey(
+            [outline = m_switches.last()] { return outline->shortcut().toString(QKeySequence::NativeText); });
     add({"view.crowns",
          QT_TRANSLATE_NOOP("Actions", "&Crown to fill"),
          nullptr,

@@ -19,6 +19,7 @@ namespace {
 
 constexpr int settleMs = 300; ///< without a move, until pictures are as good as was chosen
 constexpr int hoverRestMs = 25;
+constexpr int outlineStepMs = 50; ///< while it fades
 
 /// The box of the selected branches, else of the selected nodes' trees; world.
 Box selectionBox(const Document& document, const RenderScene& scene, double timeSeconds)
@@ -62,7 +63,8 @@ RenderOptions Viewport::Private::options(double pixelRatio) const
     options.hurried = software && (settling.isActive() || isWindy());
     options.grid = settings->gridVisible();
     options.ground = settings->groundVisible();
-    options.outline = settings->outlineVisible();
+    options.outlineOpacity = float(outlineOpacity());
+    options.outline = settings->outlineVisible() && options.outlineOpacity > 0.0f;
     options.light = settings->light();
     options.pixelRatio = pixelRatio;
     options.smoothing = options.sparing = software;
@@ -125,6 +127,13 @@ Viewport::Viewport(Document* document, ViewSettings* settings, QWidget* parent)
         update();
     });
     connect(&d->trail, &GizmoTrail::changed, this, qOverload<>(&QWidget::update));
+    connect(&d->outlineFades, &QTimer::timeout, this, [this] {
+        d->outlineFades.setInterval(outlineStepMs);
+        if (d->outlineOpacity() <= 0.0)
+            d->outlineFades.stop();
+        update();
+    });
+    connect(settings, &ViewSettings::outlineVisibleChanged, this, [this] { d->showOutline(); });
     wishScene();
 }
 
@@ -234,6 +243,7 @@ void Viewport::paintOverlay()
     d->defect.paintLabel(painter, view);
     painter.setRenderHint(QPainter::Antialiasing);
     paintLabels(painter);
+    d->paintOutlineKey(painter);
     d->trail.paintPlayhead(painter, view, d->context.seconds());
     d->tools.paint(painter, view);
     if (d->context.keys && d->context.keys->isOn()) {

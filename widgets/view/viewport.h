@@ -82,6 +82,8 @@ public:
     void setKeys(AutoKey* keys);
     /// What the keys of beginTransform are called, for the hint: "G R S".
     void setGestureKeys(std::function<QString()> keys);
+    /// What the key of the line around the selection is called, for the words beside it: "Shift+E".
+    void setOutlineKey(std::function<QString()> key);
     /// What mouse and keys do right now.
     [[nodiscard]] HintSource* hints() const;
     /// Nodes are being moved, by the mouse or by keys.

@@ -67,6 +67,10 @@ struct Viewport::Private final : ToolHost
     std::optional<BuiltScene> next;        ///< on its way to the graphics card
     QTimer uploading;
     QElapsedTimer windClock; ///< runs while trees stand in the wind of a game
+    QElapsedTimer outlined;  ///< since something else is selected, or the line around it was switched on
+    QTimer outlineFades;
+    bool outlineIsNew = false; ///< something else is selected than the scene shows
+    std::function<QString()> outlineKey;
     QTimer settling;         ///< runs while something moves: software rasterisers then do less for a picture
     double uploadedMs = 0.0; ///< of next
     std::shared_ptr<const RenderScene> scene = std::make_shared<const RenderScene>();
@@ -124,6 +128,9 @@ struct Viewport::Private final : ToolHost
     }
     void drawPart();
     void forgetPicture();
+    void showOutline();
+    [[nodiscard]] double outlineOpacity() const;
+    void paintOutlineKey(QPainter& painter) const;
     void leaveCamera();
     [[nodiscard]] std::shared_ptr<const MotionFrame> motionOfNow();
     [[nodiscard]] SceneView sceneView() const;

@@ -133,6 +133,7 @@ void Viewport::onDocumentChanged(const Change& change)
         d->trail.forgetSkeletons();
     if (change.has(changeSelection | changeStructure | changeReset))
         d->updateHint();
+    d->outlineIsNew = d->outlineIsNew || change.has(changeSelection | changeReset);
     if (d->through != noNode && !d->document->scene().find(d->through))
         d->leaveCamera();
     d->framesAgain = d->framesAgain || (change.has(changeStructure) && d->framed);
@@ -260,6 +261,8 @@ void Viewport::showScene()
         d->flight.setCamera(camera);
     }
     if (!d->isStale()) {
+        if (std::exchange(d->outlineIsNew, false))
+            d->showOutline();
         if (d->framesAgain && d->framed)
             d->framing = Private::Framing::All;
         d->framesAgain = d->framesAgain && d->framed && !d->isAllGrown();

@@ -232,7 +232,7 @@ void Outline::pass(GLuint framebuffer, GLuint source, ShaderProgram& program)
     m_gl.glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void Outline::end(GLuint target, const Programs& programs)
+void Outline::end(GLuint target, const Programs& programs, float opacity)
 {
     const auto cut = [this](float scale, int margin) {
         const glm::ivec2 low = glm::ivec2(glm::floor(m_extent.low / scale)) - margin;
@@ -268,6 +268,7 @@ void Outline::end(GLuint target, const Programs& programs)
                                            : m_extent.coarse ? wholeOffset
                                                              : fineOffset));
     programs.ink.set("uWidth", m_ratio * lineWidth);
+    programs.ink.set("uOpacity", opacity);
     m_gl.glDrawArrays(GL_TRIANGLES, 0, 3);
     m_gl.glDisable(GL_SCISSOR_TEST);
     m_gl.glDepthMask(GL_TRUE);

@@ -51,7 +51,7 @@ public:
     /// Draws these faces of the vertex array that is bound. \param count of all its indices.
     void mask(const OutlinedFaces& faces, GLsizei count);
     /// Draws the line into \p target, blending; any vertex array must be bound. Leaves the depth test off.
-    void end(GLuint target, const Programs& programs);
+    void end(GLuint target, const Programs& programs, float opacity);
 
 private:
     void allocate(int width, int height);

@@ -177,7 +177,8 @@ void Renderer::drawOutline(const Picture& picture, GLuint target)
     }
     m_line->set("uOnlySelected", false);
     m_gl.glBindVertexArray(m_emptyArray);
-    m_outline.end(target, {*m_outlineRows, *m_outlineColumns, *m_outlineClosing, *m_outlineInk});
+    m_outline.end(target, {*m_outlineRows, *m_outlineColumns, *m_outlineClosing, *m_outlineInk},
+                  picture.options.outlineOpacity);
 }
 
 // A mesh that is no copy is large.

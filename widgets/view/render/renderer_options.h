@@ -58,7 +58,8 @@ struct RenderOptions
     bool grid = false;    ///< metric grid on the ground
     bool ground = true;   ///< without: the sky alone, and what lies below the ground is seen
     bool shadows = true;
-    bool outline = true;     ///< around what is selected
+    bool outline = true; ///< around what is selected
+    float outlineOpacity = 1.0f;
     bool world = true;       ///< sky and ground; without: a transparent background
     int samples = 4;         ///< of multisampling, where the renderer owns the target; 0 = none
     int pictures = 1;        ///< drawn in one aside, each a part of a pixel beside the other: finer edges
