@@ -8972,6 +8972,10 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
         <source>%1 · branch %2 in reports</source>
         <translation>%1 · branche %2 dans les rapports</translation>
     </message>
+    <message>
+        <source>%1 · the whole limb is selected; the figures are those of: %2</source>
+        <translation>%1 · toute la branche est sélectionnée ; les chiffres sont ceux de : %2</translation>
+    </message>
 </context>
 <context>
     <name>ramure::BrushTool</name>
@@ -12985,10 +12989,6 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
         <translation>Maj : glisser ajoute un cadre</translation>
     </message>
     <message>
-        <source>Click: branch and tree</source>
-        <translation>Clic : branche et arbre</translation>
-    </message>
-    <message>
         <source>Click: select</source>
         <translation>Clic : sélectionner</translation>
     </message>
@@ -13007,6 +13007,10 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
     <message>
         <source>Esc: only the tree</source>
         <translation>Échap : l’arbre seul</translation>
+    </message>
+    <message>
+        <source>Click: limb · again: this branch of it</source>
+        <translation>Clic : la branche entière · encore : ce tronçon seul</translation>
     </message>
 </context>
 <context>

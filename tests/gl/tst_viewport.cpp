@@ -9,6 +9,7 @@
 #include "widgets/base/defect_place.h"
 #include "widgets/view/render/gl_setup.h"
 #include "widgets/view/render/scene_builder.h"
+#include "widgets/view/tools/limb_finder.h"
 #include "widgets/view/tools/navigation_cube.h"
 #include <QApplication>
 #include <QClipboard>
@@ -64,6 +65,10 @@ struct Window : test::ViewWindow
     [[nodiscard]] const Skeleton& skeleton(std::size_t i = 0) const
     {
         return document.result(tree(i))->tree.simplified->skeleton;
+    }
+    [[nodiscard]] std::vector<Index> limb(Index branch) const
+    {
+        return LimbFinder().limbOf(document, tree(0), branch);
     }
     [[nodiscard]] QColor colourAt(const glm::dvec3& world) const
     {
@@ -154,8 +159,11 @@ private slots:
         Selection expected;
         expected.nodes = {window.tree(0)};
         expected.branchNode = window.tree(0);
-        expected.branches = {0};
+        expected.branches = window.limb(0);
         expected.activeBranch = 0;
+        QCOMPARE(window.document.selection(), expected);
+        window.click(window.pixelOf(middle(window.skeleton(), 0))); // the limb first, then the branch
+        expected.branches = {0};
         QCOMPARE(window.document.selection(), expected);
         window.click({3, 3});
         QVERIFY(window.document.selection().branches.empty());
@@ -171,8 +179,26 @@ private slots:
             window.waitForPicture();
             window.document.setSelection({});
             window.click(window.pixelOf(middle(window.skeleton(), 0)));
-            QVERIFY2(window.document.selection().branches == std::vector<Index>{0}, row.name());
+            QVERIFY2(window.document.selection().branches == window.limb(0), row.name());
         }
+    }
+    void theLineAroundTheSelectionFades()
+    {
+        Window window;
+        const auto ink = [&window](bool again) {
+            window.host.settings()->setOutlineVisible(window.host.settings()->outlineVisible() != again);
+            window.host.settings()->setOutlineVisible(true);
+            const QImage image = window.view->grabFramebuffer();
+            int count = 0;
+            for (int y = 60; y < image.height(); ++y) // below the words
+                for (int x = 0; x < image.width(); ++x)
+                    count += image.pixelColor(x, y).red() > 235 && image.pixelColor(x, y).blue() < 60;
+            return count;
+        };
+        QCOMPARE(ink(true), 0);
+        window.document.setSelection({{window.tree(0)}});
+        QTRY_VERIFY(ink(true) > 40);
+        QTRY_COMPARE(ink(false), 0);
     }
     void shiftAddsAndTakesOut()
     {
@@ -180,11 +206,15 @@ private slots:
         window.host.settings()->setDisplayMode(DisplayMode::Simplified);
         window.waitForPicture();
         const QPoint first = window.pixelOf(glm::mix(window.skeleton().p0[0], window.skeleton().p1[0], 0.3));
+        Index other = 1; // of another limb
+        while (std::ranges::count(window.limb(0), other) > 0)
+            ++other;
         window.click(first);
-        window.click(window.pixelOf(middle(window.skeleton(), 1)), Qt::ShiftModifier);
-        QCOMPARE(window.document.selection().branches.size(), std::size_t(2));
+        window.click(window.pixelOf(middle(window.skeleton(), other)), Qt::ShiftModifier);
+        QCOMPARE(window.document.selection().branches.size(),
+                 window.limb(0).size() + window.limb(other).size());
         window.click(first, Qt::ShiftModifier);
-        QCOMPARE(window.document.selection().branches.size(), std::size_t(1));
+        QCOMPARE(window.document.selection().branches, window.limb(other));
     }
     void controlDragBendsTheLimb()
     {
@@ -209,7 +239,7 @@ private slots:
         window.waitForPicture();
         window.click(at, Qt::ControlModifier);
         QCOMPARE(undo->index(), 0);
-        QCOMPARE(window.document.selection().branches, std::vector<Index>{tip});
+        QCOMPARE(window.document.selection().branches, window.limb(tip));
     }
     void boxSelects()
     {

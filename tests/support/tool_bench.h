@@ -22,7 +22,9 @@ struct ToolBench : ToolHost
     glm::dvec2 size{800.0, 600.0};
     NavigationStyle style = NavigationStyle::Blender;
     bool windVisible = false;
+    DisplayMode mode = DisplayMode::Simplified; ///< of show()
     std::shared_ptr<RenderScene> scene = std::make_shared<RenderScene>();
+    std::map<NodeId, TreeResult> trees; ///< in it
     bool stale = false;
     bool ready = true; ///< what is picked in
     std::optional<AxisView> side;
@@ -42,9 +44,14 @@ struct ToolBench : ToolHost
     [[nodiscard]] const RenderScene& shownScene() const override { return *scene; }
     [[nodiscard]] const RenderScene& sceneAtRest() const override { return *scene; }
     [[nodiscard]] bool isStale() const override { return stale; }
+    [[nodiscard]] const TreeResult* shownTree(NodeId node) const override
+    {
+        const auto found = trees.find(node);
+        return found == trees.end() ? nullptr : &found->second;
+    }
     [[nodiscard]] std::shared_ptr<const PickScene> pickScene(std::chrono::milliseconds) override
     {
-        return ready && !stale ? latestPickScene() : nullptr;
+        return ready ? latestPickScene() : nullptr;
     }
     [[nodiscard]] std::shared_ptr<const PickScene> latestPickScene() const override
     {
@@ -75,11 +82,12 @@ struct ToolBench : ToolHost
     void show()
     {
         SceneView how;
-        how.mode = DisplayMode::Simplified;
-        const auto resultOf = [this](NodeId id) {
-            const NodeResult* result = document.result(id);
-            return result ? &result->tree : nullptr;
-        };
+        how.mode = mode;
+        trees.clear();
+        for (const Node& node : document.scene().nodes())
+            if (const NodeResult* result = document.result(node.id))
+                trees[node.id] = result->tree;
+        const auto resultOf = [this](NodeId id) { return shownTree(id); };
         scene = std::make_shared<RenderScene>(SceneBuilder().build(document.scene(), resultOf, how));
         camera.frame(scene->box, view().aspect());
     }

@@ -6,7 +6,7 @@
 
 namespace ramure {
 
-/// The branch alone, and its tree as the active node: what a click on it in the viewport selects.
+/// The branch alone, and its tree as the active node: what a second click on it in the viewport selects.
 inline Selection onlyBranch(NodeId node, Index branch)
 {
     return {{node}, node, {branch}, branch};

@@ -17,6 +17,7 @@ static BuiltScene builtScene(SceneBuilder& builder, SceneWish&& wish)
     BuiltScene built;
     built.scene = std::make_shared<RenderScene>(builder.build(wish.scene, resultOf, wish.view));
     built.view = std::move(wish.view);
+    built.trees = std::move(wish.results);
     built.revision = wish.revision;
     built.serial = wish.serial;
     built.buildMs = watch.elapsed().wallMs;

@@ -28,6 +28,7 @@ struct BuiltScene
 {
     std::shared_ptr<RenderScene> scene; ///< nobody else has it
     SceneView view;                     ///< as it was wished
+    std::map<NodeId, TreeResult> trees; ///< that it shows
     quint64 revision = 0;               ///< as it was wished
     quint64 serial = 0;                 ///< of the wish
     double buildMs = 0.0;

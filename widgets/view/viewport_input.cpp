@@ -57,10 +57,14 @@ void Viewport::Private::setCamera(const Camera& moved)
     flight.setCamera(moved);
 }
 
+const TreeResult* Viewport::Private::shownTree(NodeId node) const
+{
+    const auto found = trees.find(node);
+    return found == trees.end() ? nullptr : &found->second;
+}
+
 std::shared_ptr<const PickScene> Viewport::Private::pickScene(std::chrono::milliseconds patience)
 {
-    if (isStale())
-        return nullptr;
     return patience.count() > 0 ? picker.readyWithin(patience) : picker.ready();
 }
 

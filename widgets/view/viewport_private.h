@@ -74,7 +74,8 @@ struct Viewport::Private final : ToolHost
     QTimer settling;         ///< runs while something moves: software rasterisers then do less for a picture
     double uploadedMs = 0.0; ///< of next
     std::shared_ptr<const RenderScene> scene = std::make_shared<const RenderScene>();
-    bool sceneIsNew = false; ///< not drawn yet
+    std::map<NodeId, TreeResult> trees; ///< in the scene
+    bool sceneIsNew = false;            ///< not drawn yet
     bool highlightsStale = false;
 
     /// Branches of one node; noNode: nothing.
@@ -152,6 +153,7 @@ struct Viewport::Private final : ToolHost
     }
     [[nodiscard]] const RenderScene& sceneAtRest() const override { return *scene; }
     [[nodiscard]] bool isStale() const override { return builder.isBusy() || next; }
+    [[nodiscard]] const TreeResult* shownTree(NodeId node) const override;
     [[nodiscard]] std::shared_ptr<const PickScene> pickScene(std::chrono::milliseconds patience) override;
     [[nodiscard]] std::shared_ptr<const PickScene> latestPickScene() const override
     {

@@ -241,6 +241,7 @@ void Viewport::showScene()
                          now.hoverBranches != built.view.hoverBranches ||
                          now.hoverGoes != built.view.hoverGoes || now.hoverNodes != built.view.hoverNodes;
     d->builder.dispose(std::exchange(d->scene, std::move(built.scene)));
+    d->builder.dispose(std::make_shared<decltype(d->trees)>(std::exchange(d->trees, std::move(built.trees))));
     d->sceneIsNew = true;
     d->times.buildMs = built.buildMs;
     d->times.revision = built.revision;
@@ -248,6 +249,8 @@ void Viewport::showScene()
         d->context.limbPose->noteShown(built.serial);
     d->context.forgetLimbAtRest();
     d->updateShown();
+    if (underMouse())
+        d->hoverRest.start(); // what is under the cursor has other numbers now
     if (built.serial > d->frameAfter && std::exchange(d->cameraIsOfLast, false)) {
         Camera camera;
         camera.orthographic = d->settings->orthographic();

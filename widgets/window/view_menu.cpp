@@ -11,7 +11,7 @@ ViewMenu::ViewMenu(const ViewMenuActions& actions, const Document& document, Nod
     setObjectName(QStringLiteral("viewMenu"));
     const Node* clicked = document.scene().find(node);
     if (clicked && branch != noIndex)
-        addBranch(actions, document.result(node), branch);
+        addBranch(actions, document, node, branch);
     if (clicked)
         addNode(actions, *clicked);
     else
@@ -25,10 +25,16 @@ void ViewMenu::addTitle(QString text)
     addAction(text.replace(u'&', QStringLiteral("&&")))->setEnabled(false);
 }
 
-void ViewMenu::addBranch(const ViewMenuActions& actions, const NodeResult* tree, Index branch)
+/// Called as what is selected: the limb, or the branch alone.
+void ViewMenu::addBranch(const ViewMenuActions& actions, const Document& document, NodeId node, Index branch)
 {
-    if (tree && tree->tree.simplified && branch < tree->tree.simplified->skeleton.size())
-        addTitle(BranchNames().branch(BranchRows(tree->tree), branch));
+    const NodeResult* tree = document.result(node);
+    if (tree && tree->tree.simplified && branch < tree->tree.simplified->skeleton.size()) {
+        const BranchRows rows(tree->tree);
+        const BranchNames names;
+        addTitle(document.selection().branches.size() > 1 ? names.axis(rows, rows.axisOf(branch))
+                                                          : names.branch(rows, branch));
+    }
     addActions(actions.branches);
 }
 

@@ -31,7 +31,7 @@ public:
 
 private:
     void addTitle(QString text);
-    void addBranch(const ViewMenuActions& actions, const NodeResult* tree, Index branch);
+    void addBranch(const ViewMenuActions& actions, const Document& document, NodeId node, Index branch);
     void addNode(const ViewMenuActions& actions, const Node& node);
     void addView(const ViewMenuActions& actions);
 };

@@ -19,6 +19,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <optional>
+#include <span>
 
 namespace ramure {
 namespace {
@@ -70,6 +71,8 @@ struct BranchInspector::Private
     void retranslate();
     void showTitle();
     [[nodiscard]] QString whyEmpty() const;
+    [[nodiscard]] std::span<const Index> limb() const;
+    [[nodiscard]] bool isLimbSelected() const;
 
     BranchInspector* q;
     Document* document;
@@ -227,18 +230,35 @@ void BranchInspector::Private::showBranch(const NodeResult& result)
     const SectionSet& set = fits ? *result.tree.sections : none;
     form->setFacts(branchFacts(skeleton, cache.children, set, cache.masses, branch));
     sections->setFacts(sectionFacts(skeleton, set, branch));
+    // A limb turns as a whole where its foot does: the turn of a branch goes on to those above it.
     std::vector<std::uint64_t> keys;
-    for (const Index selected : document->selection().branches)
-        keys.push_back(skeleton.name(selected));
+    if (isLimbSelected())
+        keys.push_back(skeleton.name(limb().front()));
+    else
+        for (const Index selected : document->selection().branches)
+            keys.push_back(skeleton.name(selected));
     roll->showBranches(node, std::move(keys));
     showTitle();
+}
+
+/// That has the branch.
+std::span<const Index> BranchInspector::Private::limb() const
+{
+    return cache.rows->branches(cache.rows->axisOf(branch));
+}
+
+bool BranchInspector::Private::isLimbSelected() const
+{
+    return limb().size() > 1 && std::ranges::equal(limb(), document->selection().branches);
 }
 
 void BranchInspector::Private::showTitle()
 {
     if (branch == noIndex)
         return;
-    title->setText(BranchNames().branch(*cache.rows, branch));
+    const BranchNames names;
+    title->setText(isLimbSelected() ? names.axis(*cache.rows, cache.rows->axisOf(branch))
+                                    : names.branch(*cache.rows, branch));
     detailsTitle->setText(tr("Section %1").arg(sections->currentSection() + 1));
     const bool some = sections->currentSection() >= 0;
     detailsTitle->setVisible(some);
@@ -248,7 +268,9 @@ void BranchInspector::Private::showTitle()
         tr("%1 · branch %2 in reports")
             .arg(tree ? QString::fromStdString(tree->name) : QString(), QString::number(branch));
     const auto selected = static_cast<int>(document->selection().branches.size());
-    subtitle->setText(selected > 1
+    subtitle->setText(isLimbSelected() ? tr("%1 · the whole limb is selected; the figures are those of: %2")
+                                             .arg(name, names.part(*cache.rows, branch))
+                      : selected > 1
                           ? tr("%1 · the active one of %n selected branch(es)", nullptr, selected).arg(name)
                           : name);
 }

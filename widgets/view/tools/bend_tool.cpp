@@ -285,11 +285,11 @@ void BendTool::offer(ToolOffers& offers) const
 void BendTool::paintParts(QPainter& painter, const PickView& view, const LimbHit& limb)
 {
     constexpr int steps = 6;
-    const NodeResult* result = m_context.document.result(limb.node);
+    const TreeResult* shown = m_context.limbs.tree(m_context.document, limb.node);
     const TreeAxes* axes = m_context.limbs.axes(m_context.document, limb.node);
-    if (!result || !axes)
+    if (!shown || !axes)
         return;
-    const Skeleton& seen = result->tree.simplified->skeleton;
+    const Skeleton& seen = shown->simplified->skeleton;
     const std::vector<LimbSpan> spans = m_context.limbs.spans(m_context.document, limb.node);
     const glm::dmat4 world = worldOf(limb.node);
     for (const BowPart& part : m_parts) {

@@ -65,10 +65,10 @@ private:
 double BrushTool::radius(NodeId tree) const
 {
     const double chosen = m_context.hand.options().brushRadius;
-    const NodeResult* result = m_context.document.result(tree);
-    if (chosen > 0.0 || !result || !result->tree.simplified)
+    const TreeResult* shown = m_context.limbs.tree(m_context.document, tree);
+    if (chosen > 0.0 || !shown)
         return chosen > 0.0 ? chosen : 1.0;
-    const SkeletonStats stats = skeletonStats(result->tree.simplified->skeleton);
+    const SkeletonStats stats = skeletonStats(shown->simplified->skeleton);
     const glm::dvec3 size = stats.max - stats.min;
     return std::max(usualRadius * std::max({size.x, size.y, size.z}), 1e-3);
 }
@@ -83,10 +83,10 @@ double BrushTool::strength() const
 /// Under the cursor, as far away as the middle of the tree.
 std::optional<glm::dvec3> BrushTool::besideTree(const ToolPoint& point, NodeId tree) const
 {
-    const NodeResult* result = m_context.document.result(tree);
-    if (!result || result->error || !result->tree.simplified)
+    const TreeResult* shown = m_context.limbs.tree(m_context.document, tree);
+    if (!shown)
         return std::nullopt;
-    const SkeletonStats stats = skeletonStats(result->tree.simplified->skeleton);
+    const SkeletonStats stats = skeletonStats(shown->simplified->skeleton);
     const glm::dmat4 world = worldOf(tree);
     const glm::dvec3 middle(world * glm::dvec4(0.5 * (stats.min + stats.max), 1.0));
     return glm::dvec3(glm::inverse(world) * glm::dvec4(pulledTo(point.view, point.pixel(), middle), 1.0));
@@ -116,7 +116,7 @@ void BrushTool::leave()
 /// What the sphere touches.
 std::vector<Index> BrushTool::affected(const LimbHit& limb)
 {
-    const Skeleton& skeleton = m_context.document.result(limb.node)->tree.simplified->skeleton;
+    const Skeleton& skeleton = limb.simplified->skeleton;
     const glm::dvec3 centre = limb.seen + limb.aside;
     const double reach = radius(limb.node);
     std::vector<Index> branches;

@@ -121,7 +121,7 @@ std::optional<LimbHit> DrawTool::tipOf(const LimbHit& limb)
                                 : m_context.limbs.startOf(m_context.document, limb.node, branches.back());
     if (!tip)
         return tip;
-    const Skeleton& skeleton = m_context.document.result(limb.node)->tree.simplified->skeleton;
+    const Skeleton& skeleton = tip->simplified->skeleton;
     tip->share = 1.0;
     tip->seen = skeleton.p1[branches.back()];
     tip->radius = skeleton.a1[branches.back()];
@@ -136,7 +136,7 @@ std::optional<LimbHit> DrawTool::groundUnder(const ToolPoint& point)
     const TreeAxes* axes = m_context.limbs.axes(m_context.document, tree);
     if (!axes || axes->axes.empty() || m_context.document.scene().isLocked(tree))
         return std::nullopt;
-    const Skeleton& skeleton = m_context.document.result(tree)->tree.simplified->skeleton;
+    const Skeleton& skeleton = m_context.limbs.tree(m_context.document, tree)->simplified->skeleton;
     const SkeletonStats stats = skeletonStats(skeleton);
     const glm::dmat4 inverse = glm::inverse(worldOf(tree));
     const ViewRay ray = point.view.camera.ray(point.view.ndc(point.pixel()), point.view.aspect());

@@ -15,6 +15,7 @@ public:
 
     bool press(const ToolPoint&) override { return false; }
     void documentChanged(const Change&) override { m_stale = true; }
+    void sceneReady() override { m_stale = true; }
     void paint(QPainter& painter, const PickView& view) override;
 
 private:
@@ -33,13 +34,12 @@ void EditMarks::look()
     const Document& document = m_context.document;
     const NodeId tree = treeMeant(document);
     const Node* node = document.scene().find(tree);
-    const NodeResult* result = document.result(tree);
-    if (!node || !document.scene().isShown(tree) || !result || !result->tree.edits ||
-        !result->tree.simplified)
+    const TreeResult* shown = m_context.limbs.tree(document, tree);
+    if (!node || !document.scene().isShown(tree) || !shown || !shown->edits)
         return;
     m_world = EvaluatedScene(document.scene()).transforms(tree).geometry;
-    const Skeleton& skeleton = result->tree.simplified->skeleton;
-    for (const EditOutcome& outcome : *result->tree.edits) {
+    const Skeleton& skeleton = shown->simplified->skeleton;
+    for (const EditOutcome& outcome : *shown->edits) {
         const auto edit = std::ranges::find(node->params.edits, outcome.id, &TreeEdit::id);
         const bool acts = outcome.state == EditState::ByAddress || outcome.state == EditState::ByLikeness;
         if (edit == node->params.edits.end() || !acts)

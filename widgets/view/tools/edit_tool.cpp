@@ -38,9 +38,7 @@ bool EditTool::hover(const ToolPoint& point)
     if (isBusy())
         return false; // what the gesture shows is enough
     m_eye = point.view.camera.eye();
-    const bool looks = isChosen() && !m_context.isPlaying() && !m_context.host.isStale();
-    const auto scene = looks ? m_context.host.latestPickScene() : nullptr;
-    setAim(scene ? limbNear(*scene, point) : std::nullopt);
+    setAim(isChosen() && !m_context.isPlaying() ? limbAt(point, {}) : std::nullopt);
     return false;
 }
 
@@ -57,9 +55,8 @@ void EditTool::setAim(const std::optional<LimbHit>& aim)
     std::vector<Index> branches = m_aim ? affected(*m_aim) : std::vector<Index>();
     if (takesAway()) {
         m_loss = {branches, 0.0};
-        const NodeResult* result = m_aim ? m_context.document.result(m_aim->node) : nullptr;
         for (const Index branch : branches)
-            m_loss.metres += result ? result->tree.simplified->skeleton.length(branch) : 0.0;
+            m_loss.metres += m_aim->simplified->skeleton.length(branch);
     }
     m_context.host.markBranches(m_aim ? m_aim->node : noNode, std::move(branches), takesAway());
     m_context.host.updateHint();
@@ -72,18 +69,19 @@ QString EditTool::lossWords(const HandLoss& loss)
         .arg(QLocale().toString(loss.metres, 'f', 1));
 }
 
-std::optional<LimbHit> EditTool::limbAt(const ToolPoint& point)
+std::optional<LimbHit> EditTool::limbAt(const ToolPoint& point, std::chrono::milliseconds patience)
 {
-    const auto scene = m_context.host.pickScene(pickPatience);
-    return scene ? limbNear(*scene, point) : std::nullopt;
-}
-
-std::optional<LimbHit> EditTool::limbNear(const PickScene& scene, const ToolPoint& point)
-{
-    const auto twig = twigNear(scene, point);
+    const auto twig = twigAt(point, patience);
     return twig && takesLimbs(m_kind)
                ? m_context.limbs.onLimb(m_context.document, *twig, m_context.hand.options().limbOrder)
                : twig;
+}
+
+std::optional<LimbHit> EditTool::twigAt(const ToolPoint& point, std::chrono::milliseconds patience)
+{
+    const auto scene = m_context.host.pickScene(patience);
+    return scene ? twigNear(*scene, point)
+                 : m_context.limbs.under(m_context.document, point.view, point.pixel());
 }
 
 /// Under the mouse, or, as thin as twigs are, a few pixels beside it.
@@ -99,8 +97,9 @@ std::optional<LimbHit> EditTool::twigNear(const PickScene& scene, const ToolPoin
     auto limb = at({0.0, 0.0});
     for (const double reach : reaches)
         for (const glm::dvec2& way : ways)
-            if (!limb)
-                limb = at(reach * way);
+            if (!limb && (limb = at(reach * way)))
+                limb->side =
+                    m_context.limbs.sideTowards(m_context.document, *limb, point.view, point.pixel());
     return limb;
 }
 
@@ -111,7 +110,7 @@ bool EditTool::press(const ToolPoint& point)
     if (!isChosen() || point.button != Qt::LeftButton || (point.held & others))
         return false;
     m_eye = point.view.camera.eye();
-    return take(point, limbAt(point));
+    return take(point, limbAt(point, shapePatience));
 }
 
 /// With Shift: of the twig under the cursor the limb that it grows on, and that one's; or back.
@@ -119,8 +118,7 @@ bool EditTool::wheel(const ToolPoint& point, double turn)
 {
     if (isBusy() || !isChosen() || !takesLimbs(m_kind) || !point.held.testFlag(Qt::ShiftModifier))
         return false;
-    const auto scene = m_context.host.latestPickScene();
-    const auto twig = scene && turn != 0.0 ? twigNear(*scene, point) : std::nullopt;
+    const auto twig = turn != 0.0 ? twigAt(point, {}) : std::nullopt;
     if (!twig)
         return true;
     HandOptions options = m_context.hand.options();
@@ -132,7 +130,7 @@ bool EditTool::wheel(const ToolPoint& point, double turn)
     const int next = turn > 0.0 ? std::max(shown - 1, 1) : shown + 1;
     options.limbOrder = next < deepest ? next : 0;
     m_context.hand.setOptions(options);
-    setAim(limbNear(*scene, point));
+    setAim(limbAt(point, {}));
     return true;
 }
 
@@ -160,10 +158,9 @@ void EditTool::documentChanged(const Change& change)
 Symmetry EditTool::symmetryOf(NodeId node)
 {
     const TreeAxes* axes = m_context.limbs.axes(m_context.document, node);
-    const NodeResult* result = m_context.document.result(node);
-    if (!axes || axes->axes.empty() || !result)
+    if (!axes || axes->axes.empty())
         return {};
-    const Skeleton& drawn = *result->tree.skeleton;
+    const Skeleton& drawn = *m_context.limbs.tree(m_context.document, node)->skeleton;
     const glm::dvec3 eye(glm::inverse(worldOf(node)) * glm::dvec4(m_eye, 1.0));
     return {*axes, drawn, m_context.hand.options(), drawn.p0[0] - eye};
 }
@@ -243,7 +240,7 @@ void ClickTool::drag(const ToolPoint& point)
     if (m_waiting)
         m_waiting->at = point.at;
     else
-        setAim(limbAt(point));
+        setAim(limbAt(point, pickPatience));
 }
 
 void ClickTool::release(const ToolPoint& point)
@@ -259,7 +256,7 @@ void ClickTool::sceneReady()
     if (!m_waiting || isBusy())
         return;
     const ToolPoint point = *std::exchange(m_waiting, std::nullopt);
-    const auto limb = isChosen() ? limbAt(point) : std::nullopt;
+    const auto limb = isChosen() ? limbAt(point, pickPatience) : std::nullopt;
     if (limb)
         report(act(*limb, point.held));
 }

@@ -39,10 +39,11 @@ protected:
     [[nodiscard]] QString aimedLoss() const { return lossWords(m_loss); }
     [[nodiscard]] static QString lossWords(const HandLoss& loss);
 
-    [[nodiscard]] std::optional<LimbHit> limbAt(const ToolPoint& point);
-    [[nodiscard]] std::optional<LimbHit> limbNear(const PickScene& scene, const ToolPoint& point);
+    /// In the last picture, whatever is being computed for the next one. \param patience for what is picked
+    /// in
+    [[nodiscard]] std::optional<LimbHit> limbAt(const ToolPoint& point, std::chrono::milliseconds patience);
     void offerLimbs(ToolOffers& offers) const; ///< HandOptions::limbOrder by the wheel
-    /// The same without waiting for what is picked in.
+    /// What the cursor was over last.
     [[nodiscard]] const std::optional<LimbHit>& aim() const { return m_aim; }
     void setAim(const std::optional<LimbHit>& aim);
     /// All limbs that are meant: those selected, where \p hit is one of them.
@@ -70,6 +71,7 @@ protected:
 
 private:
     [[nodiscard]] std::optional<LimbHit> twigNear(const PickScene& scene, const ToolPoint& point);
+    [[nodiscard]] std::optional<LimbHit> twigAt(const ToolPoint& point, std::chrono::milliseconds patience);
 
     HandTool m_kind;
     QCursor m_cursor;

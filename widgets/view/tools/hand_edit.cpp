@@ -174,7 +174,7 @@ Expected<void> putAround(Document& document, const LimbHit& limb, TreeEdit edit,
     if (!gesture)
         return tl::unexpected(gesture.error());
     const auto frame = (*gesture)->context().frameOn(limb.address, limb.share);
-    const glm::dvec3 aside = TurnedLimb(document, limb).direction(limb.aside);
+    const glm::dvec3 aside = TurnedLimb(document, limb).direction(limb.side);
     const double azimuth =
         frame ? std::atan2(glm::dot(aside, frame->binormal), glm::dot(aside, frame->normal)) : 0.0;
     edit.target.address = limb.address;

@@ -1,17 +1,29 @@
 #include "widgets/view/tools/limb_finder.h"
 
 #include "core/evaluate/evaluator.h"
+#include "core/math/hermite.h"
+#include "core/skeleton/edit_places.h"
+#include "core/skeleton/sections.h"
+#include "widgets/view/tools/motion_tools.h"
 #include <algorithm>
+#include <cmath>
 
 namespace ramure {
+
+const TreeResult* LimbFinder::tree(const Document& document, NodeId node) const
+{
+    const NodeResult* result = document.result(node);
+    const TreeResult* tree = m_shown ? m_shown(node) : result ? &result->tree : nullptr;
+    return tree && tree->skeleton && tree->simplified && !(result && result->error) ? tree : nullptr;
+}
 
 /// \return whether there is a tree to look in
 bool LimbFinder::take(const Document& document, NodeId node)
 {
-    const NodeResult* result = document.result(node);
-    if (!result || result->error || !result->tree.skeleton || !result->tree.simplified)
+    const TreeResult* found = tree(document, node);
+    if (!found)
         return false;
-    const TreeResult& tree = result->tree;
+    const TreeResult& tree = *found;
     if (tree.skeleton == m_drawn && tree.simplified == m_simplified)
         return true;
     m_drawn = tree.skeleton;
@@ -54,8 +66,32 @@ std::optional<LimbHit> LimbFinder::place(const Document& document, NodeId node, 
     const double length = seen.length(branch);
     hit.along = length > 0.0 ? (seen.p1[branch] - seen.p0[branch]) / length : glm::dvec3(0.0, 1.0, 0.0);
     hit.radius = glm::mix(seen.a0[branch], seen.a1[branch], share);
+    hit.drawn = m_drawn;
+    hit.simplified = m_simplified;
     return hit;
 }
+
+namespace {
+
+/// The place on the centre line of a branch, which bows where its mesh does, that is nearest to a point.
+glm::dvec3 nearestOnCentre(const Skeleton& skeleton, Index branch, const glm::dvec3& point)
+{
+    constexpr int steps = 32;
+    const BranchCurve curve = branchCurve(skeleton, branch);
+    glm::dvec3 from = curve.h0, nearest = curve.h0;
+    for (int k = 1; k <= steps; ++k) {
+        const glm::dvec3 to = hermite(curve.h0, curve.h1, curve.v0, curve.v1, double(k) / steps).point;
+        const glm::dvec3 way = to - from;
+        const double squared = glm::dot(way, way);
+        const double t = squared > 0.0 ? std::clamp(glm::dot(point - from, way) / squared, 0.0, 1.0) : 0.0;
+        if (glm::distance(from + t * way, point) < glm::distance(nearest, point))
+            nearest = from + t * way;
+        from = to;
+    }
+    return nearest;
+}
+
+} // namespace
 
 std::optional<LimbHit> LimbFinder::at(const Document& document, const PickHit& hit)
 {
@@ -68,9 +104,43 @@ std::optional<LimbHit> LimbFinder::at(const Document& document, const PickHit& h
     const double squared = glm::dot(way, way);
     const double share = squared > 0.0 ? glm::dot(point - seen.p0[hit.branch], way) / squared : 0.0;
     auto found = place(document, hit.node, hit.branch, std::clamp(share, 0.0, 1.0));
-    if (found)
+    if (found) {
         found->aside = point - found->seen;
+        found->side = point - nearestOnCentre(seen, hit.branch, point);
+    }
     return found;
+}
+
+std::optional<LimbHit> LimbFinder::under(const Document& document, const PickView& view,
+                                         const glm::dvec2& pixel)
+{
+    constexpr double tolerance = 6.0; // logical pixels
+    const EvaluatedScene now(document.scene());
+    std::vector<StandingTree> trees;
+    for (const Node& node : document.scene().nodes())
+        if (const TreeResult* tree = node.kind == NodeKind::Tree && document.scene().isShown(node.id)
+                                         ? this->tree(document, node.id)
+                                         : nullptr)
+            trees.push_back({node.id, now.transforms(node.id).geometry, &tree->simplified->skeleton});
+    const auto near = branchUnder(view, pixel, trees, tolerance);
+    auto found = near ? place(document, near->node, near->branch, near->along) : std::nullopt;
+    if (!found)
+        return found;
+    found->aside = sideTowards(document, *found, view, pixel);
+    found->side = found->aside;
+    return found;
+}
+
+glm::dvec3 LimbFinder::sideTowards(const Document& document, const LimbHit& hit, const PickView& view,
+                                   const glm::dvec2& pixel) const
+{
+    const glm::dmat4 inverse = glm::inverse(EvaluatedScene(document.scene()).transforms(hit.node).geometry);
+    const ViewRay ray = view.camera.ray(view.ndc(pixel), view.aspect());
+    const glm::dvec3 eye(inverse * glm::dvec4(ray.origin, 1.0));
+    const glm::dvec3 way = glm::normalize(glm::dmat3(inverse) * ray.direction);
+    const glm::dvec3 across = eye + glm::dot(hit.seen - eye, way) * way - hit.seen;
+    const double before = hit.radius * hit.radius - glm::dot(across, across);
+    return before > 0.0 ? across - std::sqrt(before) * way : hit.radius * glm::normalize(across);
 }
 
 std::optional<LimbHit> LimbFinder::startOf(const Document& document, NodeId node, Index branch)
@@ -111,15 +181,18 @@ std::vector<LimbHit> LimbFinder::selected(const Document& document)
         if (const auto hit = startOf(document, selection.branchNode, branch))
             hits.push_back(*hit);
     std::ranges::stable_sort(hits, {}, [](const LimbHit& hit) { return std::pair(hit.axis, hit.share); });
+    const auto again = std::ranges::unique(hits, {}, &LimbHit::axis);
+    hits.erase(again.begin(), again.end());
     return hits;
 }
 
 std::vector<LimbHit> LimbFinder::meantBy(const Document& document, const LimbHit& hit)
 {
     const Selection& selection = document.selection();
-    const bool among = selection.branchNode == hit.node && selection.branches.size() > 1 &&
-                       std::ranges::binary_search(selection.branches, hit.branch);
-    return among ? selected(document) : std::vector{hit};
+    const bool among =
+        selection.branchNode == hit.node && std::ranges::binary_search(selection.branches, hit.branch);
+    std::vector<LimbHit> limbs = among ? selected(document) : std::vector<LimbHit>();
+    return limbs.size() > 1 ? limbs : std::vector{hit};
 }
 
 std::vector<Index> LimbFinder::above(const Document& document, const LimbHit& hit, bool whole)
@@ -160,6 +233,31 @@ std::vector<Index> LimbFinder::limb(const Document& document, NodeId node, std::
     for (Index b = 0; b < seen.size(); ++b)
         if (m_axes.axes[m_axes.axisOf[seen.source[b]]].address == address)
             branches.push_back(b);
+    return branches;
+}
+
+std::vector<Index> LimbFinder::limbOf(const Document& document, NodeId node, Index branch)
+{
+    if (!take(document, node) || branch >= m_simplified->skeleton.size())
+        return {branch};
+    return limb(document, node, m_axes.axes[m_axes.axisOf[m_simplified->skeleton.source[branch]]].address);
+}
+
+std::vector<Index> LimbFinder::inDocument(const Document& document, NodeId node,
+                                          std::vector<Index> branches) const
+{
+    const NodeResult* result = document.result(node);
+    const TreeResult* shown = tree(document, node);
+    if (!shown || !result || !result->tree.skeleton || !result->tree.simplified ||
+        shown->simplified == result->tree.simplified)
+        return branches;
+    std::erase_if(branches, [count = shown->simplified->skeleton.size()](Index b) { return b >= count; });
+    branches = followBranches(*shown->skeleton, *shown->simplified, branches, *result->tree.skeleton,
+                              *result->tree.simplified);
+    std::ranges::sort(branches);
+    const auto again = std::ranges::unique(branches);
+    branches.erase(again.begin(), again.end());
+    std::erase(branches, noIndex);
     return branches;
 }
 

@@ -6,6 +6,7 @@
 #include "core/document/document.h"
 #include "core/skeleton/axes.h"
 #include "widgets/view/render/pick_scene.h"
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -16,14 +17,17 @@ namespace ramure {
 struct LimbHit
 {
     NodeId node = noNode;
-    Index branch = noIndex;    ///< of the simplified skeleton
-    Index axis = noIndex;      ///< of LimbFinder::axes
-    std::uint64_t address = 0; ///< of the axis
-    double share = 0.0;        ///< of its length, from the foot
-    glm::dvec3 seen{0.0};      ///< m, tree space, on the middle of the branch as it is shown
-    glm::dvec3 along{0.0};     ///< unit, tree space: the way of the branch
-    double radius = 0.0;       ///< m
-    glm::dvec3 aside{0.0};     ///< m, tree space: from the middle to where it was hit
+    Index branch = noIndex;                ///< of the simplified skeleton
+    Index axis = noIndex;                  ///< of LimbFinder::axes
+    std::uint64_t address = 0;             ///< of the axis
+    double share = 0.0;                    ///< of its length, from the foot
+    glm::dvec3 seen{0.0};                  ///< m, tree space, on the middle of the branch as it is shown
+    glm::dvec3 along{0.0};                 ///< unit, tree space: the way of the branch
+    double radius = 0.0;                   ///< m
+    glm::dvec3 aside{0.0};                 ///< m, tree space: from the middle to where it was hit
+    glm::dvec3 side{0.0};                  ///< m, tree space: the same from the centre line of the bark
+    std::shared_ptr<const Skeleton> drawn; ///< of the tree that was looked in, as those of TreeResult
+    std::shared_ptr<const SimplifiedSkeleton> simplified;
 };
 
 /// What of an axis a branch of the simplified skeleton is.
@@ -33,13 +37,24 @@ struct LimbSpan
     double from = 0.0, to = 0.0; ///< m from the foot of the axis
 };
 
+/// Looks in the trees that the last picture shows, where it is told them, else in those of the document.
 class LimbFinder
 {
 public:
-    /// Of the tree as it is shown; null where it has none yet.
+    using Shown = std::function<const TreeResult*(NodeId)>;
+    void setShown(Shown shown) { m_shown = std::move(shown); }
+    /// The tree that it looks in; null where there is none yet, or only an error.
+    [[nodiscard]] const TreeResult* tree(const Document& document, NodeId node) const;
+    /// Of tree(); null where it has none yet.
     const TreeAxes* axes(const Document& document, NodeId node);
     /// Nothing where it is no branch of a tree that may be changed.
     std::optional<LimbHit> at(const Document& document, const PickHit& hit);
+    /// The same by skeletons alone, while nothing is ready to pick in: what stands before a branch does not
+    /// hide it. Thin branches are hit from a few logical pixels beside them.
+    std::optional<LimbHit> under(const Document& document, const PickView& view, const glm::dvec2& pixel);
+    /// The side of the place that a ray passes on: LimbHit::side, of a click that is beside the bark.
+    [[nodiscard]] glm::dvec3 sideTowards(const Document& document, const LimbHit& hit, const PickView& view,
+                                         const glm::dvec2& pixel) const;
     /// Where a branch of the simplified skeleton begins on its limb.
     std::optional<LimbHit> startOf(const Document& document, NodeId node, Index branch);
     /// At a share of a branch of the simplified skeleton.
@@ -47,10 +62,14 @@ public:
     /// Of what grows on a limb of this order (of an axis) where it springs from the limb; \p hit itself where
     /// it is on none, and for 0.
     LimbHit onLimb(const Document& document, const LimbHit& hit, int order);
-    /// All selected branches, by axis from the foot, where \p hit is one of them; else \p hit alone.
+    /// All limbs with selected branches where \p hit is one of those and they are several; else \p hit alone.
     std::vector<LimbHit> meantBy(const Document& document, const LimbHit& hit);
-    /// The same of the selection alone.
+    /// The limbs with selected branches, each once, from its lowest selected branch on.
     std::vector<LimbHit> selected(const Document& document);
+    /// All branches of the limb that has this one, from foot to tip; the branch alone where it has none.
+    std::vector<Index> limbOf(const Document& document, NodeId node, Index branch);
+    /// What branches of tree() are in the document's own result: those that are gone from it are left out.
+    std::vector<Index> inDocument(const Document& document, NodeId node, std::vector<Index> branches) const;
     /// Branches of the simplified skeleton of a limb above that place, with all that grows there. \param
     /// whole from the foot of the limb on
     std::vector<Index> above(const Document& document, const LimbHit& hit, bool whole);
@@ -63,6 +82,7 @@ private:
     std::optional<LimbHit> place(const Document& document, NodeId node, Index branch, double share);
     bool take(const Document& document, NodeId node);
 
+    Shown m_shown;
     std::shared_ptr<const Skeleton> m_drawn; ///< what the rest is of
     std::shared_ptr<const SimplifiedSkeleton> m_simplified;
     TreeAxes m_axes;

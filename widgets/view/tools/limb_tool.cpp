@@ -63,11 +63,13 @@ bool LimbTool::press(const ToolPoint& point)
 {
     if (point.button != Qt::LeftButton || !point.held.testFlag(Qt::ControlModifier))
         return false;
-    const auto scene = m_context.host.pickScene(pickPatience);
-    const auto hit = scene ? scene->pick(point.view, point.pixel()) : std::nullopt;
+    const auto scene = m_context.host.pickScene(shapePatience);
+    auto hit = scene ? scene->pick(point.view, point.pixel()) : std::nullopt;
     const Node* node = hit ? m_context.document.scene().find(hit->node) : nullptr;
     if (!node || node->kind != NodeKind::Tree)
         return false;
+    const auto branch = m_context.limbs.inDocument(m_context.document, hit->node, {hit->branch});
+    hit->branch = branch.empty() ? noIndex : branch.front();
     m_drag = LimbDrag::grab(m_context.document, *hit, m_branches);
     if (!m_drag)
         return false;
@@ -88,7 +90,7 @@ void LimbTool::findTwins(const PickHit& hit, const PickView& view)
     const TreeAxes* axes = limbs.axes(document, hit.node);
     if (!axes || axes->axes.empty())
         return;
-    const TreeResult& tree = document.result(hit.node)->tree;
+    const TreeResult& tree = *limbs.tree(document, hit.node);
     const glm::dmat4 world = EvaluatedScene(document.scene()).transforms(hit.node).geometry;
     const glm::dvec3 eye(glm::inverse(world) * glm::dvec4(view.camera.eye(), 1.0));
     Symmetry symmetry(*axes, *tree.skeleton, m_context.hand.options(), tree.skeleton->p0[0] - eye);
@@ -96,6 +98,8 @@ void LimbTool::findTwins(const PickHit& hit, const PickView& view)
         return;
     const Skeleton& seen = m_drag->skeleton()->skeleton;
     const std::vector<LimbSpan> spans = limbs.spans(document, hit.node);
+    if (spans.size() != seen.size())
+        return; // another tree is shown
     std::map<Index, std::vector<LimbTwin>> byAxis;
     std::vector<BranchTwin> twins;
     for (Index b = hit.branch; b != noIndex; b = seen.parent[b]) {

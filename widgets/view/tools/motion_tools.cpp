@@ -49,17 +49,16 @@ struct Nearest
 } // namespace
 
 std::optional<GrabbedBranch> branchUnder(const PickView& view, const glm::dvec2& pixel,
-                                         const Document& document, const MotionFrame& frame, double tolerance)
+                                         std::span<const StandingTree> trees, double tolerance)
 {
     std::optional<GrabbedBranch> found;
     Nearest nearest{tolerance};
-    forEachTree(document, frame, [&](NodeId id, const NodeMotion& motion, const TreeResult& tree) {
-        const glm::dmat4 world = frame.geometryOf(document.scene(), id);
-        const Skeleton& skeleton = tree.simplified->skeleton;
+    for (const StandingTree& tree : trees) {
+        const Skeleton& skeleton = *tree.skeleton;
         for (Index b = 0; b < skeleton.size(); ++b) {
-            const RigidTransform& bone = (*motion.bones)[b];
-            const glm::dvec3 from = placed(world, bone.point(skeleton.p0[b]));
-            const glm::dvec3 to = placed(world, bone.point(skeleton.p1[b]));
+            const RigidTransform bone = tree.bones ? (*tree.bones)[b] : RigidTransform();
+            const glm::dvec3 from = placed(tree.world, bone.point(skeleton.p0[b]));
+            const glm::dvec3 to = placed(tree.world, bone.point(skeleton.p1[b]));
             const auto a = view.pixel(from), c = view.pixel(to);
             if (!a || !c)
                 continue;
@@ -73,10 +72,21 @@ std::optional<GrabbedBranch> branchUnder(const PickView& view, const glm::dvec2&
                                   std::max(view.camera.metresPerPixel(point, view.size.y), 1e-12);
             const double pixels = std::max(0.0, glm::length(*a + along * way - pixel) - radius);
             if (pixels <= tolerance && nearest.take(pixels, depthOf(view, point)))
-                found = GrabbedBranch{id, b, along, point};
+                found = GrabbedBranch{tree.node, b, along, point};
         }
-    });
+    }
     return found;
+}
+
+std::optional<GrabbedBranch> branchUnder(const PickView& view, const glm::dvec2& pixel,
+                                         const Document& document, const MotionFrame& frame, double tolerance)
+{
+    std::vector<StandingTree> trees;
+    forEachTree(document, frame, [&](NodeId id, const NodeMotion& motion, const TreeResult& tree) {
+        trees.push_back(
+            {id, frame.geometryOf(document.scene(), id), &tree.simplified->skeleton, motion.bones.get()});
+    });
+    return branchUnder(view, pixel, trees, tolerance);
 }
 
 glm::dvec3 pulledTo(const PickView& view, const glm::dvec2& pixel, const glm::dvec3& held)

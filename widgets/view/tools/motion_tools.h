@@ -8,6 +8,7 @@
 #include "core/session/motion.h"
 #include "widgets/view/render/pick_scene.h"
 #include <optional>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -22,11 +23,22 @@ struct GrabbedBranch
     glm::dvec3 point{0.0}; ///< world, where it was grabbed
 };
 
+/// A tree as it stands in a picture.
+struct StandingTree
+{
+    NodeId node = noNode;
+    glm::dmat4 world{1.0};
+    const Skeleton* skeleton = nullptr;                 ///< simplified
+    const std::vector<RigidTransform>* bones = nullptr; ///< by branch; null: at rest
+};
 /// The branch whose axis is nearest to the cursor, within \p tolerance logical pixels; of several equally
 /// near the one in front. Only of trees that are shown, not locked, and part of the frame.
 std::optional<GrabbedBranch> branchUnder(const PickView& view, const glm::dvec2& pixel,
                                          const Document& document, const MotionFrame& frame,
                                          double tolerance = 12.0);
+/// The same of given trees.
+std::optional<GrabbedBranch> branchUnder(const PickView& view, const glm::dvec2& pixel,
+                                         std::span<const StandingTree> trees, double tolerance);
 
 /// Where the hand is: under the cursor, as far from the eye as \p held. World.
 glm::dvec3 pulledTo(const PickView& view, const glm::dvec2& pixel, const glm::dvec3& held);

@@ -113,7 +113,7 @@ bool MoveTool::take(const ToolPoint& point, const std::optional<LimbHit>& limb)
         return true; // pressed on a branch, and nothing comes of it
     lookAtParent(*limb, point.view);
     m_scene = m_context.host.pickScene({});
-    m_tree = m_context.document.result(m_node)->tree.simplified;
+    m_tree = limb->simplified;
     m_spans = m_context.limbs.spans(m_context.document, m_node);
     const auto branches = m_context.limbs.limb(m_context.document, m_node, limb->address);
     const glm::dvec3 foot = m_tree->skeleton.p0[branches.front()];
@@ -165,7 +165,7 @@ void MoveTool::lookAtParent(const LimbHit& limb, const PickView& view)
     const TreeAxes& axes = *m_context.limbs.axes(m_context.document, limb.node);
     const Axis& parent = axes.axes[axes.axes[limb.axis].parent];
     const std::vector<LimbSpan> spans = m_context.limbs.spans(m_context.document, limb.node);
-    const Skeleton& skeleton = m_context.document.result(limb.node)->tree.simplified->skeleton;
+    const Skeleton& skeleton = limb.simplified->skeleton;
     const glm::dmat4 world = worldOf(limb.node);
     for (const Index b : m_context.limbs.limb(m_context.document, limb.node, parent.address)) {
         const auto start = view.pixel(glm::dvec3(world * glm::dvec4(skeleton.p0[b], 1.0)));

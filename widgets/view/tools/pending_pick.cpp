@@ -40,8 +40,8 @@ void PendingPick::forget()
 
 void PendingPick::tryAgain()
 {
-    if (!m_pending || m_boxRuns || m_context.host.isStale())
-        return; // what is picked must belong to the document of now
+    if (!m_pending || m_boxRuns || (m_pending->isBox && m_context.host.isStale()))
+        return; // what is in a box must belong to the document of now
     const auto scene = m_context.host.pickScene(pickPatience);
     if (!scene || !m_pending)
         return;
@@ -49,14 +49,30 @@ void PendingPick::tryAgain()
         return tryBox();
     const Pending pick = *std::exchange(m_pending, std::nullopt);
     const Selection& selection = m_context.document.selection();
-    const auto hit = scene->pick(m_context.host.view(), {pick.to.x(), pick.to.y()});
+    auto hit = scene->pick(m_context.host.view(), {pick.to.x(), pick.to.y()});
     if (!hit && !pick.asksMenu)
         emit missed();
+    const std::vector<Index> limb = hit ? takeIntoDocument(*hit) : std::vector<Index>();
     if (!pick.asksMenu || (hit && !isSelected(selection, *hit)))
-        m_context.document.setSelection(afterClick(selection, hit, pick.extend));
+        m_context.document.setSelection(afterClick(selection, hit, limb, pick.extend));
     const PickHit at = hit.value_or(PickHit());
     if (pick.asksMenu)
         emit menuWanted(pick.to, at.node, at.branch);
+}
+
+/// What was hit in the picture, in the document's own tree. \return the branches of its limb there
+std::vector<Index> PendingPick::takeIntoDocument(PickHit& hit)
+{
+    if (hit.branch == noIndex)
+        return {};
+    LimbFinder& limbs = m_context.limbs;
+    const auto own = [&](std::vector<Index> branches) {
+        return limbs.inDocument(m_context.document, hit.node, std::move(branches));
+    };
+    auto limb = own(limbs.limbOf(m_context.document, hit.node, hit.branch));
+    const std::vector<Index> branch = own({hit.branch});
+    hit.branch = branch.empty() ? noIndex : branch.front(); // it may be gone by now
+    return limb;
 }
 
 void PendingPick::tryBox()

@@ -8,9 +8,11 @@
 #include <QObject>
 #include <QPointF>
 #include <optional>
+#include <vector>
 
 namespace ramure {
 
+struct PickHit;
 struct ToolContext;
 
 class PendingPick : public QObject
@@ -49,6 +51,7 @@ private:
     };
     void begin(const Pending& pick);
     void tryBox();
+    std::vector<Index> takeIntoDocument(PickHit& hit);
 
     ToolContext& m_context;
     std::optional<Pending> m_pending;

@@ -71,7 +71,7 @@ LimbHit RootTool::rootOf(const LimbHit& limb)
         root.axis = axes.axes[root.axis].parent;
     root.address = axes.axes[root.axis].address;
     const auto branches = m_context.limbs.limb(m_context.document, limb.node, root.address);
-    const Skeleton& skeleton = m_context.document.result(limb.node)->tree.simplified->skeleton;
+    const Skeleton& skeleton = m_context.limbs.tree(m_context.document, limb.node)->simplified->skeleton;
     root.share = 0.0;
     root.along = {0.0, 1.0, 0.0};
     root.seen = skeleton.p0[branches.front()];

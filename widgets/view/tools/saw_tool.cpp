@@ -66,7 +66,7 @@ public:
         const bool erases = point.isEraser && m_context.hand.tool() == HandTool::Draw &&
                             point.button == Qt::LeftButton && !m_context.isPlaying();
         m_way = erases ? SawWay::Line : m_context.hand.options().sawWay;
-        return erases ? take(point, limbAt(point)) : EditTool::press(point);
+        return erases ? take(point, limbAt(point, shapePatience)) : EditTool::press(point);
     }
     [[nodiscard]] bool goesOn() const override { return isBusy(); }
     void drag(const ToolPoint& point) override;
@@ -145,7 +145,7 @@ void SawTool::look(NodeId node, const PickView& view)
     std::vector<LimbSpan> spans = m_context.limbs.spans(m_context.document, node);
     if (spans.empty() || !scene.isShown(node) || scene.isLocked(node))
         return;
-    const auto simplified = m_context.document.result(node)->tree.simplified;
+    const auto simplified = m_context.limbs.tree(m_context.document, node)->simplified;
     const Skeleton& skeleton = simplified->skeleton;
     const glm::dmat4 world = worldOf(node);
     Seen seen{node, simplified, std::move(spans), std::vector<Pixel>(skeleton.size()),

@@ -53,7 +53,7 @@ public:
         if (offers.held() != Qt::NoModifier)
             return;
         if (!m_context.isPlaying())
-            offers.add(ToolOffers::Click, overBranch ? tr("Click: branch and tree")
+            offers.add(ToolOffers::Click, overBranch ? tr("Click: limb · again: this branch of it")
                                           : overNode ? tr("Click: select")
                                                      : tr("Click: select nothing"));
         if (!m_context.document.selection().branches.empty())

@@ -1,6 +1,7 @@
 #include "widgets/view/tools/selection_edits.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace ramure {
 namespace {
@@ -19,24 +20,27 @@ void clearBranches(Selection& selection)
     selection.activeBranch = noIndex;
 }
 
-void toggle(Selection& selection, Index branch)
+/// Adds the limb; or, where the branch was selected, takes out what of the limb is.
+void toggle(Selection& selection, Index branch, const std::vector<Index>& limb)
 {
-    const auto at = std::lower_bound(selection.branches.begin(), selection.branches.end(), branch);
-    if (at == selection.branches.end() || *at != branch) {
-        selection.branches.insert(at, branch);
+    std::vector<Index> after;
+    if (!std::ranges::binary_search(selection.branches, branch)) {
+        std::ranges::set_union(selection.branches, limb, std::back_inserter(after));
         selection.activeBranch = branch;
-        return;
+    } else {
+        std::ranges::set_difference(selection.branches, limb, std::back_inserter(after));
+        if (!std::ranges::binary_search(after, selection.activeBranch))
+            selection.activeBranch = after.empty() ? noIndex : after.back();
     }
-    selection.branches.erase(at);
-    if (selection.activeBranch == branch)
-        selection.activeBranch = selection.branches.empty() ? noIndex : selection.branches.back();
+    selection.branches = std::move(after);
     if (selection.branches.empty())
         selection.branchNode = noNode;
 }
 
 } // namespace
 
-Selection afterClick(const Selection& selection, const std::optional<PickHit>& hit, bool extend)
+Selection afterClick(const Selection& selection, const std::optional<PickHit>& hit,
+                     const std::vector<Index>& limb, bool extend)
 {
     Selection next = selection;
     if (!hit) {
@@ -52,7 +56,8 @@ Selection afterClick(const Selection& selection, const std::optional<PickHit>& h
     if (hit->branch == noIndex)
         return next;
     next.branchNode = hit->node;
-    toggle(next, hit->branch);
+    const bool again = !extend && hit->node == selection.branchNode && selection.branches == limb;
+    toggle(next, hit->branch, again ? std::vector{hit->branch} : limb);
     return next;
 }
 

@@ -8,9 +8,12 @@
 
 namespace ramure {
 
-/// A click on \p hit. \p extend (Shift): adds the branch, or takes it out where it was selected. A click
-/// beside everything leaves the nodes selected and clears the branches, unless it extends.
-Selection afterClick(const Selection& selection, const std::optional<PickHit>& hit, bool extend);
+/// A click on \p hit selects its limb, and a click on a limb that is selected alone the branch that was hit.
+/// \p extend (Shift) adds the limb, or takes out what of it was selected. A click beside everything leaves
+/// the nodes selected and clears the branches, unless it extends.
+/// \param limb all branches of the limb that was hit, ascending
+Selection afterClick(const Selection& selection, const std::optional<PickHit>& hit,
+                     const std::vector<Index>& limb, bool extend);
 
 /// The branch, or where there is none the node.
 [[nodiscard]] bool isSelected(const Selection& selection, const PickHit& hit);

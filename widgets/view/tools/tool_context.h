@@ -18,6 +18,8 @@ class PendingPick;
 
 /// How long a press or a click may hold the interface up.
 inline constexpr std::chrono::milliseconds pickPatience(8);
+/// The same of a press that shapes a tree: it cannot be put off, as it goes on as a drag.
+inline constexpr std::chrono::milliseconds shapePatience(250);
 
 /// Nothing is owned but what the tools make themselves.
 struct ToolContext

@@ -11,6 +11,8 @@
 
 namespace ramure {
 
+struct TreeResult;
+
 class ToolHost
 {
 public:
@@ -29,7 +31,11 @@ public:
     [[nodiscard]] virtual const RenderScene& sceneAtRest() const = 0;
     /// Something else than the document of now is shown.
     [[nodiscard]] virtual bool isStale() const = 0;
-    /// To pick in what is shown; it may be waited for so long. Null where it is not made by then, or stale.
+    /// The tree as the last picture shows it, which may be a draft, or older than the document. Null: the
+    /// picture has no such tree.
+    [[nodiscard]] virtual const TreeResult* shownTree(NodeId node) const = 0;
+    /// To pick in what is shown: its branches are those of shownTree(). It may be waited for so long; null
+    /// where it is not made by then.
     [[nodiscard]] virtual std::shared_ptr<const PickScene> pickScene(std::chrono::milliseconds patience) = 0;
     /// That of a moment ago; null before the first.
     [[nodiscard]] virtual std::shared_ptr<const PickScene> latestPickScene() const = 0;

@@ -11,6 +11,7 @@ ToolManager::ToolManager(ToolContext& context)
     , m_picks(context)
 {
     context.picks = &m_picks;
+    context.limbs.setShown([&host = context.host](NodeId node) { return host.shownTree(node); });
     for (const ToolMaker make : toolTable)
         m_tools.push_back(make(context));
     QObject::connect(&context.document, &Document::changed, &m_picks, [this](const Change& change) {

@@ -8,8 +8,7 @@ TurnedLimb::TurnedLimb(const Document& document, const LimbHit& limb)
     : m_seen(limb.seen)
     , m_grown(limb.seen)
 {
-    const TreeResult& tree = document.result(limb.node)->tree;
-    const Skeleton& seen = tree.simplified->skeleton;
+    const Skeleton& seen = limb.simplified->skeleton;
     const auto& branches = document.scene().find(limb.node)->params.branches;
     std::vector<glm::dvec3> bends(seen.size(), glm::dvec3(0.0));
     bool any = false;
@@ -22,7 +21,7 @@ TurnedLimb::TurnedLimb(const Document& document, const LimbHit& limb)
         return;
     m_back = glm::conjugate(bendRotations(seen, bends)[limb.branch]);
     // Both begin at the same place of the limb.
-    m_grown = tree.skeleton->p0[seen.source[limb.branch]] + m_back * (limb.seen - seen.p0[limb.branch]);
+    m_grown = limb.drawn->p0[seen.source[limb.branch]] + m_back * (limb.seen - seen.p0[limb.branch]);
 }
 
 } // namespace ramure

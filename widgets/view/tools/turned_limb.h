@@ -12,7 +12,7 @@ class TurnedLimb
 {
 public:
     TurnedLimb() = default;
-    /// \pre \p limb is of the tree that is shown.
+    /// In the tree that \p limb was found in.
     TurnedLimb(const Document& document, const LimbHit& limb);
 
     /// Where what is seen at that place, carried by the branch, would be without bends. m, tree space

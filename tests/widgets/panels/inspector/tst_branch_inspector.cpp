@@ -30,6 +30,7 @@ private slots:
     void emptyUntilABranchIsSelected();
     void saysWhyThereIsNoTree();
     void showsTheFactsOfTheActiveBranch();
+    void aSelectedLimbIsCalledAsAWhole();
     void relativesAreLinks();
     void everySectionCanBeReached();
     void arrowKeysStep();
@@ -103,6 +104,23 @@ void TestBranchInspector::showsTheFactsOfTheActiveBranch()
     bench.trees.select(bench.tree, {1}, 1);
     QCOMPARE(bench.fact("Angle to the parent"), QStringLiteral("34.38°")); // 0.6 rad
     QCOMPARE(bench.fact("Length"), QStringLiteral("0.20 m"));
+}
+
+void TestBranchInspector::aSelectedLimbIsCalledAsAWhole()
+{
+    Bench bench;
+    const BranchRows rows(bench.document().result(bench.tree)->tree);
+    bool any = false;
+    for (Index axis = 0; axis < rows.axisCount(); ++axis) {
+        const auto limb = rows.branches(axis);
+        bench.trees.select(bench.tree, {limb.begin(), limb.end()}, limb.back());
+        QVERIFY(bench.visibleTexts().contains(BranchNames().axis(rows, axis)));
+        const bool isSaid =
+            bench.visibleTexts().join(u'\n').contains(QLatin1String("the whole limb is selected"));
+        QCOMPARE(isSaid, limb.size() > 1);
+        any = any || isSaid;
+    }
+    QVERIFY(any);
 }
 
 void TestBranchInspector::relativesAreLinks()

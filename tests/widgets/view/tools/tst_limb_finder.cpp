@@ -18,6 +18,7 @@ private slots:
     void sharesGrowAlongTheLimb();
     void whatGrowsAboveComesAlong();
     void selectedBranchesAreMeantTogether();
+    void skeletonsAloneAnswerWhereBranchesAre();
     void placesAreThoseOfTheTreeWithoutBends();
     void aGestureIsOneStepOrNone();
 };
@@ -80,9 +81,39 @@ void TestLimbFinder::selectedBranchesAreMeantTogether()
     LimbFinder finder;
     const LimbHit hit = bench.limb(1);
     QCOMPARE(finder.meantBy(bench.document, hit).size(), std::size_t(1));
-    bench.select(1, {0, 1, 2});
-    QCOMPARE(finder.meantBy(bench.document, hit).size(), std::size_t(3));
+    bench.select(1, bench.all());
+    const auto limbs = finder.meantBy(bench.document, hit);
+    QCOMPARE(limbs.size(), finder.axes(bench.document, 1)->axes.size()); // each once, from its foot on
+    QVERIFY(std::ranges::all_of(limbs, [](const LimbHit& limb) { return limb.share == 0.0; }));
+    // Of one limb, selected as a whole, the place that was hit is meant.
+    bench.select(1, finder.limbOf(bench.document, 1, hit.branch));
+    QCOMPARE(finder.meantBy(bench.document, hit).size(), std::size_t(1));
+    QCOMPARE(finder.meantBy(bench.document, hit).front().share, hit.share);
+    bench.select(1, {0, 1});
     QCOMPARE(finder.meantBy(bench.document, bench.limb(bench.skeleton().size() - 1)).size(), std::size_t(1));
+}
+
+/// While nothing is ready to pick in; what is seen is hit, and the side of it.
+void TestLimbFinder::skeletonsAloneAnswerWhereBranchesAre()
+{
+    HandBench bench(HandTool::None);
+    LimbFinder finder;
+    QVERIFY(!finder.under(bench.document, bench.view(), {2.0, 2.0}));
+    QVERIFY(edit::setNodeVisible(bench.document, {1}, false));
+    const QPointF at = bench.on(0);
+    QVERIFY(!finder.under(bench.document, bench.view(), {at.x(), at.y()}));
+    QVERIFY(edit::setNodeVisible(bench.document, {1}, true));
+    const Index twig = bench.twig();
+    for (const Index branch : {Index(0), twig}) {
+        const QPointF place = bench.on(branch, 0.5);
+        const auto exact = bench.latestPickScene()->pick(bench.view(), {place.x(), place.y()});
+        const auto hit = finder.under(bench.document, bench.view(), {place.x(), place.y()});
+        QVERIFY(exact && hit);
+        const auto wanted = finder.at(bench.document, *exact);
+        QCOMPARE(hit->branch, wanted->branch);
+        QVERIFY(std::abs(hit->share - wanted->share) < 0.1);
+        QVERIFY(glm::dot(hit->side, wanted->side) > 0.0);
+    }
 }
 
 void TestLimbFinder::placesAreThoseOfTheTreeWithoutBends()

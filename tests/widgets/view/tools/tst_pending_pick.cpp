@@ -1,5 +1,7 @@
+#include "tests/support/hand_bench.h"
 #include "tests/support/suite.h"
 #include "tests/support/tool_bench.h"
+#include "widgets/view/tools/hand_edit.h"
 #include <QSignalSpy>
 
 namespace tst_pending_pick {
@@ -14,6 +16,7 @@ private slots:
     void init() { test::failOnAnyWarning(); }
     void besideEverythingNothingIsSelected();
     void aClickWaitsForWhatIsPickedIn();
+    void aClickIsOfThePictureThatIsSeen();
     void aBoxIsAnsweredLater();
     void aMenuIsOfWhatIsClicked();
 };
@@ -56,11 +59,9 @@ void TestPendingPick::besideEverythingNothingIsSelected()
 void TestPendingPick::aClickWaitsForWhatIsPickedIn()
 {
     Bench bench;
-    bench.stale = true;
+    bench.ready = false;
     bench.picks.click(bench.on(2), false);
     QVERIFY(bench.picks.isPending() && bench.selected().empty());
-    bench.stale = false;
-    bench.ready = false;
     bench.picks.tryAgain();
     QVERIFY(bench.picks.isPending());
     bench.ready = true;
@@ -73,6 +74,34 @@ void TestPendingPick::aClickWaitsForWhatIsPickedIn()
     bench.ready = true;
     bench.picks.tryAgain();
     QCOMPARE(bench.selected(), std::vector<NodeId>{2});
+}
+
+/// While another tree is on its way, branches are picked in the one that is shown, and found again in it.
+void TestPendingPick::aClickIsOfThePictureThatIsSeen()
+{
+    test::HandBench bench(HandTool::None);
+    const Index twig = bench.twig();
+    const QPointF at = bench.on(twig, 0.5);
+    const LimbHit clicked = bench.limb(twig);
+    auto gesture = HandEdit::begin(bench.document, 1);
+    TreeEdit drawn;
+    drawn.operation = EditOperation::Draw;
+    drawn.target.address = bench.limb(0).address;
+    drawn.at = 0.3; // where it stands a piece is split: those above get other numbers
+    drawn.points = {{{0.2, 0.0, 0.0}, 0.0}, {{0.4, 0.1, 0.0}, 0.0}};
+    QVERIFY((*gesture)->add(drawn, false));
+    QVERIFY((*gesture)->show());
+    (*gesture)->keep();
+    QVERIFY(bench.recompute.waitForFull(test::HandBench::patienceMs)); // and not shown
+    bench.stale = true;
+    bench.tools.picks().click(at, false);
+    QVERIFY(!bench.tools.picks().isPending());
+    const Selection& selection = bench.document.selection();
+    QCOMPARE(selection.branchNode, NodeId(1));
+    const auto now = LimbFinder().startOf(bench.document, 1, selection.activeBranch);
+    QVERIFY(now);
+    QCOMPARE(now->address, clicked.address);
+    QVERIFY(glm::length(now->seen - clicked.seen) < 1e-9);
 }
 
 void TestPendingPick::aBoxIsAnsweredLater()

@@ -14,6 +14,7 @@ private slots:
     void init() { test::failOnAnyWarning(); }
     void besideTheTreeNothingGrows();
     void aLeafGrowsWhereItIsClicked();
+    void itGrowsOnTheSideThatIsClicked();
     void asManyAsAreWanted();
     void whatTheTreeBearsIsSaid();
 };
@@ -58,6 +59,49 @@ void TestPlaceTool::aLeafGrowsWhereItIsClicked()
     bench.document.undo();
     bench.grow();
     QCOMPARE(bench.document.result(1)->tree.foliage->leaves.size(), before);
+}
+
+/// It stands on the bark where that was hit, from wherever the tree is looked at.
+void TestPlaceTool::itGrowsOnTheSideThatIsClicked()
+{
+    int tried = 0;
+    for (const double yaw : {0.0, 2.0, 4.0}) {
+        HandBench bench(HandTool::Place);
+        bench.mode = DisplayMode::Mesh;
+        bench.show();
+        bench.camera.orbit(yaw, 0.0);
+        const auto scene = bench.latestPickScene();
+        const Skeleton skeleton = bench.skeleton();
+        const auto own = bench.document.result(1)->tree.foliage->leaves;
+        const double pixel = bench.camera.metresPerPixel(skeleton.p0[0], bench.size.y);
+        for (Index b = 0; b < skeleton.size() && tried < 9 + 9 * int(yaw); ++b)
+            for (const double side : {-0.7, 0.1, 0.7}) {
+                const QPointF middle = bench.on(b, 0.5), along = bench.on(b, 0.6) - middle;
+                const double reach = side * skeleton.a1[b] / pixel / std::hypot(along.x(), along.y());
+                const QPointF at = middle + reach * QPointF(-along.y(), along.x());
+                const auto hit = scene->pick(bench.view(), {at.x(), at.y()});
+                if (!hit || hit->branch != b || skeleton.a1[b] < 3.0 * pixel)
+                    continue; // hidden, a leaf, or so thin that it has no sides
+                bench.click(at);
+                QVERIFY2(!bench.edits().empty(), qPrintable(bench.messages.join(u'\n')));
+                if (!bench.recompute.waitForFull(HandBench::patienceMs))
+                    QFAIL("no result");
+                const auto& leaves = bench.document.result(1)->tree.foliage->leaves;
+                const auto placed = std::ranges::find_if(leaves, [&own](const FoliageItem& leaf) {
+                    return std::ranges::find(own, leaf.position, &FoliageItem::position) == own.end();
+                });
+                QVERIFY(placed != leaves.end());
+                QVERIFY2(glm::distance(placed->position, hit->point) < 0.7 * skeleton.a0[b],
+                         qPrintable(QStringLiteral("branch %1, side %2: %3 of %4 m")
+                                        .arg(b)
+                                        .arg(side)
+                                        .arg(glm::distance(placed->position, hit->point))
+                                        .arg(skeleton.a0[b])));
+                bench.document.undoStack()->undo();
+                ++tried;
+            }
+    }
+    QVERIFY2(tried > 12, qPrintable(QString::number(tried)));
 }
 
 void TestPlaceTool::asManyAsAreWanted()

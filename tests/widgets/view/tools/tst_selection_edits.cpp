@@ -12,6 +12,12 @@ PickHit hitOf(NodeId node, Index branch)
     return {node, branch, {}};
 }
 
+/// A click on a limb that has only this branch.
+Selection afterClick(const Selection& selection, const std::optional<PickHit>& hit, bool extend)
+{
+    return afterClick(selection, hit, hit ? std::vector{hit->branch} : std::vector<Index>(), extend);
+}
+
 Selection selectionOf(std::vector<NodeId> nodes, NodeId branchNode, std::vector<Index> branches, Index active)
 {
     return {std::move(nodes), branchNode, std::move(branches), active};
@@ -50,6 +56,23 @@ private slots:
         QCOMPARE(selection, selectionOf({4}, 4, {5}, 5));
         selection = afterClick(selection, hitOf(4, 5), true);
         QCOMPARE(selection, selectionOf({4}, noNode, {}, noIndex));
+    }
+    void theFirstClickSelectsTheLimbTheSecondTheBranch()
+    {
+        const std::vector<Index> limb{3, 4, 8}, other{5, 6};
+        const Selection whole = selectionOf({4}, 4, limb, 4), alone = selectionOf({4}, 4, {4}, 4);
+        QCOMPARE(afterClick({}, hitOf(4, 4), limb, false), whole);
+        QCOMPARE(afterClick(whole, hitOf(4, 4), limb, false), alone);
+        QCOMPARE(afterClick(alone, hitOf(4, 4), limb, false), whole);
+        QCOMPARE(afterClick(whole, hitOf(4, 8), limb, false), selectionOf({4}, 4, {8}, 8));
+        QCOMPARE(afterClick(alone, hitOf(4, 5), other, false), selectionOf({4}, 4, other, 5));
+        // The same numbers in another tree are other branches.
+        QCOMPARE(afterClick(whole, hitOf(6, 4), limb, false), selectionOf({6}, 6, limb, 4));
+        const Selection both = afterClick(whole, hitOf(4, 5), other, true);
+        QCOMPARE(both, selectionOf({4}, 4, {3, 4, 5, 6, 8}, 5));
+        QCOMPARE(afterClick(both, hitOf(4, 3), limb, true), selectionOf({4}, 4, other, 5));
+        QCOMPARE(afterClick(both, hitOf(4, 3), limb, false), selectionOf({4}, 4, limb, 3));
+        QCOMPARE(afterClick(alone, hitOf(4, 4), limb, true), selectionOf({4}, noNode, {}, noIndex));
     }
     void anotherTreeTakesTheBranchesOver()
     {
