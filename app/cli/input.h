@@ -5,8 +5,8 @@
 #include "app/cli/command_line.h"
 #include "core/io/mesh_file.h"
 #include "core/pipeline/tree_pipeline.h"
+#include "core/qt/session/export/exporter.h"
 #include "core/scene/scene.h"
-#include "core/session/exporter.h"
 #include <QJsonArray>
 #include <variant>
 

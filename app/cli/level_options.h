@@ -4,8 +4,8 @@
 #pragma once
 
 #include "app/cli/command_line.h"
-#include "core/levels/level_options.h"
-#include "core/wind/wind_profile.h"
+#include "core/game_wind/wind_profile.h"
+#include "core/lod/level_options.h"
 
 namespace ramure::cli {
 

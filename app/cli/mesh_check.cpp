@@ -1,11 +1,11 @@
 #include "app/cli/mesh_check.h"
 
-#include "core/document/mesh_report_json.h"
-#include "core/document/project_json.h"
 #include "core/pipeline/separate_branches.h"
+#include "core/qt/document/project/mesh_report_json.h"
+#include "core/qt/document/project/project_json.h"
+#include "core/qt/session/export/exporter.h"
 #include "core/scene/object_mesh.h"
 #include "core/scene/shape_check.h"
-#include "core/session/exporter.h"
 #include "core/surface/mesh/transformed.h"
 #include <QJsonArray>
 #include <algorithm>

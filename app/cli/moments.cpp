@@ -1,6 +1,6 @@
 #include "app/cli/moments.h"
 
-#include "core/session/sequence.h"
+#include "core/qt/session/motion/sequence.h"
 #include <cmath>
 
 namespace ramure::cli {

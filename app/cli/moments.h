@@ -32,7 +32,7 @@ void addMomentOptions(CommandLine& line, MomentOptions kind);
 /// more than 100,000 frames, a mesh file as input).
 Expected<Moments> momentsOf(const CommandLine& line, const Input& input);
 
-/// See core/session/sequence.h.
+/// See core/qt/session/motion/sequence.h.
 QString numberedFile(const QString& file, std::int64_t frame);
 
 } // namespace ramure::cli

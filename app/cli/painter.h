@@ -4,7 +4,7 @@
 
 #include "app/cli/virtual_display.h"
 #include "core/evaluate/evaluator.h"
-#include "widgets/view/render/offscreen_renderer.h"
+#include "widgets/view/render/passes/offscreen_renderer.h"
 #include "widgets/view/render/scene_builder.h"
 #include <QGuiApplication>
 #include <optional>

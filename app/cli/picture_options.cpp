@@ -1,7 +1,7 @@
 #include "app/cli/picture_options.h"
 
-#include "widgets/view/render/sky.h"
-#include "widgets/view/render/sun_position.h"
+#include "widgets/view/render/light/sky.h"
+#include "widgets/view/render/light/sun_position.h"
 #include <QDateTime>
 #include <QFileInfo>
 #include <algorithm>

@@ -1,8 +1,8 @@
 #include "app/cli/print_options.h"
 
 #include "core/base/file_writer.h"
-#include "core/document/print_report_json.h"
-#include "core/session/print_export.h"
+#include "core/qt/document/project/print_report_json.h"
+#include "core/qt/session/export/print_export.h"
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>

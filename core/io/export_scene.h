@@ -3,11 +3,11 @@
 /// clip of how all that moves. A format without nodes asks for it flattened.
 #pragma once
 
+#include "core/game_wind/wind_profile.h"
 #include "core/io/file_space.h"
 #include "core/io/mesh_file.h"
 #include "core/rig/pose/skin.h"
 #include "core/scene/world_transforms.h"
-#include "core/wind/wind_profile.h"
 #include <memory>
 #include <optional>
 

@@ -12,7 +12,7 @@ namespace ramure {
 enum class PictureMap : std::uint8_t { Colour, Normal, Roughness, Height, Occlusion, Opacity };
 
 /// Paths as the system has them; empty: no picture. Relative ones start at the working folder, in project
-/// files at the folder of the project (core/document/project_file.h).
+/// files at the folder of the project (core/qt/document/project/project_file.h).
 struct PictureParams
 {
     std::string colour;    ///< sRGB

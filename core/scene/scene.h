@@ -31,7 +31,8 @@ struct Node
     bool locked = false; ///< cannot be selected in the viewport nor changed
     NodeParams params;
     NodeAnimation animation;
-    SharedValue<TriangleMesh> mesh; ///< of a Mesh, or what an Arm wears; see core/document/project_mesh.h
+    SharedValue<TriangleMesh>
+        mesh; ///< of a Mesh, or what an Arm wears; see core/qt/document/project/project_mesh.h
     std::string
         extras; ///< keys of the project file that this version does not know: one JSON object, or empty
     bool operator==(const Node&) const = default;

@@ -1,5 +1,5 @@
 // A tree in the wind of a game: what shaders of the engine do with the numbers that an export writes for it
-// (core/wind/wind_profile.h), before a file rounds them. All is in the tree's space, m.
+// (core/game_wind/wind_profile.h), before a file rounds them. All is in the tree's space, m.
 //
 // - Plain, ours: sway and flutter are sine waves.
 // - Crysis: T. Sousa, "Vegetation Procedural Animation and Shading in Crysis", GPU Gems 3, chapter 16,

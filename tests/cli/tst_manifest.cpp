@@ -1,4 +1,4 @@
-#include "app/cli/manifest.h"
+#include "app/cli/batch/manifest.h"
 #include "tests/cli/cli_support.h"
 #include <fcntl.h>
 #include <sys/file.h>

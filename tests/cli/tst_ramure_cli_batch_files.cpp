@@ -1,4 +1,4 @@
-#include "app/cli/commands.h"
+#include "app/cli/commands/commands.h"
 #include "core/base/file_writer.h"
 #include "tests/cli/batch_support.h"
 #include <cerrno>

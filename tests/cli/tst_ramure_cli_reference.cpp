@@ -1,4 +1,4 @@
-#include "app/editor_options.h"
+#include "app/cli/editor_options.h"
 #include "core/params/param_def.h"
 #include "core/params/presets.h"
 #include "tests/cli/cli_support.h"

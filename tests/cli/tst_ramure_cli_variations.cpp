@@ -1,7 +1,7 @@
 #include "core/generators/variety.h"
 #include "core/params/presets.h"
 #include "core/pipeline/tree_pipeline.h"
-#include "core/session/variations.h"
+#include "core/qt/session/jobs/variations.h"
 #include "tests/cli/batch_support.h"
 
 namespace tst_ramure_cli_variations {

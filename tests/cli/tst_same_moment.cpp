@@ -1,5 +1,5 @@
-#include "core/document/project_file.h"
-#include "core/session/exporter.h"
+#include "core/qt/document/project/project_file.h"
+#include "core/qt/session/export/exporter.h"
 #include "tests/cli/cli_support.h"
 #include "tests/support/random_scene.h"
 

@@ -1,4 +1,4 @@
-#include "app/cli/sheet_page.h"
+#include "app/cli/batch/sheet_page.h"
 #include "tests/cli/cli_support.h"
 #include <QJsonArray>
 

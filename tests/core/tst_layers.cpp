@@ -143,21 +143,22 @@ constexpr const char* widgetClasses =
     R"(Q\w*Layout|Q\w*SpinBox|Q\w*Slider|QComboBox|QLineEdit|QMessageBox|QFileDialog|QScroll\w*|QOpenGLWidget|QStyle\w*)>)";
 
 constexpr Fence fences[] = {
-    {"the core knows no Qt", "core/.*", "core/(document|session)/.*", R"(<Q\w*(/.*)?>)"},
+    {"the core knows no Qt", "core/.*", "core/qt/.*", R"(<Q\w*(/.*)?>)"},
     {"OpenMesh only in the proof and where prints are thinned out", "(core|widgets|app)/.*",
      R"(core/(surface/proof/validate\w*|print/thinned_mesh)\.cpp)", "<OpenMesh/.*>"},
     {"OpenVDB only behind one header", ".*", R"(core/print/united_surface\.cpp)", "<openvdb/.*>"},
     {"libzip only behind one header", ".*", R"(core/io/zip_file\.cpp)", "<zip\\.h>"},
-    {"Nettle only behind one header", ".*", R"(app/cli/file_hash\.cpp)", "<nettle/.*>"},
+    {"Nettle only behind one header", ".*", R"(app/cli/batch/file_hash\.cpp)", "<nettle/.*>"},
     {"SLEEF only behind one header", ".*", R"(core/math/reproducible\.cpp)", "<sleef.*>"},
     {"CGAL only behind one header of the tests", ".*", R"(tests/support/self_intersections\.cpp)",
      "<CGAL/.*>"},
     {"the core uses nothing above it", "core/.*", "", R"("(widgets|app|tests)/.*")"},
-    {"the document has no widgets", "core/(document|session)/.*", "", widgetClasses},
-    {"the renderer has no document", "widgets/view/render/.*", "", R"("core/(document|session)/.*")"},
+    {"the document has no widgets", "core/qt/.*", "", widgetClasses},
+    {"the renderer has no document", "widgets/view/render/.*", "", R"("core/qt/.*")"},
     {"the renderer uses no widget class", "widgets/view/render/.*", "", widgetClasses},
     {"widgets do not use the programs", "widgets/.*", "", R"("(app|tests)/.*")"},
-    {"the command line opens no window", "app/cli/.*", "", R"("widgets/(?!view/render/).*")"},
+    {"the command line opens no window", "app/(cli/.*|ramure_cli\\.cpp)", "",
+     R"("widgets/(?!view/render/).*")"},
     {"programs do not use the tests", "app/.*", "", R"("tests/.*")"},
     {"no header takes in a whole Qt module", R"(.*\.h)", "",
      R"(<Qt(Core|Gui|Widgets|OpenGL|OpenGLWidgets|Svg|Test)>)"},
@@ -190,26 +191,48 @@ constexpr const char* floors[] = {
     "core/rig/tracks",
     "core/rig/physics",
     "core/rig/arm",
-    "core/levels",
-    "core/wind",
+    "core/lod",
+    "core/game_wind",
     "core/scene/kinds",
     "core/scene",
     "core/evaluate",
     "core/io",
     "core/io/formats",
-    "core/document",
-    "core/session",
+    "core/io/formats/text",
+    "core/io/formats/print",
+    "core/io/formats/glb",
+    "core/qt/document/project",
+    "core/qt/document",
+    "core/qt/session/jobs",
+    "core/qt/session/export",
+    "core/qt/session/motion",
+    "core/qt/session/arm",
+    "widgets/view/render/light",
     "widgets/view/render",
+    "widgets/view/render/stream",
+    "widgets/view/render/passes",
+    "widgets/view/render/pick",
+    "widgets/base/texts",
+    "widgets/base/theme",
     "widgets/base",
+    "widgets/base/fields",
     "widgets/view/tools",
+    "widgets/view/tools/gizmo",
+    "widgets/view/tools/hand",
+    "widgets/view/tools/arm",
     "widgets/view",
     "widgets/panels/", // all of them: no panel knows another
     "widgets/help",
     "widgets/dialogs",
+    "widgets/dialogs/export",
+    "widgets/dialogs/palette",
+    "widgets/dialogs/variations",
     "widgets/actions",
     "widgets/window",
-    "app",
     "app/cli",
+    "app/cli/batch",
+    "app/cli/commands",
+    "app",
 };
 
 /// The number of the floor that a path stands on, or -1.
@@ -278,7 +301,7 @@ constexpr Rule rules[] = {
     // Memory that runs out is the one thing the language itself throws for.
     {"no exceptions across modules", "core/.*", R"(\bthrow\b(?!\s+std::bad_alloc))"},
     {"work on another thread is a Job's",
-     R"((core/(?!session/job\.|base/parallel)|widgets/|app/(?!cli/work\.)).*)",
+     R"((core/(?!qt/session/jobs/job\.|base/parallel)|widgets/|app/(?!cli/work\.)).*)",
      R"(std::(jthread|async|thread(?!::))\b)"},
     {"only the document makes, undoes and redoes steps",
      R"((core/(?!document/undo_steps\.)|widgets/|app/).*)",
@@ -340,9 +363,9 @@ void TestLayers::arrowsPointDown()
 void TestLayers::arrowsUpwardsAreSeen()
 {
     QVERIFY(pointsUp("core/skeleton/bend.h", "\"core/surface/foliage/foliage.h\""));
-    QVERIFY(pointsUp("core/document/commands.cpp", "\"core/session/player.h\""));
-    QVERIFY(pointsUp("widgets/view/render/renderer.h", "\"widgets/view/viewport.h\""));
-    QVERIFY(pointsUp("widgets/view/tools/gizmo_drag.h", "\"widgets/view/viewport.h\""));
+    QVERIFY(pointsUp("core/qt/document/commands.cpp", "\"core/qt/session/motion/player.h\""));
+    QVERIFY(pointsUp("widgets/view/render/passes/renderer.h", "\"widgets/view/viewport.h\""));
+    QVERIFY(pointsUp("widgets/view/tools/gizmo/gizmo_drag.h", "\"widgets/view/viewport.h\""));
     QVERIFY(pointsUp("widgets/panels/scene/scene_panel.h", "\"widgets/panels/timeline/play_actions.h\""));
     QVERIFY(pointsUp("widgets/panels/scene/scene_panel.h", "\"widgets/window/main_window.h\""));
     QVERIFY(pointsUp("core/base/error.h", "\"nowhere/error.h\""));
@@ -384,20 +407,20 @@ void TestLayers::theFenceWouldHold_data()
     row("core/surface/mesh/normals.cpp", "<OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>", false);
     row("core/surface/proof/validate.cpp", "<OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>", true);
     row("core/surface/proof/validate.h", "<OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>", false);
-    row("core/document/document.h", "<QObject>", true);
-    row("core/document/document.h", "<QUndoStack>", true);
-    row("core/document/document.h", "<QWidget>", false);
-    row("core/document/document.h", "\"widgets/viewport.h\"", false);
+    row("core/qt/document/document.h", "<QObject>", true);
+    row("core/qt/document/document.h", "<QUndoStack>", true);
+    row("core/qt/document/document.h", "<QWidget>", false);
+    row("core/qt/document/document.h", "\"widgets/viewport.h\"", false);
     row("core/base/error.h", "\"app/main_window.h\"", false);
     row("widgets/viewport.h", "<QtWidgets>", false);
     row("widgets/viewport.cpp", "<QtWidgets>", true);
     row("widgets/viewport.h", "<QOpenGLWidget>", true);
     row("widgets/viewport.cpp", "\"app/main_window.h\"", false);
-    row("widgets/view/render/renderer.h", "\"core/session/player.h\"", false);
-    row("widgets/view/render/renderer.h", "<QOpenGLWidget>", false);
-    row("widgets/view/render/renderer.h", "<QOpenGLFunctions_3_3_Core>", true);
-    row("app/cli/main.cpp", "\"widgets/view/render/renderer.h\"", true);
-    row("app/cli/main.cpp", "\"widgets/viewport.h\"", false);
+    row("widgets/view/render/passes/renderer.h", "\"core/qt/session/motion/player.h\"", false);
+    row("widgets/view/render/passes/renderer.h", "<QOpenGLWidget>", false);
+    row("widgets/view/render/passes/renderer.h", "<QOpenGLFunctions_3_3_Core>", true);
+    row("app/ramure_cli.cpp", "\"widgets/view/render/passes/renderer.h\"", true);
+    row("app/ramure_cli.cpp", "\"widgets/viewport.h\"", false);
     row("tests/core/surface/tst_x.cpp", "<CGAL/Epick.h>", false);
 }
 

@@ -2,7 +2,7 @@
 /// A small document for the suites of commands.
 #pragma once
 
-#include "core/document/commands.h"
+#include "core/qt/document/commands.h"
 #include "tests/document/recorder.h"
 
 namespace ramure::test {

@@ -2,7 +2,7 @@
 /// Writes down the news of a document and checks that they come in pairs.
 #pragma once
 
-#include "core/document/document.h"
+#include "core/qt/document/document.h"
 
 #include <vector>
 

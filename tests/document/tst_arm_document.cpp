@@ -1,6 +1,6 @@
-#include "core/document/commands.h"
-#include "core/document/project_arm.h"
-#include "core/document/project_file.h"
+#include "core/qt/document/commands.h"
+#include "core/qt/document/project/project_arm.h"
+#include "core/qt/document/project/project_file.h"
 #include "core/scene/arm_demo.h"
 #include "tests/support/suite.h"
 #include <QJsonDocument>

@@ -1,6 +1,6 @@
 // Headless Blender says what it makes of a scene; the exported files must give the same. Skipped where there
 // is no Blender.
-#include "core/io/formats/blender_scene.h"
+#include "core/io/formats/text/blender_scene.h"
 #include "core/io/mesh_file.h"
 #include "core/scene/world_transforms.h"
 #include "core/surface/bark/bark_maps.h"

@@ -1,5 +1,5 @@
 #include "core/math/random.h"
-#include "core/session/unplaced_edits.h"
+#include "core/qt/session/jobs/unplaced_edits.h"
 #include "core/skeleton/axes.h"
 #include "core/skeleton/edits/edit_context.h"
 #include "tests/support/suite.h"

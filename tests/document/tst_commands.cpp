@@ -1,4 +1,4 @@
-#include "core/document/commands.h"
+#include "core/qt/document/commands.h"
 #include "tests/document/commands_fixture.h"
 #include "tests/document/random_scene.h"
 #include "tests/support/kind_with.h"

@@ -1,6 +1,6 @@
-#include "core/document/commands.h"
 #include "core/params/presets.h"
 #include "core/pipeline/tree_pipeline.h"
+#include "core/qt/document/commands.h"
 #include "core/scene/preset_scene.h"
 #include "tests/document/commands_fixture.h"
 #include "tests/document/random_scene.h"

@@ -1,6 +1,6 @@
-#include "core/document/commands.h"
-#include "core/document/document.h"
 #include "core/pipeline/tree_pipeline.h"
+#include "core/qt/document/commands.h"
+#include "core/qt/document/document.h"
 #include "tests/document/recorder.h"
 #include "tests/support/suite.h"
 

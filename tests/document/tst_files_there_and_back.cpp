@@ -1,5 +1,5 @@
-#include "core/document/project_file.h"
-#include "core/io/formats/blender_scene.h"
+#include "core/io/formats/text/blender_scene.h"
+#include "core/qt/document/project/project_file.h"
 #include "core/surface/proof/validate.h"
 #include "tests/support/flat_export.h"
 #include "tests/support/suite.h"

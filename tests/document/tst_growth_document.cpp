@@ -1,6 +1,6 @@
-#include "core/document/commands.h"
-#include "core/document/document.h"
-#include "core/document/project_file.h"
+#include "core/qt/document/commands.h"
+#include "core/qt/document/document.h"
+#include "core/qt/document/project/project_file.h"
 #include "core/scene/growth_spaces.h"
 #include "tests/support/suite.h"
 #include <QTemporaryDir>

@@ -1,4 +1,4 @@
-#include "core/document/own_presets.h"
+#include "core/qt/document/project/own_presets.h"
 
 #include "core/params/param_def.h"
 #include "core/scene/preset_scene.h"

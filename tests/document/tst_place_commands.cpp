@@ -1,6 +1,6 @@
-#include "core/document/commands.h"
-#include "core/document/project_file.h"
 #include "core/math/random.h"
+#include "core/qt/document/commands.h"
+#include "core/qt/document/project/project_file.h"
 #include "core/scene/world_transforms.h"
 #include "tests/support/suite.h"
 

@@ -1,4 +1,4 @@
-#include "core/document/project_file.h"
+#include "core/qt/document/project/project_file.h"
 #include "core/scene/preset_scene.h"
 #include "tests/support/suite.h"
 #include <QDir>

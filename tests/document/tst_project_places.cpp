@@ -1,5 +1,5 @@
-#include "core/document/project_file.h"
-#include "core/session/unplaced_edits.h"
+#include "core/qt/document/project/project_file.h"
+#include "core/qt/session/jobs/unplaced_edits.h"
 #include "core/skeleton/edit_places.h"
 #include "tests/support/suite.h"
 #include "tests/widgets/tree_document.h"

@@ -1,7 +1,7 @@
-#include "core/document/system_path.h"
+#include "core/qt/document/project/system_path.h"
 
 #include "core/base/file_writer.h"
-#include "core/document/project_file.h"
+#include "core/qt/document/project/project_file.h"
 #include "tests/support/suite.h"
 #include <QFile>
 #include <QTemporaryDir>

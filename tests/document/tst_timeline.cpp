@@ -1,5 +1,5 @@
-#include "core/document/commands.h"
-#include "core/document/project_file.h"
+#include "core/qt/document/commands.h"
+#include "core/qt/document/project/project_file.h"
 #include "tests/support/suite.h"
 
 namespace tst_timeline {

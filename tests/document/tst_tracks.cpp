@@ -1,10 +1,10 @@
 // Tracks in the document: commands, project file, the player's frames, import.
-#include "core/document/commands.h"
-#include "core/document/project_file.h"
+#include "core/qt/document/commands.h"
+#include "core/qt/document/project/project_file.h"
+#include "core/qt/session/jobs/import_task.h"
+#include "core/qt/session/motion/player.h"
 #include "core/scene/demo_scenes.h"
 #include "core/scene/world_transforms.h"
-#include "core/session/import_task.h"
-#include "core/session/player.h"
 #include "tests/support/suite.h"
 
 #include <QDir>

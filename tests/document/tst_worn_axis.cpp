@@ -1,6 +1,6 @@
-#include "core/document/project_file.h"
+#include "core/qt/document/project/project_file.h"
+#include "core/qt/session/arm/arm_dresser.h"
 #include "core/scene/arm_demo.h"
-#include "core/session/arm_dresser.h"
 #include "core/surface/proof/validate.h"
 #include "tests/support/solids.h"
 #include "tests/support/suite.h"

@@ -1,5 +1,5 @@
-#include "core/document/commands.h"
-#include "core/document/project_file.h"
+#include "core/qt/document/commands.h"
+#include "core/qt/document/project/project_file.h"
 #include "core/rig/arm/arm_chain.h"
 #include "core/scene/arm_demo.h"
 #include "core/scene/world_transforms.h"

@@ -1,5 +1,5 @@
 // GLB: as meshes and as a scene.
-#include "core/io/formats/glb_reader.h"
+#include "core/io/formats/glb/glb_reader.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace ramure;

@@ -1,5 +1,5 @@
 // Project files: what was read is written and read again, the same.
-#include "core/document/project_file.h"
+#include "core/qt/document/project/project_file.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace ramure;

@@ -1,13 +1,13 @@
 #include "core/params/presets.h"
 #include "core/pipeline/tree_pipeline.h"
+#include "core/qt/session/arm/arm_reach.h"
+#include "core/qt/session/motion/auto_key.h"
+#include "core/qt/session/motion/player.h"
 #include "core/scene/arm_demo.h"
-#include "core/session/arm_reach.h"
-#include "core/session/auto_key.h"
-#include "core/session/player.h"
 #include "tests/support/suite.h"
 #include "tests/support/view_window.h"
-#include "widgets/base/theme.h"
-#include "widgets/view/tools/arm_rings.h"
+#include "widgets/base/theme/theme.h"
+#include "widgets/view/tools/arm/arm_rings.h"
 #include <algorithm>
 #include <cstdlib>
 

@@ -1,12 +1,12 @@
 // A mesh of a million triangles is looked at in the background while the view goes on turning in the real
 // window. Times are printed, not judged: the machine of a test may be any.
 #include "core/params/presets.h"
-#include "core/session/analysis.h"
-#include "core/session/recompute.h"
+#include "core/qt/session/jobs/analysis.h"
+#include "core/qt/session/jobs/recompute.h"
 #include "tests/bench/interaction/watched_application.h"
 #include "tests/support/cannot_run.h"
 #include "tests/widgets/base/fixture.h"
-#include "widgets/base/preferences.h"
+#include "widgets/base/theme/preferences.h"
 #include "widgets/view/render/gl_setup.h"
 #include "widgets/view/viewport.h"
 #include "widgets/view/viewport_host.h"

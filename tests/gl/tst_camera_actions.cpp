@@ -1,5 +1,5 @@
 // Cameras of the scene in a real viewport: looked through, moved, left.
-#include "core/document/commands.h"
+#include "core/qt/document/commands.h"
 #include "tests/support/cannot_run.h"
 #include "tests/support/suite.h"
 #include "tests/support/view_window.h"

@@ -1,6 +1,6 @@
-#include "core/document/document.h"
 #include "core/params/presets.h"
 #include "core/pipeline/tree_pipeline.h"
+#include "core/qt/document/document.h"
 #include "tests/support/cannot_run.h"
 #include "tests/support/suite.h"
 #include "widgets/view/render/gl_setup.h"

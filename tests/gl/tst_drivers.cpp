@@ -1,7 +1,7 @@
 #include "tests/support/cannot_run.h"
 #include "tests/support/suite.h"
 #include "widgets/view/render/gl_setup.h"
-#include "widgets/view/render/renderer.h"
+#include "widgets/view/render/passes/renderer.h"
 #include <QGuiApplication>
 #include <QImage>
 #include <QOffscreenSurface>

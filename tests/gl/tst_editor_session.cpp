@@ -1,11 +1,11 @@
 // The real window under a virtual X server: it opens, paints, follows keys, undoes; and the program itself,
 // from its command line.
-#include "core/session/recompute.h"
+#include "core/qt/session/jobs/recompute.h"
 #include "tests/support/cannot_run.h"
 #include "tests/widgets/base/fixture.h"
 #include "widgets/actions/file_actions.h"
 #include "widgets/base/action_set.h"
-#include "widgets/base/preferences.h"
+#include "widgets/base/theme/preferences.h"
 #include "widgets/view/render/gl_setup.h"
 #include "widgets/view/viewport.h"
 #include "widgets/view/viewport_host.h"

@@ -1,7 +1,7 @@
 // Home and the first picture: what is visible fills the view.
 #include "core/params/presets.h"
+#include "core/qt/session/jobs/recompute.h"
 #include "core/scene/demo_scenes.h"
-#include "core/session/recompute.h"
 #include "tests/support/cannot_run.h"
 #include "tests/support/suite.h"
 #include "tests/support/view_window.h"

@@ -1,13 +1,13 @@
 // One session of an artist, from outside: a new tree, another number, a branch chosen by a click, rolled,
 // undone, saved, opened again, exported; and the exported file is what the command line makes of the saved
 // project.
-#include "core/document/project_file.h"
 #include "core/params/presets.h"
 #include "core/pipeline/tree_pipeline.h"
+#include "core/qt/document/project/project_file.h"
 #include "tests/gl/desk.h"
 #include "tests/support/cannot_run.h"
-#include "widgets/base/branch_names.h"
-#include "widgets/base/preset_title.h"
+#include "widgets/base/texts/branch_names.h"
+#include "widgets/base/texts/preset_title.h"
 #include <QClipboard>
 #include <QDir>
 #include <QFile>

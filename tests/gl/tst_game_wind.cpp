@@ -7,7 +7,7 @@
 #include "tests/support/wind_preview.h"
 #include "widgets/view/moving_scene.h"
 #include "widgets/view/render/gl_setup.h"
-#include "widgets/view/render/offscreen_renderer.h"
+#include "widgets/view/render/passes/offscreen_renderer.h"
 #include "widgets/view/render/scene_builder.h"
 #include <glm/gtc/constants.hpp>
 

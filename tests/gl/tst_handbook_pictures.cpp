@@ -1,16 +1,16 @@
 // The pictures of the handbook, taken from the real window in both languages. With RAMURE_HANDBOOK set to the
 // handbook's folder (./dev pictures) they are written there; without, they only have to be possible and small
 // enough.
-#include "core/session/recompute.h"
+#include "core/qt/session/jobs/recompute.h"
 #include "tests/support/cannot_run.h"
 #include "tests/widgets/base/fixture.h"
 #include "widgets/actions/file_actions.h"
 #include "widgets/actions/help_actions.h"
 #include "widgets/base/action_set.h"
-#include "widgets/base/language.h"
-#include "widgets/base/preferences.h"
-#include "widgets/base/theme.h"
-#include "widgets/dialogs/palette.h"
+#include "widgets/base/theme/language.h"
+#include "widgets/base/theme/preferences.h"
+#include "widgets/base/theme/theme.h"
+#include "widgets/dialogs/palette/palette.h"
 #include "widgets/panels/animation/key_model.h"
 #include "widgets/view/render/gl_setup.h"
 #include "widgets/view/viewport.h"

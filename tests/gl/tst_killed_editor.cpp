@@ -3,7 +3,7 @@
 // many times.
 #include "core/math/random.h"
 #include "core/params/presets.h"
-#include "core/session/autosave.h"
+#include "core/qt/session/jobs/autosave.h"
 #include "tests/gl/desk.h"
 #include "tests/support/cannot_run.h"
 #include "tests/support/waits.h"

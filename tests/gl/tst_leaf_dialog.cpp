@@ -1,5 +1,5 @@
-#include "core/document/commands.h"
 #include "core/params/presets.h"
+#include "core/qt/document/commands.h"
 #include "tests/support/suite.h"
 #include "tests/widgets/tree_document.h"
 #include "widgets/panels/properties/leaf_dialog.h"

@@ -1,9 +1,9 @@
-#include "core/levels/tree_levels.h"
+#include "core/lod/tree_levels.h"
 #include "core/params/presets.h"
 #include "tests/support/cannot_run.h"
 #include "tests/support/suite.h"
 #include "widgets/view/render/gl_setup.h"
-#include "widgets/view/render/offscreen_renderer.h"
+#include "widgets/view/render/passes/offscreen_renderer.h"
 #include <QApplication>
 #include <algorithm>
 #include <cmath>

@@ -5,9 +5,9 @@
 #include "tests/support/solids.h"
 #include "tests/support/suite.h"
 #include "widgets/view/render/gl_setup.h"
-#include "widgets/view/render/gpu_cache.h"
-#include "widgets/view/render/offscreen_renderer.h"
-#include "widgets/view/render/renderer.h"
+#include "widgets/view/render/passes/offscreen_renderer.h"
+#include "widgets/view/render/passes/renderer.h"
+#include "widgets/view/render/stream/gpu_cache.h"
 #include <QApplication>
 #include <QFile>
 #include <QOffscreenSurface>

@@ -4,8 +4,8 @@
 #include "tests/support/sample_tree.h"
 #include "tests/support/suite.h"
 #include "widgets/view/render/gl_setup.h"
-#include "widgets/view/render/offscreen_renderer.h"
-#include "widgets/view/render/picture_light.h"
+#include "widgets/view/render/passes/offscreen_renderer.h"
+#include "widgets/view/render/passes/picture_light.h"
 #include <QApplication>
 #include <cmath>
 #include <functional>

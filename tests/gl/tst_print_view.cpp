@@ -2,7 +2,7 @@
 #include "core/pipeline/tree_pipeline.h"
 #include "tests/support/cannot_run.h"
 #include "tests/support/suite.h"
-#include "widgets/dialogs/print_view.h"
+#include "widgets/dialogs/export/print_view.h"
 #include "widgets/view/render/gl_setup.h"
 #include <QApplication>
 

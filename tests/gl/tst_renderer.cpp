@@ -2,9 +2,9 @@
 #include "tests/support/sample_tree.h"
 #include "tests/support/suite.h"
 #include "widgets/view/render/gl_setup.h"
-#include "widgets/view/render/offscreen_renderer.h"
 #include "widgets/view/render/outline.h"
-#include "widgets/view/render/renderer.h"
+#include "widgets/view/render/passes/offscreen_renderer.h"
+#include "widgets/view/render/passes/renderer.h"
 #include <QApplication>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>

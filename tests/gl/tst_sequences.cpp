@@ -1,9 +1,9 @@
 // Sequences of meshes and pictures from the editor are, byte for byte, those of the command line.
-#include "core/document/document.h"
 #include "core/params/presets.h"
-#include "core/session/recompute.h"
+#include "core/qt/document/document.h"
+#include "core/qt/session/jobs/recompute.h"
 #include "tests/support/suite.h"
-#include "widgets/dialogs/sequence_task.h"
+#include "widgets/dialogs/export/sequence_task.h"
 #include <QDir>
 #include <QFile>
 #include <QGuiApplication>

@@ -1,9 +1,9 @@
-#include "widgets/view/render/shadow_map.h"
+#include "widgets/view/render/passes/shadow_map.h"
 
 #include "tests/support/cannot_run.h"
 #include "tests/support/suite.h"
 #include "widgets/view/render/gl_setup.h"
-#include "widgets/view/render/offscreen_renderer.h"
+#include "widgets/view/render/passes/offscreen_renderer.h"
 #include <QApplication>
 
 namespace tst_shadow_map {

@@ -1,17 +1,17 @@
-#include "widgets/dialogs/variations_dialog.h"
+#include "widgets/dialogs/variations/variations_dialog.h"
 
-#include "core/document/commands.h"
-#include "core/document/own_presets.h"
 #include "core/io/csv_table.h"
 #include "core/params/presets.h"
-#include "core/session/job.h"
+#include "core/qt/document/commands.h"
+#include "core/qt/document/project/own_presets.h"
+#include "core/qt/session/jobs/job.h"
 #include "tests/support/suite.h"
 #include "tests/widgets/base/fixture.h"
 #include "tests/widgets/tree_document.h"
-#include "widgets/base/number_field.h"
-#include "widgets/base/preferences.h"
-#include "widgets/dialogs/variation_delegate.h"
-#include "widgets/dialogs/varied_params_form.h"
+#include "widgets/base/fields/number_field.h"
+#include "widgets/base/theme/preferences.h"
+#include "widgets/dialogs/variations/variation_delegate.h"
+#include "widgets/dialogs/variations/varied_params_form.h"
 #include <QAction>
 #include <QComboBox>
 #include <QLabel>

@@ -1,7 +1,7 @@
-#include "core/document/commands.h"
 #include "core/params/presets.h"
-#include "core/session/analysis.h"
-#include "core/session/recompute.h"
+#include "core/qt/document/commands.h"
+#include "core/qt/session/jobs/analysis.h"
+#include "core/qt/session/jobs/recompute.h"
 #include "tests/support/suite.h"
 #include "tests/support/waits.h"
 

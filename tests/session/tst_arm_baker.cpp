@@ -1,7 +1,7 @@
-#include "core/document/project_file.h"
+#include "core/qt/document/project/project_file.h"
+#include "core/qt/session/arm/arm_baker.h"
+#include "core/qt/session/motion/player.h"
 #include "core/scene/arm_demo.h"
-#include "core/session/arm_baker.h"
-#include "core/session/player.h"
 #include "tests/support/suite.h"
 #include <QSignalSpy>
 

@@ -1,4 +1,4 @@
-#include "core/session/arm_dresser.h"
+#include "core/qt/session/arm/arm_dresser.h"
 
 #include "core/scene/arm_demo.h"
 #include "tests/support/suite.h"

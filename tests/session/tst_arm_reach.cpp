@@ -1,9 +1,9 @@
 #include "core/math/random.h"
+#include "core/qt/session/arm/arm_reach.h"
+#include "core/qt/session/motion/auto_key.h"
+#include "core/qt/session/motion/player.h"
 #include "core/rig/arm/arm_driver.h"
 #include "core/scene/arm_demo.h"
-#include "core/session/arm_reach.h"
-#include "core/session/auto_key.h"
-#include "core/session/player.h"
 #include "tests/support/suite.h"
 #include <QSignalSpy>
 #include <glm/geometric.hpp>

@@ -1,4 +1,4 @@
-#include "core/session/autosave.h"
+#include "core/qt/session/jobs/autosave.h"
 #include "tests/support/failing_disk.h"
 #include "tests/support/seeded_tree.h"
 #include "tests/support/suite.h"

@@ -1,6 +1,6 @@
 // Programs that die while they edit: what they called safe is there.
 #include "core/math/random.h"
-#include "core/session/autosave.h"
+#include "core/qt/session/jobs/autosave.h"
 #include "tests/support/seeded_tree.h"
 #include "tests/support/suite.h"
 #include "tests/support/waits.h"

@@ -1,8 +1,8 @@
-#include "core/document/commands.h"
 #include "core/params/presets.h"
-#include "core/session/baker.h"
-#include "core/session/player.h"
-#include "core/session/recompute.h"
+#include "core/qt/document/commands.h"
+#include "core/qt/session/jobs/recompute.h"
+#include "core/qt/session/motion/baker.h"
+#include "core/qt/session/motion/player.h"
 #include "tests/support/suite.h"
 #include <QFile>
 #include <QSignalSpy>

@@ -2,7 +2,7 @@
 // Blender.
 #include "core/io/copy_list.h"
 #include "core/params/presets.h"
-#include "core/session/exporter.h"
+#include "core/qt/session/export/exporter.h"
 #include "tests/support/cannot_run.h"
 #include "tests/support/suite.h"
 

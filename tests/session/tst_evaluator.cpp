@@ -1,9 +1,9 @@
-#include "core/document/commands.h"
 #include "core/evaluate/evaluator.h"
 #include "core/params/presets.h"
+#include "core/qt/document/commands.h"
+#include "core/qt/session/jobs/recompute.h"
+#include "core/qt/session/motion/player.h"
 #include "core/rig/pose/skin.h"
-#include "core/session/player.h"
-#include "core/session/recompute.h"
 #include "tests/support/flat_export.h"
 #include "tests/support/suite.h"
 #include <cmath>

@@ -1,5 +1,5 @@
 #include "core/io/formats/file_format.h"
-#include "core/io/formats/glb_parts.h"
+#include "core/io/formats/glb/glb_parts.h"
 #include "core/math/random.h"
 #include "core/params/presets.h"
 #include "core/pipeline/tree_pipeline.h"

@@ -1,9 +1,9 @@
 #include "core/evaluate/evaluator.h"
-#include "core/io/formats/blender_scene.h"
-#include "core/io/formats/glb_reader.h"
+#include "core/io/formats/glb/glb_reader.h"
+#include "core/io/formats/text/blender_scene.h"
 #include "core/params/presets.h"
+#include "core/qt/session/export/exporter.h"
 #include "core/scene/demo_scenes.h"
-#include "core/session/exporter.h"
 #include "tests/core/io/io_support.h"
 #include <QDir>
 #include <QImage>

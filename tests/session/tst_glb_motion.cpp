@@ -1,10 +1,10 @@
 #include "core/evaluate/evaluator.h"
 #include "core/io/formats/file_format.h"
-#include "core/io/formats/glb_motion.h"
+#include "core/io/formats/glb/glb_motion.h"
 #include "core/math/random.h"
 #include "core/params/presets.h"
+#include "core/qt/session/export/exporter.h"
 #include "core/scene/demo_scenes.h"
-#include "core/session/exporter.h"
 #include "tests/core/io/io_support.h"
 #include <QTemporaryDir>
 #include <glm/gtc/matrix_transform.hpp>

@@ -1,4 +1,4 @@
-#include "core/session/job.h"
+#include "core/qt/session/jobs/job.h"
 #include "tests/support/suite.h"
 #include "tests/support/waits.h"
 

@@ -1,7 +1,7 @@
-#include "core/session/packing.h"
+#include "core/qt/session/export/packing.h"
 
-#include "core/document/commands.h"
-#include "core/document/project_file.h"
+#include "core/qt/document/commands.h"
+#include "core/qt/document/project/project_file.h"
 #include "tests/support/suite.h"
 #include <QDir>
 #include <QFile>

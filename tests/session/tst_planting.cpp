@@ -1,8 +1,8 @@
-#include "core/session/planting.h"
+#include "core/qt/session/jobs/planting.h"
 
-#include "core/document/commands.h"
 #include "core/params/presets.h"
 #include "core/pipeline/tree_pipeline.h"
+#include "core/qt/document/commands.h"
 #include "core/scene/preset_scene.h"
 #include "tests/support/suite.h"
 

@@ -1,6 +1,6 @@
-#include "core/document/commands.h"
 #include "core/params/presets.h"
-#include "core/session/recompute.h"
+#include "core/qt/document/commands.h"
+#include "core/qt/session/jobs/recompute.h"
 #include "tests/support/suite.h"
 
 #include <QElapsedTimer>

@@ -1,6 +1,6 @@
 #include "core/params/presets.h"
+#include "core/qt/session/export/scene_counts.h"
 #include "core/scene/kinds/node_kinds.h"
-#include "core/session/scene_counts.h"
 #include "tests/support/flat_export.h"
 #include "tests/support/solids.h"
 #include "tests/support/suite.h"

@@ -1,10 +1,10 @@
-#include "core/document/commands.h"
 #include "core/evaluate/evaluator.h"
 #include "core/params/presets.h"
+#include "core/qt/document/commands.h"
+#include "core/qt/session/jobs/recompute.h"
+#include "core/qt/session/motion/player.h"
 #include "core/rig/pose/skin.h"
 #include "core/scene/loop_blend.h"
-#include "core/session/player.h"
-#include "core/session/recompute.h"
 #include "tests/support/suite.h"
 #include <algorithm>
 

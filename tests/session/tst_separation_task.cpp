@@ -1,7 +1,7 @@
-#include "core/document/commands.h"
-#include "core/document/project_file.h"
 #include "core/params/presets.h"
-#include "core/session/separation_task.h"
+#include "core/qt/document/commands.h"
+#include "core/qt/document/project/project_file.h"
+#include "core/qt/session/jobs/separation_task.h"
 #include "tests/support/suite.h"
 
 #include <QSignalSpy>

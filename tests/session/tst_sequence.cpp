@@ -1,8 +1,8 @@
 #include "core/evaluate/evaluator.h"
 #include "core/params/presets.h"
 #include "core/pipeline/tree_pipeline.h"
+#include "core/qt/session/motion/sequence.h"
 #include "core/scene/preset_scene.h"
-#include "core/session/sequence.h"
 #include "tests/support/suite.h"
 #include <QDir>
 #include <QFile>

@@ -1,6 +1,6 @@
-#include "core/document/commands.h"
+#include "core/qt/document/commands.h"
+#include "core/qt/session/jobs/shape_checks.h"
 #include "core/scene/arm_demo.h"
-#include "core/session/shape_checks.h"
 #include "tests/support/suite.h"
 #include "tests/support/waits.h"
 #include <QSignalSpy>

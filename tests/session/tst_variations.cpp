@@ -1,9 +1,9 @@
-#include "core/session/variations.h"
+#include "core/qt/session/jobs/variations.h"
 
-#include "core/document/project_file.h"
 #include "core/generators/variety.h"
 #include "core/io/csv_table.h"
 #include "core/params/presets.h"
+#include "core/qt/document/project/project_file.h"
 #include "tests/support/suite.h"
 #include <QDir>
 #include <QFile>

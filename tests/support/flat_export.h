@@ -2,7 +2,7 @@
 /// An export as formats without nodes write it.
 #pragma once
 
-#include "core/session/exporter.h"
+#include "core/qt/session/export/exporter.h"
 
 namespace ramure::test {
 

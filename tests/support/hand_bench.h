@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/params/presets.h"
-#include "core/session/recompute.h"
+#include "core/qt/session/jobs/recompute.h"
 #include "tests/support/tool_bench.h"
 
 namespace ramure::test {

@@ -2,7 +2,7 @@
 /// A document of one tree whose seed counts the edits, for suites that kill and recover.
 #pragma once
 
-#include "core/document/commands.h"
+#include "core/qt/document/commands.h"
 
 namespace ramure::test {
 

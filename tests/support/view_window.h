@@ -2,7 +2,7 @@
 /// A real window with a viewport of a document, for suites of label gl.
 #pragma once
 
-#include "core/document/document.h"
+#include "core/qt/document/document.h"
 #include "widgets/view/viewport.h"
 #include "widgets/view/viewport_host.h"
 #include <QApplication>

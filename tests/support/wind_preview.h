@@ -11,7 +11,7 @@
 ///   adds up what each piece of a chain of four does by itself.
 #pragma once
 
-#include "core/wind/wind_profile.h"
+#include "core/game_wind/wind_profile.h"
 
 namespace ramure {
 

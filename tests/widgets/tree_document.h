@@ -3,9 +3,9 @@
 /// thread.
 #pragma once
 
-#include "core/document/commands.h"
-#include "core/document/document.h"
 #include "core/pipeline/tree_pipeline.h"
+#include "core/qt/document/commands.h"
+#include "core/qt/document/document.h"
 #include <QTranslator>
 
 namespace ramure::test {

@@ -2,8 +2,8 @@
 /// Billboards of what is seen, to files: what stands for trees far away.
 #pragma once
 
-#include "core/session/job.h"
-#include "widgets/view/render/billboard_files.h"
+#include "core/qt/session/jobs/job.h"
+#include "widgets/view/render/passes/billboard_files.h"
 #include <QObject>
 
 class QAction;

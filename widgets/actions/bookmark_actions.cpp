@@ -1,6 +1,6 @@
 #include "widgets/actions/bookmark_actions.h"
 
-#include "core/document/commands.h"
+#include "core/qt/document/commands.h"
 #include "widgets/base/action_set.h"
 #include "widgets/view/viewport.h"
 #include "widgets/view/viewport_host.h"

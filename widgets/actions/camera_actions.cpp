@@ -1,8 +1,8 @@
 #include "widgets/actions/camera_actions.h"
 
-#include "core/document/commands.h"
+#include "core/qt/document/commands.h"
 #include "widgets/base/action_set.h"
-#include "widgets/base/core_text.h"
+#include "widgets/base/texts/core_text.h"
 #include "widgets/view/render/camera_items.h"
 #include "widgets/view/viewport.h"
 #include "widgets/view/viewport_host.h"

@@ -1,6 +1,6 @@
 #include "widgets/actions/deleted_selection.h"
 
-#include "core/document/document.h"
+#include "core/qt/document/document.h"
 
 namespace ramure {
 

@@ -2,7 +2,7 @@
 /// What was selected when it was deleted is selected again where that is undone.
 #pragma once
 
-#include "core/document/selection.h"
+#include "core/qt/document/selection.h"
 #include <QObject>
 
 class QUndoCommand;

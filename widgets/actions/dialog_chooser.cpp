@@ -1,7 +1,7 @@
 #include "widgets/actions/dialog_chooser.h"
 
-#include "widgets/base/icons.h"
 #include "widgets/base/message_banner.h"
+#include "widgets/base/theme/icons.h"
 #include "widgets/dialogs/recovery_dialog.h"
 #include <QFileDialog>
 #include <QFileInfo>

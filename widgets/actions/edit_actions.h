@@ -2,7 +2,7 @@
 /// The Edit menu: undo, redo, another random tree, and what happens to the selected nodes.
 #pragma once
 
-#include "core/document/document.h"
+#include "core/qt/document/document.h"
 #include "widgets/base/chooser.h"
 #include "widgets/view/render/camera.h"
 #include <QObject>

@@ -2,7 +2,7 @@
 /// The File menu: new, open, save, recent files, and the question about unsaved changes.
 #pragma once
 
-#include "core/document/document.h"
+#include "core/qt/document/document.h"
 #include "widgets/base/chooser.h"
 #include <QList>
 #include <QObject>

@@ -1,8 +1,8 @@
 #include "widgets/actions/hand_actions.h"
 
 #include "widgets/base/action_set.h"
-#include "widgets/base/core_text.h"
-#include "widgets/view/tools/hand_edit.h"
+#include "widgets/base/texts/core_text.h"
+#include "widgets/view/tools/hand/hand_edit.h"
 #include "widgets/view/tools/hand_settings.h"
 #include "widgets/view/viewport_host.h"
 #include <QActionGroup>

@@ -3,7 +3,7 @@
 /// selected branches without a tool.
 #pragma once
 
-#include "core/document/document.h"
+#include "core/qt/document/document.h"
 #include <QObject>
 
 class QAction;

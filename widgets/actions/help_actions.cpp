@@ -1,9 +1,9 @@
 #include "widgets/actions/help_actions.h"
 
 #include "widgets/base/action_set.h"
-#include "widgets/base/preferences.h"
-#include "widgets/dialogs/palette.h"
-#include "widgets/dialogs/palette_sources.h"
+#include "widgets/base/theme/preferences.h"
+#include "widgets/dialogs/palette/palette.h"
+#include "widgets/dialogs/palette/palette_sources.h"
 #include "widgets/help/handbook_window.h"
 #include "widgets/help/help_places.h"
 #include "widgets/help/tour.h"

@@ -1,11 +1,11 @@
 #include "widgets/actions/import_actions.h"
 
 #include "core/io/formats/file_format.h"
-#include "core/session/import_task.h"
+#include "core/qt/session/jobs/import_task.h"
 #include "widgets/base/action_set.h"
 #include "widgets/base/chooser.h"
-#include "widgets/base/core_text.h"
-#include "widgets/base/preferences.h"
+#include "widgets/base/texts/core_text.h"
+#include "widgets/base/theme/preferences.h"
 #include <QFileInfo>
 #include <QLocale>
 #include <QProgressDialog>

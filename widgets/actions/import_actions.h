@@ -3,7 +3,7 @@
 /// of their own.
 #pragma once
 
-#include "core/document/document.h"
+#include "core/qt/document/document.h"
 #include <QList>
 #include <QObject>
 #include <QPointer>

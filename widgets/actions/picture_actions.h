@@ -2,7 +2,7 @@
 /// Pictures of the view, to a file and to the clipboard; and the selection of branches by keyboard.
 #pragma once
 
-#include "core/session/job.h"
+#include "core/qt/session/jobs/job.h"
 #include <QObject>
 
 class QAction;

@@ -1,7 +1,7 @@
 #include "widgets/actions/preset_menu.h"
 
-#include "widgets/base/core_text.h"
-#include "widgets/base/preset_title.h"
+#include "widgets/base/texts/core_text.h"
+#include "widgets/base/texts/preset_title.h"
 #include <QCollator>
 #include <QLocale>
 #include <QMenu>

@@ -1,7 +1,7 @@
 #include "widgets/actions/program_actions.h"
 
 #include "widgets/base/action_set.h"
-#include "widgets/base/preferences.h"
+#include "widgets/base/theme/preferences.h"
 #include "widgets/dialogs/about_dialog.h"
 #include "widgets/dialogs/preferences_dialog.h"
 #include "widgets/dialogs/shortcuts_dialog.h"

@@ -2,7 +2,7 @@
 
 #include "widgets/actions/tool_settings_dialog.h"
 #include "widgets/base/action_set.h"
-#include "widgets/base/preferences.h"
+#include "widgets/base/theme/preferences.h"
 #include "widgets/view/tools/hand_settings.h"
 #include "widgets/view/viewport.h"
 #include "widgets/view/viewport_host.h"

@@ -1,6 +1,6 @@
 #include "widgets/base/action_set.h"
 
-#include "widgets/base/icons.h"
+#include "widgets/base/theme/icons.h"
 #include <QCoreApplication>
 #include <QRegularExpression>
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "widgets/base/message_banner.h"
 
-#include "widgets/base/icons.h"
+#include "widgets/base/theme/icons.h"
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QKeyEvent>

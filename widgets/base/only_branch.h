@@ -2,7 +2,7 @@
 /// The selection that a link to one branch makes.
 #pragma once
 
-#include "core/document/selection.h"
+#include "core/qt/document/selection.h"
 
 namespace ramure {
 

@@ -2,7 +2,7 @@
 /// Which nodes an action means.
 #pragma once
 
-#include "core/document/document.h"
+#include "core/qt/document/document.h"
 #include <vector>
 
 namespace ramure {

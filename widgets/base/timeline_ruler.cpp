@@ -1,6 +1,6 @@
 #include "widgets/base/timeline_ruler.h"
 
-#include "widgets/base/theme.h"
+#include "widgets/base/theme/theme.h"
 #include <QContextMenuEvent>
 #include <QHelpEvent>
 #include <QKeyEvent>

@@ -7,9 +7,9 @@
 /// Up and Down: a second, Home and End: the range's ends). A right click asks for a menu about the frame.
 #pragma once
 
+#include "core/qt/session/motion/motion.h"
 #include "core/rig/tracks/timeline_settings.h"
-#include "core/session/motion.h"
-#include "widgets/base/time_text.h"
+#include "widgets/base/texts/time_text.h"
 #include <QTimer>
 #include <QWidget>
 #include <vector>

@@ -1,7 +1,7 @@
 #include "widgets/dialogs/preferences_dialog.h"
 
-#include "widgets/base/language.h"
-#include "widgets/base/preferences.h"
+#include "widgets/base/theme/language.h"
+#include "widgets/base/theme/preferences.h"
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>

@@ -1,8 +1,8 @@
 #include "widgets/dialogs/recovery.h"
 
 #include "widgets/base/chooser.h"
-#include "widgets/base/core_text.h"
-#include "widgets/base/preferences.h"
+#include "widgets/base/texts/core_text.h"
+#include "widgets/base/theme/preferences.h"
 #include <utility>
 
 namespace ramure {

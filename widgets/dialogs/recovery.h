@@ -2,7 +2,7 @@
 /// Keeps unsaved changes aside while the program runs, and offers what a crash left behind.
 #pragma once
 
-#include "core/session/autosave.h"
+#include "core/qt/session/jobs/autosave.h"
 #include <QObject>
 
 namespace ramure {

@@ -1,6 +1,6 @@
 #include "widgets/dialogs/recovery_dialog.h"
 
-#include "widgets/base/icons.h"
+#include "widgets/base/theme/icons.h"
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QFileInfo>

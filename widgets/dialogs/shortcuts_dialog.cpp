@@ -1,9 +1,9 @@
 #include "widgets/dialogs/shortcuts_dialog.h"
 
 #include "widgets/base/action_set.h"
-#include "widgets/base/icons.h"
-#include "widgets/base/preferences.h"
 #include "widgets/base/silence.h"
+#include "widgets/base/theme/icons.h"
+#include "widgets/base/theme/preferences.h"
 #include "widgets/dialogs/gesture_keys.h"
 #include <QDialogButtonBox>
 #include <QHBoxLayout>

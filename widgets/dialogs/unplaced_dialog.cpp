@@ -1,9 +1,9 @@
 #include "widgets/dialogs/unplaced_dialog.h"
 
-#include "core/document/commands.h"
 #include "core/params/tree_edit_table.h"
-#include "widgets/base/core_text.h"
-#include "widgets/base/fact_text.h"
+#include "core/qt/document/commands.h"
+#include "widgets/base/texts/core_text.h"
+#include "widgets/base/texts/fact_text.h"
 #include <QDialogButtonBox>
 #include <QHeaderView>
 #include <QKeyEvent>

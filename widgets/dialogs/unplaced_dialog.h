@@ -2,8 +2,8 @@
 /// Edits made by hand on branches that have gone: what they are, where they were, and a way to delete them.
 #pragma once
 
-#include "core/session/unplaced_edits.h"
-#include "widgets/base/number_format.h"
+#include "core/qt/session/jobs/unplaced_edits.h"
+#include "widgets/base/texts/number_format.h"
 #include <QDialog>
 
 class QPushButton;

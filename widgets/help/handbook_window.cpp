@@ -1,7 +1,7 @@
 #include "widgets/help/handbook_window.h"
 
-#include "widgets/base/icons.h"
-#include "widgets/base/search_text.h"
+#include "widgets/base/texts/search_text.h"
+#include "widgets/base/theme/icons.h"
 #include "widgets/help/page_browser.h"
 #include <QCoreApplication>
 #include <QHBoxLayout>

@@ -1,7 +1,7 @@
 #include "widgets/help/page_browser.h"
 
-#include "widgets/base/search_text.h"
-#include "widgets/base/theme.h"
+#include "widgets/base/texts/search_text.h"
+#include "widgets/base/theme/theme.h"
 #include "widgets/help/page_document.h"
 #include <QEvent>
 #include <QFileInfo>

@@ -1,7 +1,7 @@
 #include "widgets/help/page_document.h"
 
 #include "core/params/param_def.h"
-#include "widgets/base/search_text.h"
+#include "widgets/base/texts/search_text.h"
 #include <QTextBlock>
 #include <QTextDocument>
 #include <QTextTable>

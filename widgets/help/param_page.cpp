@@ -1,7 +1,7 @@
 #include "widgets/help/param_page.h"
 
 #include "core/params/param_def.h"
-#include "widgets/base/core_text.h"
+#include "widgets/base/texts/core_text.h"
 #include "widgets/panels/properties/param_facts.h"
 #include <QCoreApplication>
 #include <string_view>

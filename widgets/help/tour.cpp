@@ -1,6 +1,6 @@
 #include "widgets/help/tour.h"
 
-#include "core/document/document.h"
+#include "core/qt/document/document.h"
 #include "widgets/base/action_list.h"
 #include "widgets/base/action_set.h"
 #include "widgets/help/callout.h"

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "core/evaluate/evaluator.h"
-#include "core/session/job.h"
+#include "core/qt/session/jobs/job.h"
 #include "widgets/view/render/render_scene.h"
 #include <QObject>
 #include <memory>

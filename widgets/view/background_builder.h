@@ -4,7 +4,7 @@
 /// wishes do.
 #pragma once
 
-#include "core/session/job.h"
+#include "core/qt/session/jobs/job.h"
 #include "widgets/view/render/scene_builder.h"
 #include <QObject>
 #include <map>

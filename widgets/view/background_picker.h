@@ -3,8 +3,8 @@
 /// that comes earlier waits for it.
 #pragma once
 
-#include "core/session/job.h"
-#include "widgets/view/render/pick_scene.h"
+#include "core/qt/session/jobs/job.h"
+#include "widgets/view/render/pick/pick_scene.h"
 #include <QObject>
 #include <QTimer>
 #include <chrono>

@@ -5,7 +5,7 @@
 
 #include "core/skeleton/simplify.h"
 #include "widgets/base/defect_place.h"
-#include "widgets/view/render/pick_scene.h"
+#include "widgets/view/render/pick/pick_scene.h"
 #include <QString>
 
 class QPainter;

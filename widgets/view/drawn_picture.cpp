@@ -1,6 +1,6 @@
 #include "widgets/view/drawn_picture.h"
 
-#include "widgets/base/core_text.h"
+#include "widgets/base/texts/core_text.h"
 #include <QMouseEvent>
 #include <QPainter>
 #include <utility>

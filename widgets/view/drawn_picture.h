@@ -3,8 +3,8 @@
 /// and what the mouse and the keys do to it, is said by those that are made of it.
 #pragma once
 
-#include "core/session/job.h"
-#include "widgets/view/render/offscreen_renderer.h"
+#include "core/qt/session/jobs/job.h"
+#include "widgets/view/render/passes/offscreen_renderer.h"
 #include <QImage>
 #include <QWidget>
 #include <functional>

@@ -1,7 +1,7 @@
 #include "widgets/view/gizmo_trail.h"
 
 #include "core/scene/world_transforms.h"
-#include "widgets/view/tools/gizmo_handles.h"
+#include "widgets/view/tools/gizmo/gizmo_handles.h"
 #include <QPainter>
 #include <algorithm>
 #include <set>

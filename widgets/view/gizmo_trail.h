@@ -5,10 +5,10 @@
 #pragma once
 
 #include "core/pipeline/tree_pipeline.h"
+#include "core/qt/session/jobs/job.h"
 #include "core/scene/motion_path.h"
-#include "core/session/job.h"
 #include "widgets/view/arm_ghosts.h"
-#include "widgets/view/render/pick_scene.h"
+#include "widgets/view/render/pick/pick_scene.h"
 #include "widgets/view/tools/gizmo_settings.h"
 #include <QObject>
 #include <functional>

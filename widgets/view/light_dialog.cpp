@@ -1,6 +1,6 @@
 #include "widgets/view/light_dialog.h"
 
-#include "widgets/view/render/sky.h"
+#include "widgets/view/render/light/sky.h"
 #include "widgets/view/view_settings.h"
 #include <QComboBox>
 #include <QDateTimeEdit>

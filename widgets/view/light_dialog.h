@@ -2,7 +2,7 @@
 /// Where the sun stands and what lies behind the trees. Applies at once.
 #pragma once
 
-#include "widgets/view/render/sun_position.h"
+#include "widgets/view/render/light/sun_position.h"
 #include <QDialog>
 
 class QComboBox;

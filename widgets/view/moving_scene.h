@@ -2,7 +2,7 @@
 /// A scene at rest and a frame of motion make the scene as it is now. Meshes are shared: only bones are new.
 #pragma once
 
-#include "core/session/motion.h"
+#include "core/qt/session/motion/motion.h"
 #include "widgets/view/render/render_scene.h"
 #include <map>
 

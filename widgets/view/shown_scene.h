@@ -2,7 +2,7 @@
 /// What is drawn: the scene at rest with everything in its place of now, and what is marked on it.
 #pragma once
 
-#include "core/session/arm_reach.h"
+#include "core/qt/session/arm/arm_reach.h"
 #include "widgets/view/defect_mark.h"
 #include "widgets/view/gizmo_trail.h"
 #include "widgets/view/moving_scene.h"

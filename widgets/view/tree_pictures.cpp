@@ -2,7 +2,7 @@
 
 #include "core/evaluate/evaluator.h"
 #include "core/pipeline/tree_pipeline.h"
-#include "widgets/view/render/offscreen_renderer.h"
+#include "widgets/view/render/passes/offscreen_renderer.h"
 #include "widgets/view/render/scene_builder.h"
 #include <QCoreApplication>
 #include <QThread>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/params/node_params.h"
-#include "core/session/job.h"
+#include "core/qt/session/jobs/job.h"
 #include <QImage>
 #include <QSize>
 #include <functional>

@@ -2,8 +2,8 @@
 /// How the viewport shows the scene: what menus and toolbars switch. Exists also where OpenGL does not.
 #pragma once
 
-#include "core/wind/wind_profile.h"
-#include "widgets/base/navigation_style.h"
+#include "core/game_wind/wind_profile.h"
+#include "widgets/base/theme/navigation_style.h"
 #include "widgets/view/render/renderer_options.h"
 #include <QObject>
 

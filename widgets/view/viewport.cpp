@@ -1,8 +1,8 @@
 #include "widgets/view/viewport.h"
 #include "core/evaluate/evaluator.h"
-#include "core/session/auto_key.h"
-#include "widgets/base/core_text.h"
-#include "widgets/base/theme.h"
+#include "core/qt/session/motion/auto_key.h"
+#include "widgets/base/texts/core_text.h"
+#include "widgets/base/theme/theme.h"
 #include "widgets/view/render/framing_points.h"
 #include "widgets/view/render/gl_setup.h"
 

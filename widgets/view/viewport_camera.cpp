@@ -1,7 +1,7 @@
 // The view of a camera node.
 #include "core/evaluate/evaluator.h"
-#include "widgets/base/core_text.h"
 #include "widgets/base/empty_page.h"
+#include "widgets/base/texts/core_text.h"
 #include "widgets/view/render/camera_items.h"
 #include "widgets/view/viewport_private.h"
 #include <QPainter>

@@ -1,6 +1,6 @@
 // What moves: what the player computed is shown, with what follows the hand, paths and ghosts.
-#include "core/session/auto_key.h"
-#include "core/session/player.h"
+#include "core/qt/session/motion/auto_key.h"
+#include "core/qt/session/motion/player.h"
 #include "widgets/view/tools/motion_tools.h"
 #include "widgets/view/viewport_private.h"
 #include <algorithm>

@@ -1,6 +1,6 @@
 // Pictures on the screen, and screenshots.
-#include "widgets/view/render/offscreen_renderer.h"
-#include "widgets/view/render/picture_file.h"
+#include "widgets/view/render/passes/offscreen_renderer.h"
+#include "widgets/view/render/passes/picture_file.h"
 #include "widgets/view/viewport_private.h"
 #include <QClipboard>
 #include <QFile>

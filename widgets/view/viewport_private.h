@@ -3,17 +3,17 @@
 /// (viewport_scene.cpp), what moves (viewport_motion.cpp), mouse and keys (viewport_input.cpp).
 #pragma once
 
-#include "core/document/document.h"
-#include "core/session/arm_reach.h"
-#include "core/session/player.h"
+#include "core/qt/document/document.h"
+#include "core/qt/session/arm/arm_reach.h"
+#include "core/qt/session/motion/player.h"
 #include "widgets/base/hint_source.h"
 #include "widgets/view/background_builder.h"
 #include "widgets/view/background_picker.h"
 #include "widgets/view/bark_waiter.h"
 #include "widgets/view/camera_flight.h"
-#include "widgets/view/render/renderer.h"
+#include "widgets/view/render/passes/renderer.h"
 #include "widgets/view/shown_scene.h"
-#include "widgets/view/tools/gizmo_tool.h"
+#include "widgets/view/tools/gizmo/gizmo_tool.h"
 #include "widgets/view/tools/tool_manager.h"
 #include "widgets/view/viewport.h"
 #include <QElapsedTimer>

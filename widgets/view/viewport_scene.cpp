@@ -1,6 +1,6 @@
 // The way of a scene: wished for when something changes, made in the background, uploaded in slices, shown.
 #include "core/base/stopwatch.h"
-#include "core/session/player.h"
+#include "core/qt/session/motion/player.h"
 #include "widgets/view/render/framing_points.h"
 #include "widgets/view/viewport_private.h"
 #include <algorithm>

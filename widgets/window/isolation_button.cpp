@@ -1,6 +1,6 @@
 #include "widgets/window/isolation_button.h"
 
-#include "widgets/base/icons.h"
+#include "widgets/base/theme/icons.h"
 #include "widgets/panels/scene/isolation.h"
 #include <QEvent>
 

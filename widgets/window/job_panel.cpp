@@ -1,8 +1,8 @@
 #include "widgets/window/job_panel.h"
 
-#include "core/session/job.h"
-#include "widgets/base/icons.h"
+#include "core/qt/session/jobs/job.h"
 #include "widgets/base/progress_steps.h"
+#include "widgets/base/theme/icons.h"
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>

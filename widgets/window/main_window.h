@@ -2,7 +2,7 @@
 /// The window: builds menus, toolbar, docks and status bar, and connects them. Everything else is elsewhere.
 #pragma once
 
-#include "core/document/document.h"
+#include "core/qt/document/document.h"
 #include <QMainWindow>
 #include <QVariantMap>
 

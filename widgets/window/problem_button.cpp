@@ -1,8 +1,8 @@
 #include "widgets/window/problem_button.h"
 
 #include "core/params/param_def.h"
-#include "widgets/base/core_text.h"
-#include "widgets/base/icons.h"
+#include "widgets/base/texts/core_text.h"
+#include "widgets/base/theme/icons.h"
 #include <QEvent>
 
 namespace ramure {

@@ -2,7 +2,7 @@
 /// The left end of the status bar: what is wrong with the parameters of the active tree; a click goes there.
 #pragma once
 
-#include "core/document/document.h"
+#include "core/qt/document/document.h"
 #include <QToolButton>
 
 namespace ramure {

@@ -1,12 +1,12 @@
 #include "widgets/window/status_panel.h"
 
+#include "core/qt/session/jobs/analysis.h"
+#include "core/qt/session/jobs/recompute.h"
+#include "core/qt/session/motion/player.h"
 #include "core/scene/kinds/node_kinds.h"
-#include "core/session/analysis.h"
-#include "core/session/player.h"
-#include "core/session/recompute.h"
-#include "widgets/base/core_text.h"
-#include "widgets/base/icons.h"
 #include "widgets/base/progress_steps.h"
+#include "widgets/base/texts/core_text.h"
+#include "widgets/base/theme/icons.h"
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>

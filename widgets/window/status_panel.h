@@ -2,8 +2,8 @@
 /// The right end of the status bar: progress with cancel, counts, build time, and what the meshes are worth.
 #pragma once
 
-#include "core/document/document.h"
-#include "core/session/scene_counts.h"
+#include "core/qt/document/document.h"
+#include "core/qt/session/export/scene_counts.h"
 #include "core/surface/check/verdict.h"
 #include <QWidget>
 

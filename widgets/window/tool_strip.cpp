@@ -1,7 +1,7 @@
 #include "widgets/window/tool_strip.h"
 
-#include "widgets/base/icons.h"
-#include "widgets/base/number_field.h"
+#include "widgets/base/fields/number_field.h"
+#include "widgets/base/theme/icons.h"
 #include "widgets/view/tools/hand_settings.h"
 #include "widgets/view/view_settings.h"
 #include <QAction>

@@ -1,8 +1,8 @@
 #include "widgets/window/unplaced_button.h"
 
-#include "core/session/unplaced_edits.h"
-#include "widgets/base/icons.h"
-#include "widgets/base/preferences.h"
+#include "core/qt/session/jobs/unplaced_edits.h"
+#include "widgets/base/theme/icons.h"
+#include "widgets/base/theme/preferences.h"
 #include "widgets/dialogs/unplaced_dialog.h"
 #include <QEvent>
 

@@ -1,6 +1,6 @@
 #include "widgets/window/view_menu.h"
 
-#include "widgets/base/branch_names.h"
+#include "widgets/base/texts/branch_names.h"
 
 namespace ramure {
 

@@ -2,7 +2,7 @@
 /// The menu of a right click in the view: of a branch and its tree, of a node, or of the view itself.
 #pragma once
 
-#include "core/document/document.h"
+#include "core/qt/document/document.h"
 #include <QMenu>
 
 namespace ramure {

@@ -1,11 +1,11 @@
 #include "widgets/window/welcome_panel.h"
 
-#include "core/document/own_presets.h"
+#include "core/qt/document/project/own_presets.h"
 #include "widgets/actions/file_actions.h"
 #include "widgets/base/action_list.h"
 #include "widgets/base/action_set.h"
-#include "widgets/base/icons.h"
-#include "widgets/base/preferences.h"
+#include "widgets/base/theme/icons.h"
+#include "widgets/base/theme/preferences.h"
 #include "widgets/panels/presets/picture_button.h"
 #include "widgets/panels/presets/preset_gallery.h"
 #include <QAction>

@@ -1,8 +1,8 @@
 #include "tests/bench/interaction/editor_bench.h"
 
-#include "core/document/commands.h"
-#include "core/session/analysis.h"
-#include "core/session/player.h"
+#include "core/qt/document/commands.h"
+#include "core/qt/session/jobs/analysis.h"
+#include "core/qt/session/motion/player.h"
 #include "tests/bench/interaction/slider_hand.h"
 #include "widgets/actions/file_actions.h"
 #include "widgets/view/viewport.h"

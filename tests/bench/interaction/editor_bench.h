@@ -2,10 +2,10 @@
 /// The editor as the program makes it, in a real window, with what is needed to measure it.
 #pragma once
 
-#include "core/session/recompute.h"
+#include "core/qt/session/jobs/recompute.h"
 #include "tests/bench/interaction/watched_application.h"
 #include "widgets/actions/dialog_chooser.h"
-#include "widgets/base/preferences.h"
+#include "widgets/base/theme/preferences.h"
 #include "widgets/view/view_settings.h"
 #include "widgets/window/main_window.h"
 #include <vector>

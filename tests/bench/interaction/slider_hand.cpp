@@ -1,6 +1,6 @@
 #include "tests/bench/interaction/slider_hand.h"
 
-#include "widgets/base/number_slider.h"
+#include "widgets/base/fields/number_slider.h"
 #include "widgets/panels/properties/param_editor.h"
 #include <QMouseEvent>
 #include <QScrollArea>

@@ -1,12 +1,12 @@
 // One move of the mouse while nodes are dragged by the gizmo, with all of the window following: what the
 // interface's thread does for it, the picture's drawing apart.
 #include "core/params/presets.h"
+#include "core/qt/session/jobs/recompute.h"
 #include "core/scene/demo_scenes.h"
-#include "core/session/recompute.h"
 #include "tests/widgets/base/fixture.h"
-#include "widgets/base/preferences.h"
+#include "widgets/base/theme/preferences.h"
 #include "widgets/view/render/scene_builder.h"
-#include "widgets/view/tools/gizmo_drag.h"
+#include "widgets/view/tools/gizmo/gizmo_drag.h"
 #include "widgets/window/main_window.h"
 #include <benchmark/benchmark.h>
 

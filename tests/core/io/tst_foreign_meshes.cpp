@@ -1,5 +1,5 @@
 // Meshes as other programs write them, in every format that has them.
-#include "core/io/formats/blender_scene.h"
+#include "core/io/formats/text/blender_scene.h"
 #include "core/io/zip_file.h"
 #include "core/surface/proof/validate.h"
 #include "tests/core/io/io_support.h"

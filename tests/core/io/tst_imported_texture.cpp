@@ -1,4 +1,4 @@
-#include "core/io/formats/blender_scene.h"
+#include "core/io/formats/text/blender_scene.h"
 #include "tests/core/io/io_support.h"
 #include "tests/support/suite.h"
 #include <filesystem>

@@ -2,9 +2,9 @@
 /// What the suites of the editor share: settings of their own, documents, a chooser that knows its answers.
 #pragma once
 
-#include "core/document/commands.h"
-#include "core/document/document.h"
 #include "core/params/presets.h"
+#include "core/qt/document/commands.h"
+#include "core/qt/document/document.h"
 #include "tests/support/suite.h"
 #include "widgets/base/chooser.h"
 #include <QMouseEvent>

@@ -1,8 +1,8 @@
 #include "tests/widgets/base/fixture.h"
-#include "widgets/base/number_drag.h"
-#include "widgets/base/number_field.h"
-#include "widgets/base/number_slider.h"
-#include "widgets/base/ramure_style.h"
+#include "widgets/base/fields/number_drag.h"
+#include "widgets/base/fields/number_field.h"
+#include "widgets/base/fields/number_slider.h"
+#include "widgets/base/theme/ramure_style.h"
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>

@@ -1,6 +1,6 @@
 #include "tests/widgets/base/fixture.h"
-#include "widgets/base/number_field.h"
-#include "widgets/base/number_slider.h"
+#include "widgets/base/fields/number_field.h"
+#include "widgets/base/fields/number_slider.h"
 #include <QLineEdit>
 #include <numbers>
 #include <vector>

@@ -2,7 +2,7 @@
 #include "tests/support/failing_disk.h"
 #include "tests/support/waits.h"
 #include "tests/widgets/base/fixture.h"
-#include "widgets/base/preferences.h"
+#include "widgets/base/theme/preferences.h"
 #include <QSignalSpy>
 
 namespace tst_preferences {

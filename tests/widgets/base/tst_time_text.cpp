@@ -1,5 +1,5 @@
 #include "tests/support/suite.h"
-#include "widgets/base/time_text.h"
+#include "widgets/base/texts/time_text.h"
 #include <QLocale>
 
 namespace tst_time_text {

@@ -1,5 +1,5 @@
 #include "tests/widgets/base/fixture.h"
-#include "widgets/base/language.h"
+#include "widgets/base/theme/language.h"
 #include <QProcess>
 #include <QXmlStreamReader>
 #include <map>

@@ -1,8 +1,8 @@
 #include "tests/widgets/base/fixture.h"
 #include "widgets/actions/billboard_actions.h"
 #include "widgets/base/action_set.h"
-#include "widgets/base/preferences.h"
-#include "widgets/dialogs/billboard_dialog.h"
+#include "widgets/base/theme/preferences.h"
+#include "widgets/dialogs/export/billboard_dialog.h"
 #include "widgets/view/viewport_host.h"
 #include <QAction>
 #include <QCheckBox>

@@ -1,9 +1,9 @@
-#include "core/session/analysis.h"
-#include "core/session/recompute.h"
+#include "core/qt/session/jobs/analysis.h"
+#include "core/qt/session/jobs/recompute.h"
 #include "tests/widgets/base/fixture.h"
-#include "widgets/base/preferences.h"
-#include "widgets/dialogs/export_dialog.h"
-#include "widgets/dialogs/export_task.h"
+#include "widgets/base/theme/preferences.h"
+#include "widgets/dialogs/export/export_dialog.h"
+#include "widgets/dialogs/export/export_task.h"
 #include <QAbstractSpinBox>
 #include <QCheckBox>
 #include <QComboBox>

@@ -1,11 +1,11 @@
-#include "core/io/formats/blender_scene.h"
 #include "core/io/formats/file_format.h"
-#include "core/session/recompute.h"
+#include "core/io/formats/text/blender_scene.h"
+#include "core/qt/session/jobs/recompute.h"
 #include "tests/widgets/base/fixture.h"
 #include "widgets/actions/import_actions.h"
-#include "widgets/base/preferences.h"
-#include "widgets/dialogs/export_dialog.h"
-#include "widgets/dialogs/space_form.h"
+#include "widgets/base/theme/preferences.h"
+#include "widgets/dialogs/export/export_dialog.h"
+#include "widgets/dialogs/export/space_form.h"
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFile>

@@ -1,8 +1,8 @@
-#include "core/session/recompute.h"
+#include "core/qt/session/jobs/recompute.h"
 #include "tests/widgets/base/fixture.h"
-#include "widgets/base/preferences.h"
-#include "widgets/dialogs/export_dialog.h"
-#include "widgets/dialogs/moment_form.h"
+#include "widgets/base/theme/preferences.h"
+#include "widgets/dialogs/export/export_dialog.h"
+#include "widgets/dialogs/export/moment_form.h"
 #include "widgets/dialogs/picture_form.h"
 #include <QComboBox>
 #include <QLabel>

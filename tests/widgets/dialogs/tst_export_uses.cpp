@@ -1,10 +1,10 @@
-#include "core/session/recompute.h"
+#include "core/qt/session/jobs/recompute.h"
 #include "tests/widgets/base/fixture.h"
-#include "widgets/base/preferences.h"
-#include "widgets/dialogs/export_dialog.h"
-#include "widgets/dialogs/moment_form.h"
+#include "widgets/base/theme/preferences.h"
+#include "widgets/dialogs/export/export_dialog.h"
+#include "widgets/dialogs/export/moment_form.h"
+#include "widgets/dialogs/export/print_form.h"
 #include "widgets/dialogs/picture_form.h"
-#include "widgets/dialogs/print_form.h"
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFormLayout>

@@ -1,5 +1,5 @@
 #include "tests/widgets/base/fixture.h"
-#include "widgets/dialogs/palette_match.h"
+#include "widgets/dialogs/palette/palette_match.h"
 
 namespace tst_palette_match {
 

@@ -1,6 +1,6 @@
 #include "tests/widgets/base/fixture.h"
-#include "widgets/base/language.h"
-#include "widgets/base/preferences.h"
+#include "widgets/base/theme/language.h"
+#include "widgets/base/theme/preferences.h"
 #include "widgets/dialogs/preferences_dialog.h"
 #include <QAbstractButton>
 #include <QCheckBox>

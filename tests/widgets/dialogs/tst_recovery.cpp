@@ -1,7 +1,7 @@
 #include "tests/support/failing_disk.h"
 #include "tests/support/waits.h"
 #include "tests/widgets/base/fixture.h"
-#include "widgets/base/preferences.h"
+#include "widgets/base/theme/preferences.h"
 #include "widgets/dialogs/recovery.h"
 #include "widgets/dialogs/recovery_dialog.h"
 

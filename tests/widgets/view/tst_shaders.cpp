@@ -1,6 +1,6 @@
 #include "tests/support/cannot_run.h"
 #include "tests/support/suite.h"
-#include "widgets/view/render/renderer.h"
+#include "widgets/view/render/passes/renderer.h"
 #include <QDir>
 #include <QDirIterator>
 #include <QProcess>

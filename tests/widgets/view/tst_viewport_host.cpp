@@ -1,4 +1,4 @@
-#include "core/document/document.h"
+#include "core/qt/document/document.h"
 #include "tests/support/cannot_run.h"
 #include "tests/support/suite.h"
 #include "widgets/view/render/gl_setup.h"

@@ -1,6 +1,6 @@
-#include "core/session/recompute.h"
+#include "core/qt/session/jobs/recompute.h"
 #include "tests/widgets/base/fixture.h"
-#include "widgets/base/preferences.h"
+#include "widgets/base/theme/preferences.h"
 #include "widgets/panels/properties/properties_panel.h"
 #include "widgets/view/viewport_host.h"
 #include "widgets/window/main_window.h"

@@ -4,10 +4,10 @@
 #include "widgets/window/panels.cpp"
 #undef panels
 
-#include "core/session/recompute.h"
+#include "core/qt/session/jobs/recompute.h"
 #include "tests/widgets/base/fixture.h"
 #include "widgets/base/action_set.h"
-#include "widgets/base/preferences.h"
+#include "widgets/base/theme/preferences.h"
 #include "widgets/help/help_places.h"
 #include "widgets/window/main_window.h"
 #include <QDockWidget>

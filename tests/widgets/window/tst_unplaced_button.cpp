@@ -1,7 +1,7 @@
 // Edits whose branches have gone: counted in the status bar, listed on a click, deleted if wanted.
 #include "tests/widgets/base/fixture.h"
 #include "tests/widgets/tree_document.h"
-#include "widgets/base/preferences.h"
+#include "widgets/base/theme/preferences.h"
 #include "widgets/dialogs/unplaced_dialog.h"
 #include "widgets/window/unplaced_button.h"
 

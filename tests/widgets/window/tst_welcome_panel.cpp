@@ -1,9 +1,9 @@
-#include "core/document/project_file.h"
+#include "core/qt/document/project/project_file.h"
 #include "tests/widgets/base/fixture.h"
 #include "widgets/actions/file_actions.h"
 #include "widgets/base/action_set.h"
-#include "widgets/base/language.h"
-#include "widgets/base/preferences.h"
+#include "widgets/base/theme/language.h"
+#include "widgets/base/theme/preferences.h"
 #include "widgets/window/welcome_panel.h"
 #include <QAction>
 #include <QSignalSpy>

@@ -1,8 +1,8 @@
 #include "widgets/panels/animation/key_commands.h"
 
-#include "core/session/player.h"
-#include "widgets/base/core_text.h"
+#include "core/qt/session/motion/player.h"
 #include "widgets/base/targets.h"
+#include "widgets/base/texts/core_text.h"
 #include <cmath>
 
 namespace ramure {

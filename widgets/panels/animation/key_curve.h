@@ -3,9 +3,9 @@
 /// orientation.
 #pragma once
 
-#include "core/document/key_edits.h"
+#include "core/qt/document/key_edits.h"
 #include "core/rig/tracks/euler.h"
-#include "widgets/base/number_format.h"
+#include "widgets/base/texts/number_format.h"
 #include <algorithm>
 
 namespace ramure {

@@ -7,7 +7,7 @@
 /// dragging one of them leaves the two others where they are.
 #pragma once
 
-#include "widgets/base/number_format.h"
+#include "widgets/base/texts/number_format.h"
 #include "widgets/panels/animation/key_commands.h"
 #include "widgets/panels/animation/key_curve.h"
 #include <QImage>

@@ -3,7 +3,7 @@
 /// and which keys are selected. The selection of keys is no part of undo.
 #pragma once
 
-#include "core/document/key_edits.h"
+#include "core/qt/document/key_edits.h"
 #include <QObject>
 #include <set>
 

@@ -1,8 +1,8 @@
 #include "widgets/panels/animation/key_panel.h"
 
-#include "core/session/player.h"
+#include "core/qt/session/motion/player.h"
 #include "widgets/base/empty_page.h"
-#include "widgets/base/icons.h"
+#include "widgets/base/theme/icons.h"
 #include "widgets/base/timeline_ruler.h"
 #include "widgets/panels/animation/key_actions.h"
 #include "widgets/panels/animation/key_curves.h"

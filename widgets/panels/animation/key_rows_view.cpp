@@ -1,6 +1,6 @@
 #include "widgets/panels/animation/key_rows_view.h"
 
-#include "widgets/base/icons.h"
+#include "widgets/base/theme/icons.h"
 #include "widgets/panels/animation/key_texts.h"
 #include <QHelpEvent>
 #include <QPainter>

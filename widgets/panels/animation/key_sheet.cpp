@@ -1,6 +1,6 @@
 #include "widgets/panels/animation/key_sheet.h"
 
-#include "widgets/base/theme.h"
+#include "widgets/base/theme/theme.h"
 #include "widgets/base/timeline_ruler.h"
 #include "widgets/panels/animation/key_texts.h"
 #include <QHelpEvent>

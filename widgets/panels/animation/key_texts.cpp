@@ -1,8 +1,8 @@
 #include "widgets/panels/animation/key_texts.h"
 
 #include "core/rig/tracks/easing.h"
-#include "widgets/base/core_text.h"
-#include "widgets/base/theme.h"
+#include "widgets/base/texts/core_text.h"
+#include "widgets/base/theme/theme.h"
 #include <QCoreApplication>
 #include <QPainter>
 #include <QPainterPath>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/rig/tracks/channel.h"
-#include "widgets/base/number_format.h"
+#include "widgets/base/texts/number_format.h"
 #include <QIcon>
 #include <QString>
 

@@ -1,7 +1,7 @@
 #include "widgets/panels/animation/key_values.h"
 
-#include "widgets/base/core_text.h"
-#include "widgets/base/number_field.h"
+#include "widgets/base/fields/number_field.h"
+#include "widgets/base/texts/core_text.h"
 #include "widgets/panels/animation/key_model.h"
 #include "widgets/panels/animation/key_texts.h"
 #include <QEvent>

@@ -3,7 +3,7 @@
 /// the first selected one stay as they are.
 #pragma once
 
-#include "core/document/commands.h"
+#include "core/qt/document/commands.h"
 #include <QWidget>
 #include <array>
 

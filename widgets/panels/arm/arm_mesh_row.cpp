@@ -1,6 +1,6 @@
 #include "widgets/panels/arm/arm_mesh_row.h"
 
-#include "widgets/base/core_text.h"
+#include "widgets/base/texts/core_text.h"
 #include <QCheckBox>
 #include <QComboBox>
 #include <QEvent>

@@ -2,7 +2,7 @@
 /// What the arm wears: the cylinder, or the mesh of an imported object.
 #pragma once
 
-#include "core/session/arm_dresser.h"
+#include "core/qt/session/arm/arm_dresser.h"
 #include <QWidget>
 
 class QCheckBox;

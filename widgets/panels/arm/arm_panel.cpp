@@ -1,14 +1,14 @@
 #include "widgets/panels/arm/arm_panel.h"
 
+#include "core/qt/session/motion/auto_key.h"
+#include "core/qt/session/motion/player.h"
 #include "core/rig/arm/arm_chain.h"
-#include "core/session/auto_key.h"
-#include "core/session/player.h"
-#include "widgets/base/core_text.h"
 #include "widgets/base/empty_page.h"
+#include "widgets/base/texts/core_text.h"
 #include "widgets/panels/arm/arm_mesh_row.h"
 #include "widgets/panels/arm/bake_keys_dialog.h"
 #include "widgets/panels/arm/joint_form.h"
-#include "widgets/view/tools/arm_overlay.h"
+#include "widgets/view/tools/arm/arm_overlay.h"
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>

@@ -2,8 +2,8 @@
 /// The joints of the active arm: add, remove, lengths, angles, limits and speeds; and the way to its target.
 #pragma once
 
-#include "core/session/arm_baker.h"
-#include "core/session/arm_reach.h"
+#include "core/qt/session/arm/arm_baker.h"
+#include "core/qt/session/arm/arm_reach.h"
 #include <QWidget>
 #include <optional>
 #include <vector>

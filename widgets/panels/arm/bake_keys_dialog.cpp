@@ -1,6 +1,6 @@
 #include "widgets/panels/arm/bake_keys_dialog.h"
 
-#include "widgets/base/number_field.h"
+#include "widgets/base/fields/number_field.h"
 #include <QCheckBox>
 #include <QFormLayout>
 #include <QHBoxLayout>

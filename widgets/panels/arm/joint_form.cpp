@@ -1,11 +1,11 @@
 #include "widgets/panels/arm/joint_form.h"
 
-#include "core/session/auto_key.h"
-#include "core/session/player.h"
-#include "widgets/base/core_text.h"
-#include "widgets/base/key_button.h"
-#include "widgets/base/number_field.h"
-#include "widgets/base/number_slider.h"
+#include "core/qt/session/motion/auto_key.h"
+#include "core/qt/session/motion/player.h"
+#include "widgets/base/fields/key_button.h"
+#include "widgets/base/fields/number_field.h"
+#include "widgets/base/fields/number_slider.h"
+#include "widgets/base/texts/core_text.h"
 #include <QCheckBox>
 #include <QEvent>
 #include <QFormLayout>

@@ -2,7 +2,7 @@
 /// The numbers of one joint of an arm, made from the joint table: fields, sliders, and buttons for keys.
 #pragma once
 
-#include "core/document/commands.h"
+#include "core/qt/document/commands.h"
 #include <QWidget>
 #include <memory>
 #include <vector>

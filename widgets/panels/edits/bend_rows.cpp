@@ -1,7 +1,7 @@
 #include "widgets/panels/edits/bend_rows.h"
 
-#include "core/session/unplaced_edits.h"
-#include "widgets/base/branch_names.h"
+#include "core/qt/session/jobs/unplaced_edits.h"
+#include "widgets/base/texts/branch_names.h"
 #include <algorithm>
 #include <map>
 

@@ -3,7 +3,7 @@
 /// edits of a list (core/params/tree_edit.h), and act after those.
 #pragma once
 
-#include "core/document/document.h"
+#include "core/qt/document/document.h"
 #include <QString>
 
 namespace ramure {

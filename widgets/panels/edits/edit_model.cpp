@@ -1,11 +1,11 @@
 #include "widgets/panels/edits/edit_model.h"
 
-#include "core/document/commands.h"
 #include "core/params/tree_edit_table.h"
+#include "core/qt/document/commands.h"
 #include "core/skeleton/axes.h"
-#include "widgets/base/branch_names.h"
-#include "widgets/base/core_text.h"
-#include "widgets/base/icons.h"
+#include "widgets/base/texts/branch_names.h"
+#include "widgets/base/texts/core_text.h"
+#include "widgets/base/theme/icons.h"
 #include "widgets/view/tools/limb_finder.h"
 #include <QApplication>
 #include <QLocale>

@@ -3,8 +3,8 @@
 /// switched on and off and moved. Behind them its bends (bend_rows.h), which can only be chosen and deleted.
 #pragma once
 
-#include "core/document/document.h"
 #include "core/params/tree_edit.h"
+#include "core/qt/document/document.h"
 #include "core/skeleton/edits/edit_report.h"
 #include "widgets/panels/edits/bend_rows.h"
 #include <QAbstractTableModel>

@@ -1,9 +1,9 @@
 #include "widgets/panels/edits/edits_panel.h"
 
-#include "core/document/commands.h"
-#include "widgets/base/core_text.h"
+#include "core/qt/document/commands.h"
 #include "widgets/base/empty_page.h"
-#include "widgets/base/icons.h"
+#include "widgets/base/texts/core_text.h"
+#include "widgets/base/theme/icons.h"
 #include "widgets/panels/edits/edit_model.h"
 #include <QHeaderView>
 #include <QKeyEvent>

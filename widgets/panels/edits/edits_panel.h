@@ -3,7 +3,7 @@
 /// copy to another tree.
 #pragma once
 
-#include "core/document/document.h"
+#include "core/qt/document/document.h"
 #include <QWidget>
 #include <set>
 

@@ -1,6 +1,6 @@
 #include "widgets/panels/history/history_dock.h"
 
-#include "core/document/document.h"
+#include "core/qt/document/document.h"
 #include <QAbstractListModel>
 #include <QEvent>
 #include <QGuiApplication>

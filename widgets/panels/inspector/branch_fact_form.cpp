@@ -1,6 +1,6 @@
 #include "widgets/panels/inspector/branch_fact_form.h"
 
-#include "widgets/base/fact_text.h"
+#include "widgets/base/texts/fact_text.h"
 #include <QVBoxLayout>
 #include <algorithm>
 

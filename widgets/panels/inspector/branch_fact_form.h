@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/skeleton/branch_facts.h"
-#include "widgets/base/number_format.h"
+#include "widgets/base/texts/number_format.h"
 #include "widgets/panels/inspector/fact_form.h"
 
 namespace ramure {

@@ -5,7 +5,7 @@
 
 #include "core/base/index.h"
 #include "core/scene/scene.h"
-#include "widgets/base/number_format.h"
+#include "widgets/base/texts/number_format.h"
 #include <QWidget>
 #include <memory>
 

@@ -1,11 +1,11 @@
 #include "widgets/panels/inspector/roll_editor.h"
 
 #include "core/math/angle.h"
-#include "widgets/base/core_text.h"
-#include "widgets/base/fact_text.h"
-#include "widgets/base/icons.h"
-#include "widgets/base/number_field.h"
-#include "widgets/base/number_slider.h"
+#include "widgets/base/fields/number_field.h"
+#include "widgets/base/fields/number_slider.h"
+#include "widgets/base/texts/core_text.h"
+#include "widgets/base/texts/fact_text.h"
+#include "widgets/base/theme/icons.h"
 #include <QGridLayout>
 #include <QLabel>
 #include <QToolButton>

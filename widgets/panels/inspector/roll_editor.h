@@ -3,8 +3,8 @@
 /// undo step.
 #pragma once
 
-#include "core/document/commands.h"
-#include "widgets/base/number_format.h"
+#include "core/qt/document/commands.h"
+#include "widgets/base/texts/number_format.h"
 #include <QWidget>
 #include <cstdint>
 #include <vector>

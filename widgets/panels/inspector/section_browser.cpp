@@ -1,7 +1,7 @@
 #include "widgets/panels/inspector/section_browser.h"
 
-#include "widgets/base/icons.h"
-#include "widgets/base/number_field.h"
+#include "widgets/base/fields/number_field.h"
+#include "widgets/base/theme/icons.h"
 #include "widgets/panels/inspector/fact_form.h"
 #include <QClipboard>
 #include <QGuiApplication>

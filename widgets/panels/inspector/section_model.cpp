@@ -1,6 +1,6 @@
 #include "widgets/panels/inspector/section_model.h"
 
-#include "widgets/base/fact_text.h"
+#include "widgets/base/texts/fact_text.h"
 
 namespace ramure {
 namespace {

@@ -3,7 +3,7 @@
 /// which can be edited.
 #pragma once
 
-#include "core/session/level_watch.h"
+#include "core/qt/session/export/level_watch.h"
 #include <QAbstractTableModel>
 #include <memory>
 

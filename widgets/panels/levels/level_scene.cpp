@@ -1,7 +1,7 @@
 #include "widgets/panels/levels/level_scene.h"
 
-#include "core/levels/level_leaves.h"
-#include "core/session/level_export.h"
+#include "core/lod/level_leaves.h"
+#include "core/qt/session/export/level_export.h"
 #include <algorithm>
 #include <cmath>
 

@@ -3,7 +3,7 @@
 /// tree.
 #pragma once
 
-#include "core/session/level_watch.h"
+#include "core/qt/session/export/level_watch.h"
 #include "widgets/view/render/camera.h"
 #include "widgets/view/render/scene_builder.h"
 #include <optional>

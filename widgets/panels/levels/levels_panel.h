@@ -3,7 +3,7 @@
 /// distance it is shown, and how it looks there beside the whole tree.
 #pragma once
 
-#include "core/session/level_watch.h"
+#include "core/qt/session/export/level_watch.h"
 #include <QWidget>
 #include <map>
 

@@ -4,7 +4,7 @@
 /// scene can be kept here.
 #pragma once
 
-#include "core/document/own_presets.h"
+#include "core/qt/document/project/own_presets.h"
 #include <QSet>
 #include <QWidget>
 #include <functional>

@@ -1,11 +1,11 @@
 #include "widgets/panels/presets/preset_gallery.h"
 
-#include "core/document/own_presets.h"
 #include "core/params/presets.h"
-#include "widgets/base/core_text.h"
-#include "widgets/base/preferences.h"
-#include "widgets/base/preset_title.h"
-#include "widgets/base/search_text.h"
+#include "core/qt/document/project/own_presets.h"
+#include "widgets/base/texts/core_text.h"
+#include "widgets/base/texts/preset_title.h"
+#include "widgets/base/texts/search_text.h"
+#include "widgets/base/theme/preferences.h"
 #include "widgets/panels/presets/picture_button.h"
 #include <QCollator>
 #include <QEvent>

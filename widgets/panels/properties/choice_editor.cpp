@@ -1,7 +1,7 @@
 #include "widgets/panels/properties/choice_editor.h"
 
-#include "widgets/base/core_text.h"
-#include "widgets/base/wheel_guard.h"
+#include "widgets/base/texts/core_text.h"
+#include "widgets/base/theme/wheel_guard.h"
 #include <QComboBox>
 #include <QHBoxLayout>
 

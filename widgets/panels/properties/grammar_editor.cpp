@@ -2,7 +2,7 @@
 
 #include "core/generators/parametric/grammar_notes.h"
 #include "core/generators/parametric/parametric_grammar.h"
-#include "widgets/base/core_text.h"
+#include "widgets/base/texts/core_text.h"
 #include "widgets/panels/properties/grammar/grammar_edit.h"
 #include "widgets/panels/properties/grammar/height_grip.h"
 #include <QVBoxLayout>

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/params/param_def.h"
-#include "widgets/base/number_format.h"
+#include "widgets/base/texts/number_format.h"
 #include <QString>
 #include <utility>
 #include <vector>

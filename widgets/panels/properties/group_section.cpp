@@ -1,7 +1,7 @@
 #include "widgets/panels/properties/group_section.h"
 
-#include "widgets/base/core_text.h"
-#include "widgets/base/icons.h"
+#include "widgets/base/texts/core_text.h"
+#include "widgets/base/theme/icons.h"
 #include "widgets/panels/properties/param_row.h"
 #include <QAction>
 #include <QEvent>

@@ -2,7 +2,7 @@
 /// The leaves of one tree, large, beside the properties that shape them: follows every change of the numbers.
 #pragma once
 
-#include "core/document/document.h"
+#include "core/qt/document/document.h"
 #include <QDialog>
 
 class QLabel;

@@ -1,6 +1,6 @@
 #include "widgets/panels/properties/leaf_view.h"
 
-#include "widgets/base/core_text.h"
+#include "widgets/base/texts/core_text.h"
 #include "widgets/panels/properties/leaf_scene.h"
 #include "widgets/view/drawn_picture.h"
 #include <QKeyEvent>

@@ -1,8 +1,8 @@
 #include "widgets/panels/properties/number_editor.h"
 
-#include "widgets/base/icons.h"
-#include "widgets/base/number_field.h"
-#include "widgets/base/number_slider.h"
+#include "widgets/base/fields/number_field.h"
+#include "widgets/base/fields/number_slider.h"
+#include "widgets/base/theme/icons.h"
 #include <QHBoxLayout>
 #include <QRandomGenerator>
 #include <QToolButton>

@@ -2,9 +2,9 @@
 /// What every editor of one parameter can do; which one a row gets is decided in param_editor_factory.h.
 #pragma once
 
-#include "core/document/commands.h"
 #include "core/params/param_def.h"
-#include "widgets/base/number_format.h"
+#include "core/qt/document/commands.h"
+#include "widgets/base/texts/number_format.h"
 #include <QWidget>
 #include <optional>
 #include <span>

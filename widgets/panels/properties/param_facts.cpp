@@ -1,7 +1,7 @@
 #include "widgets/panels/properties/param_facts.h"
 
 #include "core/params/presets.h"
-#include "widgets/base/core_text.h"
+#include "widgets/base/texts/core_text.h"
 #include <QCoreApplication>
 
 namespace ramure {

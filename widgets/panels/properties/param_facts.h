@@ -3,7 +3,7 @@
 /// handbook.
 #pragma once
 
-#include "widgets/base/number_format.h"
+#include "widgets/base/texts/number_format.h"
 #include <QList>
 #include <string>
 #include <utility>

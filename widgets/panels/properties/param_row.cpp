@@ -1,9 +1,9 @@
 #include "widgets/panels/properties/param_row.h"
 
 #include "core/params/presets.h"
-#include "widgets/base/core_text.h"
-#include "widgets/base/icons.h"
-#include "widgets/base/key_button.h"
+#include "widgets/base/fields/key_button.h"
+#include "widgets/base/texts/core_text.h"
+#include "widgets/base/theme/icons.h"
 #include "widgets/panels/properties/param_editor_factory.h"
 #include "widgets/panels/properties/param_facts.h"
 #include <QContextMenuEvent>

@@ -2,7 +2,7 @@
 /// One parameter in the panel: label, editor, reset arrow, and a line for what is wrong.
 #pragma once
 
-#include "core/document/key_state.h"
+#include "core/qt/document/key_state.h"
 #include "widgets/panels/properties/param_editor.h"
 
 class QLabel;

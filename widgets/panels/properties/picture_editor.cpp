@@ -1,7 +1,7 @@
 #include "widgets/panels/properties/picture_editor.h"
 
-#include "widgets/base/core_text.h"
-#include "widgets/base/icons.h"
+#include "widgets/base/texts/core_text.h"
+#include "widgets/base/theme/icons.h"
 #include "widgets/view/render/surface_images.h"
 #include <QDir>
 #include <QDragEnterEvent>

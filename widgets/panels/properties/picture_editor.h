@@ -3,7 +3,7 @@
 /// path.
 #pragma once
 
-#include "core/session/job.h"
+#include "core/qt/session/jobs/job.h"
 #include "widgets/panels/properties/param_editor.h"
 #include <QImage>
 

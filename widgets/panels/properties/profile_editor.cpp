@@ -1,7 +1,7 @@
 #include "widgets/panels/properties/profile_editor.h"
 
 #include "core/generators/colonisation/crown_shape.h"
-#include "widgets/base/core_text.h"
+#include "widgets/base/texts/core_text.h"
 #include "widgets/panels/properties/profile_curve.h"
 #include <QLineEdit>
 #include <QVBoxLayout>

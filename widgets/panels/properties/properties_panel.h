@@ -2,8 +2,8 @@
 /// The parameters of the selected nodes, made from the parameter table: grouped, foldable, searchable.
 #pragma once
 
-#include "core/document/document.h"
-#include "widgets/base/number_format.h"
+#include "core/qt/document/document.h"
+#include "widgets/base/texts/number_format.h"
 #include "widgets/panels/properties/group_clipboard.h"
 #include <QWidget>
 #include <functional>

@@ -3,8 +3,8 @@
 /// how a stem tapers and bends.
 #pragma once
 
-#include "core/document/document.h"
 #include "core/params/weber_penn_params.h"
+#include "core/qt/document/document.h"
 #include <QWidget>
 #include <optional>
 

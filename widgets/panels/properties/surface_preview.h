@@ -3,9 +3,9 @@
 /// looks like, made in the background while the numbers are dragged.
 #pragma once
 
-#include "core/document/document.h"
+#include "core/qt/document/document.h"
+#include "core/qt/session/jobs/job.h"
 #include "core/scene/material.h"
-#include "core/session/job.h"
 #include <QImage>
 #include <QWidget>
 

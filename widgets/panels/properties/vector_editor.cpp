@@ -1,6 +1,6 @@
 #include "widgets/panels/properties/vector_editor.h"
 
-#include "widgets/base/number_field.h"
+#include "widgets/base/fields/number_field.h"
 #include <QHBoxLayout>
 #include <QLabel>
 

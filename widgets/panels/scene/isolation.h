@@ -3,7 +3,7 @@
 /// the camera: neither saved nor undone, and it changes nothing in the document.
 #pragma once
 
-#include "core/document/document.h"
+#include "core/qt/document/document.h"
 #include <QObject>
 #include <memory>
 #include <vector>

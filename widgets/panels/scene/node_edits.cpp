@@ -1,6 +1,6 @@
 #include "widgets/panels/scene/node_edits.h"
 
-#include "core/document/commands.h"
+#include "core/qt/document/commands.h"
 #include <QCoreApplication>
 #include <algorithm>
 #include <optional>

@@ -2,7 +2,7 @@
 /// What the scene panel does to several nodes at once, each as one undo step.
 #pragma once
 
-#include "core/document/document.h"
+#include "core/qt/document/document.h"
 #include <vector>
 
 namespace ramure::edit {

@@ -1,6 +1,6 @@
 #include "widgets/panels/scene/scene_model.h"
 
-#include "widgets/base/core_text.h"
+#include "widgets/base/texts/core_text.h"
 #include <algorithm>
 #include <utility>
 

@@ -8,8 +8,8 @@
 /// of the rows that differ.
 #pragma once
 
-#include "core/document/document.h"
-#include "widgets/base/branch_names.h"
+#include "core/qt/document/document.h"
+#include "widgets/base/texts/branch_names.h"
 #include <QAbstractItemModel>
 #include <functional>
 #include <map>

@@ -1,8 +1,8 @@
 // What the rows of the scene model say, and how they are edited and dragged.
-#include "core/document/commands.h"
+#include "core/qt/document/commands.h"
 #include "core/scene/kinds/node_kinds.h"
-#include "widgets/base/core_text.h"
-#include "widgets/base/icons.h"
+#include "widgets/base/texts/core_text.h"
+#include "widgets/base/theme/icons.h"
 #include "widgets/panels/scene/scene_model.h"
 #include <QGuiApplication>
 #include <QIODevice>

@@ -1,10 +1,10 @@
 #include "widgets/panels/scene/scene_panel.h"
 
-#include "core/document/commands.h"
-#include "widgets/base/core_text.h"
+#include "core/qt/document/commands.h"
 #include "widgets/base/empty_page.h"
-#include "widgets/base/icons.h"
 #include "widgets/base/targets.h"
+#include "widgets/base/texts/core_text.h"
+#include "widgets/base/theme/icons.h"
 #include "widgets/panels/scene/scene_model.h"
 #include "widgets/panels/scene/scene_results.h"
 #include "widgets/panels/scene/scene_search.h"

@@ -2,7 +2,7 @@
 /// The scene panel: nodes and the branches of trees, a search, selection both ways with the document.
 #pragma once
 
-#include "core/document/document.h"
+#include "core/qt/document/document.h"
 #include "widgets/panels/scene/scene_model.h"
 #include <QWidget>
 #include <set>

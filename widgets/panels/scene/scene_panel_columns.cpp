@@ -1,5 +1,5 @@
 // Which columns the scene panel shows.
-#include "widgets/base/preferences.h"
+#include "widgets/base/theme/preferences.h"
 #include "widgets/panels/scene/scene_panel.h"
 #include "widgets/panels/scene/scene_tree.h"
 #include <QHeaderView>

@@ -15,7 +15,7 @@
 
 #include "core/base/error.h"
 #include "core/scene/scene.h"
-#include "widgets/base/branch_names.h"
+#include "widgets/base/texts/branch_names.h"
 #include <QString>
 #include <QStringList>
 #include <vector>

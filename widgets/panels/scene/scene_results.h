@@ -2,7 +2,7 @@
 /// What a search of the scene found, as a flat list with the columns of the scene model.
 #pragma once
 
-#include "core/document/selection.h"
+#include "core/qt/document/selection.h"
 #include "widgets/panels/scene/scene_query.h"
 #include <QAbstractTableModel>
 #include <vector>

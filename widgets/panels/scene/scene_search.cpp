@@ -1,8 +1,8 @@
 #include "widgets/panels/scene/scene_search.h"
 
-#include "widgets/base/core_text.h"
-#include "widgets/base/icons.h"
-#include "widgets/base/theme.h"
+#include "widgets/base/texts/core_text.h"
+#include "widgets/base/theme/icons.h"
+#include "widgets/base/theme/theme.h"
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QKeyEvent>

@@ -1,9 +1,9 @@
 #include "widgets/panels/scene/select_actions.h"
 
 #include "widgets/base/action_set.h"
-#include "widgets/base/branch_names.h"
-#include "widgets/base/core_text.h"
 #include "widgets/base/targets.h"
+#include "widgets/base/texts/branch_names.h"
+#include "widgets/base/texts/core_text.h"
 #include "widgets/panels/scene/isolation.h"
 #include "widgets/panels/scene/node_edits.h"
 #include <QClipboard>

@@ -2,7 +2,7 @@
 /// The Select menu: steps through branches and nodes, isolating, order, copying names.
 #pragma once
 
-#include "core/document/document.h"
+#include "core/qt/document/document.h"
 #include "widgets/panels/scene/selection_steps.h"
 #include <QList>
 #include <QObject>

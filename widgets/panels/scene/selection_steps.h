@@ -3,7 +3,7 @@
 /// are selected the steps go from branch to branch, otherwise from node to node.
 #pragma once
 
-#include "core/document/document.h"
+#include "core/qt/document/document.h"
 
 namespace ramure {
 

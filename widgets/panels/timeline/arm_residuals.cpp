@@ -1,8 +1,8 @@
 #include "widgets/panels/timeline/arm_residuals.h"
 
+#include "core/qt/session/arm/arm_reach.h"
+#include "core/qt/session/motion/player.h"
 #include "core/rig/arm/arm_chain.h"
-#include "core/session/arm_reach.h"
-#include "core/session/player.h"
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <span>

@@ -1,10 +1,10 @@
 #include "widgets/panels/timeline/bake_actions.h"
 
-#include "core/session/player.h"
+#include "core/qt/session/motion/player.h"
 #include "widgets/base/action_set.h"
 #include "widgets/base/chooser.h"
-#include "widgets/base/core_text.h"
-#include "widgets/base/icons.h"
+#include "widgets/base/texts/core_text.h"
+#include "widgets/base/theme/icons.h"
 #include <QLocale>
 #include <QMenu>
 #include <QToolButton>

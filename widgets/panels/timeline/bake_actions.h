@@ -2,8 +2,8 @@
 /// Baking the motion and freeing it again: actions, messages, and a button for the timeline.
 #pragma once
 
-#include "core/session/baker.h"
-#include "core/session/motion.h"
+#include "core/qt/session/motion/baker.h"
+#include "core/qt/session/motion/motion.h"
 #include <QObject>
 #include <functional>
 

@@ -1,7 +1,7 @@
 #include "widgets/panels/timeline/physics_plot.h"
 
-#include "widgets/base/icons.h"
-#include "widgets/view/tools/arm_overlay.h"
+#include "widgets/base/theme/icons.h"
+#include "widgets/view/tools/arm/arm_overlay.h"
 #include <QClipboard>
 #include <QContextMenuEvent>
 #include <QEvent>

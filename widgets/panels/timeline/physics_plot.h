@@ -5,7 +5,7 @@
 /// of a right click copies all of them.
 #pragma once
 
-#include "core/session/motion.h"
+#include "core/qt/session/motion/motion.h"
 #include "widgets/panels/timeline/arm_residuals.h"
 #include <QWidget>
 #include <array>

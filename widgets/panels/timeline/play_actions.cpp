@@ -1,7 +1,7 @@
 #include "widgets/panels/timeline/play_actions.h"
 
-#include "core/document/commands.h"
-#include "core/session/player.h"
+#include "core/qt/document/commands.h"
+#include "core/qt/session/motion/player.h"
 #include "widgets/base/action_set.h"
 #include "widgets/view/view_settings.h"
 #include <QActionGroup>

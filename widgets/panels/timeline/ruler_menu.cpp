@@ -1,8 +1,8 @@
 #include "widgets/panels/timeline/ruler_menu.h"
 
-#include "core/document/commands.h"
-#include "core/session/player.h"
-#include "widgets/base/icons.h"
+#include "core/qt/document/commands.h"
+#include "core/qt/session/motion/player.h"
+#include "widgets/base/theme/icons.h"
 #include "widgets/base/timeline_ruler.h"
 #include "widgets/panels/timeline/bake_actions.h"
 #include "widgets/panels/timeline/play_actions.h"

@@ -2,7 +2,7 @@
 /// What a right click on a ruler of frames offers, about the frame that was clicked.
 #pragma once
 
-#include "widgets/base/time_text.h"
+#include "widgets/base/texts/time_text.h"
 #include <QList>
 #include <QObject>
 #include <QPointer>

@@ -2,7 +2,7 @@
 /// A field for one moment: shows and takes frames, seconds or timecode; arrow keys step by frames.
 #pragma once
 
-#include "widgets/base/time_text.h"
+#include "widgets/base/texts/time_text.h"
 #include <QAbstractSpinBox>
 
 namespace ramure {

@@ -1,9 +1,9 @@
 #include "widgets/panels/timeline/timeline_panel.h"
 
-#include "core/document/key_edits.h"
-#include "core/session/arm_reach.h"
-#include "core/session/player.h"
-#include "widgets/base/number_field.h"
+#include "core/qt/document/key_edits.h"
+#include "core/qt/session/arm/arm_reach.h"
+#include "core/qt/session/motion/player.h"
+#include "widgets/base/fields/number_field.h"
 #include "widgets/base/silence.h"
 #include "widgets/base/timeline_ruler.h"
 #include "widgets/panels/timeline/bake_actions.h"

@@ -3,8 +3,8 @@
 /// small plot of the physics.
 #pragma once
 
-#include "core/document/commands.h"
-#include "widgets/base/time_text.h"
+#include "core/qt/document/commands.h"
+#include "widgets/base/texts/time_text.h"
 #include <QPointer>
 #include <QWidget>
 

@@ -1,9 +1,9 @@
 #include "widgets/panels/validation/analysis_strip.h"
 
-#include "core/session/shape_checks.h"
-#include "widgets/base/core_text.h"
-#include "widgets/base/icons.h"
+#include "core/qt/session/jobs/shape_checks.h"
 #include "widgets/base/progress_steps.h"
+#include "widgets/base/texts/core_text.h"
+#include "widgets/base/theme/icons.h"
 #include "widgets/panels/validation/histogram_view.h"
 #include "widgets/panels/validation/report_text.h"
 #include <QHBoxLayout>

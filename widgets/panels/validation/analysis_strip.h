@@ -3,7 +3,7 @@
 /// and lets it be stopped, started again, or followed by moving colliding branches apart.
 #pragma once
 
-#include "core/session/analysis.h"
+#include "core/qt/session/jobs/analysis.h"
 #include <QWidget>
 
 class QLabel;

@@ -1,6 +1,6 @@
 #include "widgets/panels/validation/histogram_view.h"
 
-#include "widgets/base/theme.h"
+#include "widgets/base/theme/theme.h"
 #include <QPainter>
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "widgets/panels/validation/report_model.h"
 
-#include "widgets/base/branch_names.h"
 #include "widgets/base/defect_place.h"
-#include "widgets/base/fact_text.h"
+#include "widgets/base/texts/branch_names.h"
+#include "widgets/base/texts/fact_text.h"
 #include "widgets/panels/validation/kind_texts.h"
 #include <QLocale>
 #include <algorithm>

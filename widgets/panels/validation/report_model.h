@@ -7,7 +7,7 @@
 #include "core/surface/check/mesh_analysis.h"
 #include "core/surface/mesher/branch_mesh.h"
 #include "core/surface/proof/validate.h"
-#include "widgets/base/branch_rows.h"
+#include "widgets/base/texts/branch_rows.h"
 #include <QAbstractItemModel>
 #include <memory>
 #include <optional>

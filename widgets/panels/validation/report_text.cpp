@@ -1,8 +1,8 @@
 #include "widgets/panels/validation/report_text.h"
 
-#include "widgets/base/core_text.h"
 #include "widgets/base/defect_place.h"
-#include "widgets/base/fact_text.h"
+#include "widgets/base/texts/core_text.h"
+#include "widgets/base/texts/fact_text.h"
 #include "widgets/panels/validation/kind_texts.h"
 #include <QCoreApplication>
 #include <QLocale>

@@ -2,7 +2,7 @@
 /// A mesh report in sentences: for the panel's head and for the clipboard.
 #pragma once
 
-#include "core/document/document.h"
+#include "core/qt/document/document.h"
 #include "core/surface/check/mesh_analysis.h"
 #include "core/surface/check/verdict.h"
 #include "widgets/panels/validation/report_model.h"

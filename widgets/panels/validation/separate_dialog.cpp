@@ -1,7 +1,7 @@
 #include "widgets/panels/validation/separate_dialog.h"
 
-#include "widgets/base/core_text.h"
 #include "widgets/base/progress_steps.h"
+#include "widgets/base/texts/core_text.h"
 #include <QLabel>
 #include <QLocale>
 #include <QProgressBar>

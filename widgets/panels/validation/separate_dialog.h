@@ -2,7 +2,7 @@
 /// Moves the colliding branches of a tree apart, with progress and cancel, and says how far it came.
 #pragma once
 
-#include "core/session/separation_task.h"
+#include "core/qt/session/jobs/separation_task.h"
 #include <QDialog>
 
 class QLabel;

@@ -1,6 +1,6 @@
 #include "widgets/panels/validation/status_badge.h"
 
-#include "widgets/base/theme.h"
+#include "widgets/base/theme/theme.h"
 #include <QPainter>
 #include <QPainterPath>
 

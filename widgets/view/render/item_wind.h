@@ -3,9 +3,9 @@
 /// engine (resources/shaders/wind.glsl).
 #pragma once
 
+#include "core/game_wind/wind_profile.h"
 #include "core/skeleton/simplify.h"
 #include "core/surface/foliage/foliage.h"
-#include "core/wind/wind_profile.h"
 #include "widgets/view/render/mesh_copies.h"
 #include <glm/vec2.hpp>
 #include <memory>

@@ -12,8 +12,8 @@
 #include "core/surface/bark/bark_maps.h"
 #include "core/surface/foliage/leaf_maps.h"
 #include "core/surface/mesh/triangle_mesh.h"
-#include "widgets/view/render/crown_light.h"
 #include "widgets/view/render/item_wind.h"
+#include "widgets/view/render/light/crown_light.h"
 #include "widgets/view/render/mesh_copies.h"
 #include "widgets/view/render/surface_images.h"
 #include <glm/mat4x4.hpp>

@@ -3,9 +3,9 @@
 /// (core/skeleton/axes.h) of the tree with its edits so far; what is seen is its simplified skeleton.
 #pragma once
 
-#include "core/document/document.h"
+#include "core/qt/document/document.h"
 #include "core/skeleton/axes.h"
-#include "widgets/view/render/pick_scene.h"
+#include "widgets/view/render/pick/pick_scene.h"
 #include <functional>
 #include <memory>
 #include <optional>

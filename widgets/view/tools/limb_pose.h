@@ -4,7 +4,7 @@
 /// window.
 #pragma once
 
-#include "core/session/motion.h"
+#include "core/qt/session/motion/motion.h"
 #include <QtGlobal>
 #include <memory>
 #include <vector>

@@ -3,10 +3,10 @@
 /// that stands for the wind. Functions of cameras and plain data: tested without OpenGL.
 #pragma once
 
-#include "core/document/document.h"
 #include "core/evaluate/evaluator.h"
-#include "core/session/motion.h"
-#include "widgets/view/render/pick_scene.h"
+#include "core/qt/document/document.h"
+#include "core/qt/session/motion/motion.h"
+#include "widgets/view/render/pick/pick_scene.h"
 #include <optional>
 #include <span>
 #include <variant>

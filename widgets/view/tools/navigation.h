@@ -2,7 +2,7 @@
 /// Which drag moves the camera, in each navigation style; and what it does to it.
 #pragma once
 
-#include "widgets/base/navigation_style.h"
+#include "widgets/base/theme/navigation_style.h"
 #include "widgets/view/render/camera.h"
 #include <QPointF>
 #include <QSize>

@@ -2,8 +2,8 @@
 /// What a click or a box in the viewport makes of a selection.
 #pragma once
 
-#include "core/document/selection.h"
-#include "widgets/view/render/pick_scene.h"
+#include "core/qt/document/selection.h"
+#include "widgets/view/render/pick/pick_scene.h"
 #include <optional>
 
 namespace ramure {

@@ -2,10 +2,10 @@
 /// What tools work with. They know no window: so they are tested without one.
 #pragma once
 
-#include "core/document/document.h"
-#include "core/session/arm_reach.h"
-#include "core/session/auto_key.h"
-#include "core/session/player.h"
+#include "core/qt/document/document.h"
+#include "core/qt/session/arm/arm_reach.h"
+#include "core/qt/session/motion/auto_key.h"
+#include "core/qt/session/motion/player.h"
 #include "widgets/view/tools/gizmo_settings.h"
 #include "widgets/view/tools/hand_settings.h"
 #include "widgets/view/tools/limb_finder.h"

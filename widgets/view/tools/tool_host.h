@@ -2,8 +2,8 @@
 /// What tools ask of the view that they work in. The viewport is one; tests have another, without OpenGL.
 #pragma once
 
-#include "widgets/base/navigation_style.h"
-#include "widgets/view/render/pick_scene.h"
+#include "widgets/base/theme/navigation_style.h"
+#include "widgets/view/render/pick/pick_scene.h"
 #include <QPointF>
 #include <QString>
 #include <chrono>

@@ -1,4 +1,4 @@
-#include "core/io/formats/animation_file.h"
+#include "core/io/formats/text/animation_file.h"
 #include "core/math/random.h"
 #include "tests/support/suite.h"
 

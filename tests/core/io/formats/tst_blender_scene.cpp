@@ -1,4 +1,4 @@
-#include "core/io/formats/blender_scene.h"
+#include "core/io/formats/text/blender_scene.h"
 #include "core/scene/demo_scenes.h"
 #include "core/scene/world_transforms.h"
 #include "tests/support/suite.h"

@@ -1,4 +1,4 @@
-#include "core/io/formats/blender_scene.h"
+#include "core/io/formats/text/blender_scene.h"
 #include "core/math/random.h"
 #include "core/params/param_def.h"
 #include "tests/support/suite.h"

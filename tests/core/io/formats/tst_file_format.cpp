@@ -1,5 +1,5 @@
-#include "core/io/formats/blender_scene.h"
 #include "core/io/formats/file_format.h"
+#include "core/io/formats/text/blender_scene.h"
 #include "tests/support/suite.h"
 #include <QTemporaryDir>
 #include <set>

@@ -1,5 +1,5 @@
 #include "core/io/formats/file_format.h"
-#include "core/io/formats/glb_packed.h"
+#include "core/io/formats/glb/glb_packed.h"
 #include "core/math/random.h"
 #include "core/surface/proof/validate.h"
 #include "tests/core/io/io_support.h"

@@ -1,5 +1,5 @@
 #include "core/io/formats/file_format.h"
-#include "core/io/formats/glb_reader.h"
+#include "core/io/formats/glb/glb_reader.h"
 #include "core/rig/arm/arm_chain.h"
 #include "core/scene/world_transforms.h"
 #include "core/surface/mesh/transformed.h"

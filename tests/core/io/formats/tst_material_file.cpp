@@ -1,5 +1,5 @@
-#include "core/io/formats/blender_scene.h"
-#include "core/io/formats/material_file.h"
+#include "core/io/formats/text/blender_scene.h"
+#include "core/io/formats/text/material_file.h"
 #include "tests/core/io/io_support.h"
 #include <QDir>
 #include <QTemporaryDir>

@@ -1,4 +1,4 @@
-#include "core/io/formats/obj_scan.h"
+#include "core/io/formats/text/obj_scan.h"
 #include "tests/core/io/io_support.h"
 #include <QTemporaryDir>
 

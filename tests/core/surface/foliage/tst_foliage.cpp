@@ -1,4 +1,4 @@
-#include "core/levels/level_leaves.h"
+#include "core/lod/level_leaves.h"
 #include "core/math/random.h"
 #include "core/surface/foliage/foliage.h"
 #include "core/surface/foliage/foliage_shapes.h"

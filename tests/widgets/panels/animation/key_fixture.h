@@ -2,7 +2,7 @@
 /// The dock of keys with a document, a player and the actions.
 #pragma once
 
-#include "core/session/player.h"
+#include "core/qt/session/motion/player.h"
 #include "tests/widgets/base/fixture.h"
 #include "tests/widgets/panels/animation/key_scene.h"
 #include "widgets/base/action_set.h"

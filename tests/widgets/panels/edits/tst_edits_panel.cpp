@@ -1,14 +1,14 @@
 #include "core/math/random.h"
-#include "core/session/recompute.h"
+#include "core/qt/session/jobs/recompute.h"
 #include "tests/support/hand_bench.h"
 #include "tests/support/shaped_tree.h"
 #include "tests/widgets/base/fixture.h"
 #include "tests/widgets/tree_document.h"
-#include "widgets/base/branch_names.h"
 #include "widgets/base/empty_page.h"
+#include "widgets/base/texts/branch_names.h"
 #include "widgets/panels/edits/edit_model.h"
 #include "widgets/panels/edits/edits_panel.h"
-#include "widgets/view/tools/hand_edit.h"
+#include "widgets/view/tools/hand/hand_edit.h"
 #include <QAbstractItemModelTester>
 #include <QLineEdit>
 #include <QMimeData>

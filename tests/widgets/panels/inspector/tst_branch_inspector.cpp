@@ -2,9 +2,9 @@
 #include "core/surface/foliage/branch_masses.h"
 #include "tests/support/suite.h"
 #include "tests/widgets/inspector_bench.h"
-#include "widgets/base/branch_names.h"
-#include "widgets/base/fact_text.h"
-#include "widgets/base/number_field.h"
+#include "widgets/base/fields/number_field.h"
+#include "widgets/base/texts/branch_names.h"
+#include "widgets/base/texts/fact_text.h"
 #include <QAbstractItemModelTester>
 #include <QClipboard>
 #include <QSignalSpy>

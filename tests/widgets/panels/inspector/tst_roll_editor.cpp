@@ -1,7 +1,7 @@
 #include "tests/support/suite.h"
 #include "tests/widgets/inspector_bench.h"
-#include "widgets/base/number_field.h"
-#include "widgets/base/number_slider.h"
+#include "widgets/base/fields/number_field.h"
+#include "widgets/base/fields/number_slider.h"
 #include "widgets/panels/inspector/roll_editor.h"
 #include <QSignalSpy>
 #include <QToolButton>

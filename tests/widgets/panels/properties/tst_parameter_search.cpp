@@ -1,6 +1,6 @@
 #include "tests/widgets/base/fixture.h"
-#include "widgets/base/language.h"
-#include "widgets/base/preferences.h"
+#include "widgets/base/theme/language.h"
+#include "widgets/base/theme/preferences.h"
 #include "widgets/panels/properties/group_clipboard.h"
 #include "widgets/panels/properties/group_section.h"
 #include "widgets/panels/properties/param_row.h"

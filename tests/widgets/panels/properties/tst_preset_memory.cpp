@@ -1,6 +1,6 @@
 #include "core/scene/preset_scene.h"
 #include "tests/widgets/base/fixture.h"
-#include "widgets/base/preferences.h"
+#include "widgets/base/theme/preferences.h"
 #include "widgets/panels/properties/group_section.h"
 #include "widgets/panels/properties/param_row.h"
 #include "widgets/panels/properties/properties_panel.h"

@@ -1,6 +1,6 @@
 // What a leaf, a fruit and a bark look like, beside the numbers that make them.
-#include "core/document/commands.h"
 #include "core/params/presets.h"
+#include "core/qt/document/commands.h"
 #include "tests/widgets/base/fixture.h"
 #include "tests/widgets/tree_document.h"
 #include "widgets/panels/properties/surface_pictures.h"

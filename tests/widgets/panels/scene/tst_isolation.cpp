@@ -1,10 +1,10 @@
 // Branches shown alone: a way of looking that survives another computation and has its ways out.
-#include "core/session/recompute.h"
+#include "core/qt/session/jobs/recompute.h"
 #include "tests/widgets/base/fixture.h"
 #include "tests/widgets/tree_document.h"
 #include "widgets/actions/file_actions.h"
 #include "widgets/base/action_set.h"
-#include "widgets/base/preferences.h"
+#include "widgets/base/theme/preferences.h"
 #include "widgets/panels/scene/isolation.h"
 #include "widgets/window/isolation_button.h"
 #include "widgets/window/main_window.h"

@@ -1,7 +1,7 @@
 #include "core/scene/node_transform.h"
 #include "core/scene/world_transforms.h"
 #include "tests/widgets/base/fixture.h"
-#include "widgets/base/preferences.h"
+#include "widgets/base/theme/preferences.h"
 #include "widgets/panels/scene/scene_model.h"
 #include "widgets/panels/scene/scene_panel.h"
 #include "widgets/panels/scene/scene_tree.h"

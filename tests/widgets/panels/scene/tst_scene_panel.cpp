@@ -1,6 +1,6 @@
 #include "tests/widgets/base/fixture.h"
 #include "widgets/base/empty_page.h"
-#include "widgets/base/preferences.h"
+#include "widgets/base/theme/preferences.h"
 #include "widgets/panels/scene/scene_model.h"
 #include "widgets/panels/scene/scene_panel.h"
 #include "widgets/panels/scene/scene_results.h"

@@ -1,6 +1,6 @@
 #include "core/math/random.h"
 #include "tests/support/suite.h"
-#include "widgets/base/branch_names.h"
+#include "widgets/base/texts/branch_names.h"
 #include "widgets/panels/validation/kind_texts.h"
 #include "widgets/panels/validation/report_model.h"
 #include <QAbstractItemModelTester>

@@ -1,5 +1,5 @@
 #include "core/params/presets.h"
-#include "core/session/analysis.h"
+#include "core/qt/session/jobs/analysis.h"
 #include "tests/support/suite.h"
 #include "tests/widgets/tree_document.h"
 #include "widgets/panels/validation/kind_texts.h"

@@ -1,6 +1,6 @@
 #include "tests/support/preset_trees.h"
 #include "tests/support/suite.h"
-#include "widgets/view/render/crown_light.h"
+#include "widgets/view/render/light/crown_light.h"
 #include "widgets/view/render/mesh_copies.h"
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "tests/support/sample_tree.h"
 #include "tests/support/suite.h"
-#include "widgets/view/render/pick_scene.h"
+#include "widgets/view/render/pick/pick_scene.h"
 #include <QElapsedTimer>
 #include <glm/gtc/matrix_transform.hpp>
 #include <set>

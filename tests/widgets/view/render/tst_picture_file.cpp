@@ -1,6 +1,6 @@
 #include "tests/support/failing_disk.h"
 #include "tests/support/suite.h"
-#include "widgets/view/render/picture_file.h"
+#include "widgets/view/render/passes/picture_file.h"
 #include <QTemporaryDir>
 
 namespace tst_picture_file {

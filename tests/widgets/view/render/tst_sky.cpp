@@ -1,7 +1,7 @@
 #include "tests/support/suite.h"
-#include "widgets/view/render/picture_light.h"
-#include "widgets/view/render/sky.h"
-#include "widgets/view/render/sky_picture.h"
+#include "widgets/view/render/light/sky.h"
+#include "widgets/view/render/passes/picture_light.h"
+#include "widgets/view/render/passes/sky_picture.h"
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>

@@ -1,5 +1,5 @@
 #include "tests/support/suite.h"
-#include "widgets/view/render/sun_position.h"
+#include "widgets/view/render/light/sun_position.h"
 #include <QDateTime>
 #include <QTest>
 #include <cmath>

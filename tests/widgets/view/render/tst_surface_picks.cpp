@@ -3,7 +3,7 @@
 #include "core/scene/world_transforms.h"
 #include "tests/support/solids.h"
 #include "tests/support/suite.h"
-#include "widgets/view/render/pick_scene.h"
+#include "widgets/view/render/pick/pick_scene.h"
 #include "widgets/view/render/scene_builder.h"
 #include <glm/gtc/matrix_transform.hpp>
 

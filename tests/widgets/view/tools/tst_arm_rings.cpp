@@ -1,7 +1,7 @@
 #include "core/rig/arm/arm_chain.h"
 #include "core/scene/arm_demo.h"
 #include "tests/support/suite.h"
-#include "widgets/view/tools/arm_rings.h"
+#include "widgets/view/tools/arm/arm_rings.h"
 #include <cmath>
 #include <numbers>
 

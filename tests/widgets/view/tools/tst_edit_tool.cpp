@@ -1,6 +1,6 @@
 #include "tests/support/hand_bench.h"
 #include "tests/support/suite.h"
-#include "widgets/view/tools/hand_edit.h"
+#include "widgets/view/tools/hand/hand_edit.h"
 
 namespace tst_edit_tool {
 

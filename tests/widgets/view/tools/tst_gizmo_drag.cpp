@@ -1,9 +1,9 @@
-#include "core/document/project_file.h"
 #include "core/math/drag_maths.h"
 #include "core/math/random.h"
+#include "core/qt/document/project/project_file.h"
 #include "core/scene/world_transforms.h"
 #include "tests/widgets/base/fixture.h"
-#include "widgets/view/tools/gizmo_drag.h"
+#include "widgets/view/tools/gizmo/gizmo_drag.h"
 #include <numbers>
 namespace tst_gizmo_drag {
 using namespace ramure;

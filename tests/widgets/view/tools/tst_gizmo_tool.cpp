@@ -1,7 +1,7 @@
-#include "core/document/commands.h"
+#include "core/qt/document/commands.h"
 #include "tests/support/suite.h"
 #include "tests/support/tool_bench.h"
-#include "widgets/view/tools/gizmo_tool.h"
+#include "widgets/view/tools/gizmo/gizmo_tool.h"
 
 namespace tst_gizmo_tool {
 

@@ -1,4 +1,4 @@
-#include "core/document/project_file.h"
+#include "core/qt/document/project/project_file.h"
 #include "tests/support/hand_bench.h"
 #include "tests/support/suite.h"
 #include "widgets/view/tools/motion_tools.h"

@@ -1,7 +1,7 @@
-#include "core/document/commands.h"
+#include "core/qt/document/commands.h"
 #include "tests/support/suite.h"
 #include "tests/support/tool_bench.h"
-#include "widgets/view/tools/arm_rings.h"
+#include "widgets/view/tools/arm/arm_rings.h"
 
 namespace tst_joint_tool {
 

@@ -1,7 +1,7 @@
 #include "core/params/presets.h"
-#include "core/session/recompute.h"
+#include "core/qt/session/jobs/recompute.h"
 #include "tests/support/suite.h"
-#include "widgets/view/tools/limb_drag.h"
+#include "widgets/view/tools/hand/limb_drag.h"
 #include "widgets/view/tools/limb_pose.h"
 
 namespace tst_limb_drag {

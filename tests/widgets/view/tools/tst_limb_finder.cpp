@@ -1,7 +1,7 @@
 #include "tests/support/hand_bench.h"
 #include "tests/support/suite.h"
-#include "widgets/view/tools/hand_edit.h"
-#include "widgets/view/tools/turned_limb.h"
+#include "widgets/view/tools/hand/hand_edit.h"
+#include "widgets/view/tools/hand/turned_limb.h"
 
 namespace tst_limb_finder {
 

@@ -1,7 +1,7 @@
 #include "tests/support/hand_bench.h"
 #include "tests/support/suite.h"
 #include "tests/support/tool_bench.h"
-#include "widgets/view/tools/hand_edit.h"
+#include "widgets/view/tools/hand/hand_edit.h"
 #include <QSignalSpy>
 
 namespace tst_pending_pick {

@@ -1,5 +1,5 @@
 #include "core/params/presets.h"
-#include "core/session/recompute.h"
+#include "core/qt/session/jobs/recompute.h"
 #include "tests/support/suite.h"
 #include "tests/support/tool_bench.h"
 

@@ -1,6 +1,6 @@
 #include "tests/support/hand_bench.h"
 #include "tests/support/suite.h"
-#include "widgets/view/tools/stroke.h"
+#include "widgets/view/tools/hand/stroke.h"
 
 namespace tst_stroke_tools {
 

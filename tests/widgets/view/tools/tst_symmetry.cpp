@@ -1,7 +1,7 @@
 #include "tests/support/hand_bench.h"
 #include "tests/support/shaped_tree.h"
 #include "tests/support/suite.h"
-#include "widgets/view/tools/symmetry.h"
+#include "widgets/view/tools/hand/symmetry.h"
 
 namespace tst_symmetry {
 

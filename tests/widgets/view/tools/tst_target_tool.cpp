@@ -1,4 +1,4 @@
-#include "core/document/commands.h"
+#include "core/qt/document/commands.h"
 #include "tests/support/suite.h"
 #include "tests/support/tool_bench.h"
 #include <QLineF>

@@ -1,7 +1,7 @@
 #include "widgets/panels/properties/grammar/generations_view.h"
 
-#include "widgets/base/core_text.h"
-#include "widgets/base/icons.h"
+#include "widgets/base/texts/core_text.h"
+#include "widgets/base/theme/icons.h"
 #include "widgets/panels/properties/grammar/grammar_highlighter.h"
 #include <QEvent>
 #include <QFontDatabase>

@@ -3,7 +3,7 @@
 /// unfolded, how it grows and the strings of the generations.
 #pragma once
 
-#include "core/document/document.h"
+#include "core/qt/document/document.h"
 #include "widgets/panels/properties/grammar/grammar_growth.h"
 #include <QPlainTextEdit>
 #include <QWidget>

@@ -1,6 +1,6 @@
 #include "widgets/panels/properties/grammar/grammar_edit.h"
 
-#include "widgets/base/theme.h"
+#include "widgets/base/theme/theme.h"
 #include <QAbstractItemView>
 #include <QCompleter>
 #include <QFontDatabase>

@@ -1,6 +1,6 @@
 #include "widgets/panels/properties/grammar/grammar_highlighter.h"
 
-#include "widgets/base/theme.h"
+#include "widgets/base/theme/theme.h"
 #include <QRegularExpression>
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 #include "tests/widgets/base/fixture.h"
-#include "widgets/base/preferences.h"
+#include "widgets/base/theme/preferences.h"
 #include "widgets/panels/properties/grammar/grammar_edit.h"
 #include "widgets/panels/properties/param_row.h"
 #include "widgets/panels/properties/properties_panel.h"

@@ -1,0 +1,282 @@
+#include "app/cli/commands/commands.h"
+#include "app/cli/json_measures.h"
+#include "app/cli/work.h"
+#include "core/generators/variety.h"
+#include "core/params/named_seeds.h"
+#include "core/params/param_def.h"
+#include "core/params/presets.h"
+#include "core/pipeline/tree_pipeline.h"
+#include "core/skeleton/measures.h"
+#include <QJsonArray>
+#include <QJsonObject>
+#include <cmath>
+
+namespace ramure::cli {
+
+namespace {
+
+constexpr CommandText listText = {
+    "list", "the trees that ship with the program; every parameter", "presets|params",
+    "Lists the trees that ship with the program, or every parameter of a tree.",
+    "A parameter's key is its name in project files and for --set. Numbers outside its range are refused. "
+    "Of a species --json names seeds worth a look, gives the mean height, stem diameter (1.3 m above the "
+    "ground) and crown width of their trees in m (\"ours\"), and what was measured of such trees "
+    "(\"published\", with its source; null where there is none)."};
+
+const char* unitName(ParamUnit unit)
+{
+    switch (unit) {
+    case ParamUnit::None:
+        return "";
+    case ParamUnit::Metre:
+        return "m";
+    case ParamUnit::Radian:
+        return "rad";
+    case ParamUnit::Ratio:
+        return "ratio";
+    case ParamUnit::Count:
+        return "count";
+    case ParamUnit::Degree:
+        return "deg";
+    case ParamUnit::Second:
+        return "s";
+    case ParamUnit::Share:
+        return "share";
+    case ParamUnit::Kilogram:
+        return "kg";
+    case ParamUnit::Factor:
+        return "factor";
+    }
+    return "";
+}
+
+const char* typeName(ParamType type)
+{
+    switch (type) {
+    case ParamType::Bool:
+        return "bool";
+    case ParamType::Int:
+        return "int";
+    case ParamType::Real:
+        return "real";
+    case ParamType::Text:
+        return "text";
+    case ParamType::Vec3:
+        return "vec3";
+    case ParamType::Enum:
+        return "choice";
+    }
+    return "";
+}
+
+bool hasRange(const ParamDef& def)
+{
+    return def.type == ParamType::Int || def.type == ParamType::Real || def.type == ParamType::Vec3;
+}
+
+QStringList itemNames(const ParamDef& def)
+{
+    QStringList out;
+    for (const EnumItem& item : def.items)
+        out << QString::fromUtf8(item.name);
+    return out;
+}
+
+/// Bounds that are no bounds are not shown.
+QString rangeText(const ParamDef& def)
+{
+    if (!def.items.empty())
+        return itemNames(def).join(QLatin1Char('|'));
+    if (!hasRange(def))
+        return {};
+    const auto number = [](double value) { return fromText(formatValue(ParamValue(value))); };
+    return number(def.hardMin) + QStringLiteral(" .. ") + number(def.hardMax);
+}
+
+QJsonValue jsonValue(const ParamValue& value)
+{
+    if (const auto* flag = std::get_if<bool>(&value))
+        return *flag;
+    if (const auto* whole = std::get_if<std::int64_t>(&value))
+        return qint64(*whole);
+    if (const auto* real = std::get_if<double>(&value))
+        return *real;
+    if (const auto* string = std::get_if<std::string>(&value))
+        return fromText(*string);
+    if (const auto* choice = std::get_if<EnumValue>(&value))
+        return fromText(choice->name);
+    const auto& vector = std::get<glm::dvec3>(value);
+    return QJsonArray{vector.x, vector.y, vector.z};
+}
+
+/// Mean of the trees of all named seeds. Errors: those of the tree; Cancelled.
+Expected<TreeMeasures> meanMeasures(TreePipeline& pipeline, const Preset& preset, const Progress& progress)
+{
+    TreeMeasures sum;
+    for (const std::int64_t seed : *namedSeeds(preset.name)) {
+        const auto tree = pipeline.evaluate(reseeded(preset.params, seed), Stage::Skeleton, progress);
+        if (!tree)
+            return fail(tree.error());
+        const TreeMeasures one = measuresOf(*tree->skeleton);
+        sum.height += one.height / namedSeedCount;
+        sum.stemDiameter += one.stemDiameter / namedSeedCount;
+        sum.crownWidth += one.crownWidth / namedSeedCount;
+    }
+    return sum;
+}
+
+/// What is known of a species. Errors: those of meanMeasures.
+Expected<void> addSpecies(QJsonObject& entry, TreePipeline& pipeline, const Preset& preset,
+                          const Progress& progress)
+{
+    QJsonObject seeds;
+    for (std::size_t i = 0; i < namedSeedCount; ++i)
+        seeds.insert(QLatin1String(seedNames[i]), qint64((*namedSeeds(preset.name))[i]));
+    const auto ours = meanMeasures(pipeline, preset, progress);
+    if (!ours)
+        return fail(ours.error());
+    entry.insert(QStringLiteral("seeds"), seeds);
+    entry.insert(QStringLiteral("ours"), jsonMeasures(*ours));
+    const PublishedMeasures* published = publishedMeasures(preset.latin);
+    entry.insert(QStringLiteral("published"),
+                 published ? QJsonValue(jsonMeasures(published->mean)) : QJsonValue());
+    entry.insert(QStringLiteral("source"),
+                 published ? QJsonValue(QLatin1String(published->source)) : QJsonValue());
+    return {};
+}
+
+Expected<QJsonArray> presetsJson()
+{
+    const Work work("list");
+    TreePipeline pipeline;
+    QJsonArray out;
+    for (const Preset& preset : presets()) {
+        QJsonObject entry{{QStringLiteral("name"), QString::fromUtf8(preset.name)},
+                          {QStringLiteral("latin"), QString::fromUtf8(preset.latin)},
+                          {QStringLiteral("group"), QString::fromUtf8(preset.group)},
+                          {QStringLiteral("description"), QString::fromUtf8(preset.description)}};
+        if (namedSeeds(preset.name))
+            if (auto added = addSpecies(entry, pipeline, preset, work.progress()); !added)
+                return fail(std::move(added.error()));
+        out.append(entry);
+    }
+    return out;
+}
+
+QJsonArray paramsJson()
+{
+    QJsonArray out;
+    for (const ParamDef& def : paramTable()) {
+        QJsonObject row{{QStringLiteral("key"), QString::fromUtf8(def.key)},
+                        {QStringLiteral("group"), QString::fromUtf8(def.group)},
+                        {QStringLiteral("label"), QString::fromUtf8(def.label)},
+                        {QStringLiteral("description"), QString::fromUtf8(def.tooltip)},
+                        {QStringLiteral("type"), QLatin1String(typeName(def.type))},
+                        {QStringLiteral("unit"), QLatin1String(unitName(def.unit))},
+                        {QStringLiteral("default"), jsonValue(defaultValue(def))}};
+        if (hasRange(def)) {
+            row.insert(QStringLiteral("min"), def.hardMin);
+            row.insert(QStringLiteral("max"), def.hardMax);
+        }
+        if (!def.items.empty())
+            row.insert(QStringLiteral("items"), QJsonArray::fromStringList(itemNames(def)));
+        out.append(row);
+    }
+    return out;
+}
+
+/// The value on one line, as --set takes it.
+QString defaultText(const ParamDef& def)
+{
+    QString out = fromText(formatValue(defaultValue(def)));
+    if (def.type == ParamType::Text)
+        out.replace(QLatin1Char('\\'), QStringLiteral("\\\\"))
+            .replace(QLatin1Char('\n'), QStringLiteral("\\n"));
+    return out;
+}
+
+QString presetsText()
+{
+    QString out;
+    for (const Preset& preset : presets())
+        out += QStringLiteral("%1 %2%3\n")
+                   .arg(QString::fromUtf8(preset.name), -18)
+                   .arg(*preset.latin ? QString::fromUtf8(preset.latin) + QStringLiteral(": ") : QString())
+                   .arg(QString::fromUtf8(preset.description));
+    return out;
+}
+
+QString paramsText()
+{
+    QString out;
+    for (const ParamDef& def : paramTable()) {
+        const QString unit = QLatin1String(unitName(def.unit));
+        out += QStringLiteral("%1 %2 %3 %4\n")
+                   .arg(QString::fromUtf8(def.key), -28)
+                   .arg(QLatin1String(typeName(def.type)) +
+                            (unit.isEmpty() ? unit : QStringLiteral(", ") + unit),
+                        -12)
+                   .arg(rangeText(def), -24)
+                   .arg(defaultText(def));
+    }
+    return out;
+}
+
+QString paramsMarkdown()
+{
+    QString out =
+        QStringLiteral("# Parameters\n\n"
+                       "Made by `./dev docs` from the parameter table: `ramure-cli list params --markdown`. "
+                       "The key is the name in "
+                       "project files and for `--set key=value`. Numbers outside the range are refused.\n");
+    const char* group = "";
+    for (const ParamDef& def : paramTable()) {
+        if (std::string_view(group) != def.group) {
+            group = def.group;
+            out += QStringLiteral("\n## %1\n").arg(QString::fromUtf8(group));
+        }
+        out += QStringLiteral("\n**%1** `%2`  \n%3\n")
+                   .arg(QString::fromUtf8(def.label), QString::fromUtf8(def.key),
+                        QString::fromUtf8(def.tooltip));
+        QStringList facts{QLatin1String(typeName(def.type))};
+        if (*unitName(def.unit))
+            facts << QLatin1String(unitName(def.unit));
+        if (hasRange(def))
+            facts << QStringLiteral("range %1").arg(rangeText(def));
+        if (!def.items.empty())
+            facts << QStringLiteral("one of `%1`").arg(itemNames(def).join(QStringLiteral("`, `")));
+        out += QStringLiteral("\n- %1\n- default `` %2 ``\n").arg(commaList(facts), defaultText(def));
+    }
+    return out;
+}
+
+void addListOptions(CommandLine& line)
+{
+    line.add({QStringLiteral("json")}, QStringLiteral("Prints JSON: an array with one object per entry."));
+    line.add({QStringLiteral("markdown")}, QStringLiteral("Prints the handbook's page of the parameters."));
+}
+
+Expected<int> runList(const CommandLine& line)
+{
+    const QString what = line.arguments().front();
+    const bool isPresets = what == QLatin1String("presets");
+    if (!isPresets && what != QLatin1String("params"))
+        return fail(ErrorCode::Unknown, "cannot list \"%1\": presets or params expected",
+                    {what.toStdString()});
+    if (line.has("markdown") && (isPresets || line.has("json")))
+        return fail(ErrorCode::Invalid, "--markdown is for params, and not together with --json");
+    const auto printed = line.has("json") && isPresets
+                             ? presetsJson().and_then([](const QJsonArray& list) { return printJson(list); })
+                         : line.has("json")     ? printJson(paramsJson())
+                         : line.has("markdown") ? print(paramsMarkdown())
+                                                : print(isPresets ? presetsText() : paramsText());
+    if (!printed)
+        return fail(printed.error());
+    return exitGood;
+}
+
+} // namespace
+
+const Command listCommand{listText, &addListOptions, &runList};
+
+} // namespace ramure::cli

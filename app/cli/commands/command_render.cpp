@@ -1,0 +1,249 @@
+#include "app/cli/batch/batch_options.h"
+#include "app/cli/commands/commands.h"
+#include "app/cli/input.h"
+#include "app/cli/moments.h"
+#include "app/cli/painter.h"
+#include "app/cli/picture_options.h"
+#include "app/cli/work.h"
+#include "core/evaluate/evaluator.h"
+#include "widgets/view/render/camera_items.h"
+#include "widgets/view/render/passes/picture_file.h"
+#include "widgets/view/render/passes/sky_picture.h"
+#include <QFileInfo>
+#include <numbers>
+#include <optional>
+
+namespace ramure::cli {
+
+namespace {
+
+constexpr CommandText renderText = {
+    "render", "draws a picture", "INPUT", "Draws a picture of a tree, a scene or a mesh file.",
+    "Without a display a virtual X server (Xvfb) is started for the time it takes. "
+    "The camera shows all that is visible."};
+
+constexpr int skyWidth = 1024;
+
+struct RenderRequest
+{
+    QString file;
+    QSize size;
+    DisplayMode mode = DisplayMode::Mesh;
+    int turntable = 0; ///< pictures all around; 0 = one from the front
+    PictureOptions picture;
+};
+
+constexpr int mostTurns = 10'000;
+
+QStringList modeNames()
+{
+    QStringList names;
+    for (const DisplayModeRow& row : displayModes())
+        names << QLatin1String(row.name());
+    return names;
+}
+
+Expected<RenderRequest> renderRequestOf(const CommandLine& line)
+{
+    RenderRequest out;
+    out.file = line.value("o");
+    if (out.file.isEmpty() || line.values("o").size() != 1)
+        return fail(ErrorCode::Invalid,
+                    "one -o FILE.png expected: `ramure-cli render --help` shows what it takes");
+    if (QFileInfo(out.file).suffix().toLower() != QLatin1String("png"))
+        return fail(ErrorCode::Unknown, "%1: unknown file ending: pictures are written as .png",
+                    {out.file.toStdString()});
+    const auto size = pictureSizeFrom(line.value("size"));
+    if (!size)
+        return fail(size.error());
+    out.size = *size;
+    const auto mode = displayModeFromName(line.value("mode").toStdString());
+    if (!mode)
+        return fail(ErrorCode::Unknown, "--mode \"%1\": %2 expected",
+                    {line.value("mode").toStdString(), commaList(modeNames()).toStdString()});
+    out.mode = *mode;
+    auto picture = pictureOptionsOf(line);
+    if (!picture)
+        return fail(picture.error());
+    out.picture = std::move(*picture);
+    if (line.has("turntable")) {
+        bool whole = false;
+        out.turntable = line.value("turntable").toInt(&whole);
+        if (!whole || out.turntable < 2 || out.turntable > mostTurns)
+            return fail(ErrorCode::Invalid, "--turntable \"%1\": a whole number from 2 to %2 expected",
+                        {line.value("turntable").toStdString(), std::to_string(mostTurns)});
+        if (line.has("frames") || line.has("camera"))
+            return fail(ErrorCode::Invalid, "--turntable goes with neither --frames nor --camera");
+    }
+    return out;
+}
+
+/// The camera of this name; noNode where none is asked for.
+Expected<NodeId> cameraNode(const Input& input, const QString& name)
+{
+    if (name.isEmpty())
+        return noNode;
+    QStringList names;
+    for (const Node& node : input.scene() ? input.scene()->nodes() : std::vector<Node>()) {
+        if (node.kind != NodeKind::Camera)
+            continue;
+        names << QString::fromStdString(node.name);
+        if (names.back() == name)
+            return node.id;
+    }
+    if (names.isEmpty())
+        return fail(ErrorCode::Unknown,
+                    "--camera \"%1\": EX,EY,EZ,TX,TY,TZ[,ANGLE] expected: there is no camera",
+                    {name.toStdString()});
+    return fail(ErrorCode::Unknown, "--camera \"%1\": no camera has this name, there is %2",
+                {name.toStdString(), commaList(names).toStdString()});
+}
+
+struct Sight
+{
+    RenderScene scene;
+    std::optional<NodeView> through; ///< of the camera that was asked for
+};
+
+Expected<Sight> sceneOf(const Input& input, const CommandLine& line, const RenderRequest& request,
+                        NodeId camera, Evaluator& evaluator, double timeSeconds, const Progress& progress)
+{
+    if (input.scene()) {
+        EvaluatedScene now = evaluator.at(*input.scene(), timeSeconds);
+        if (auto posed = now.poseArms(progress); !posed)
+            return fail(std::move(posed.error()));
+        auto scene = renderSceneOf(now, request.mode);
+        if (!scene)
+            return fail(std::move(scene.error()));
+        return Sight{std::move(*scene), viewThrough(now, camera)};
+    }
+    if (line.has("mode") && request.mode != DisplayMode::Mesh)
+        return fail(ErrorCode::Invalid, "--mode needs a tree: the input is a mesh");
+    return Sight{sceneOfMesh(input.mesh()->joined()), {}};
+}
+
+Expected<void> draw(Painter& painter, const RenderScene& scene, const NodeView& view,
+                    const RenderRequest& request, const QString& file, const Progress& progress)
+{
+    const auto image =
+        painter.draw(scene, view.camera, request.size, optionsFor(request.picture, view), progress);
+    if (!image)
+        return fail(image.error());
+    return savePicture(*image, systemPath(file));
+}
+
+/// All around one scene: the camera keeps its height and a distance from which all is seen from every side.
+Expected<void> drawTurntable(Painter& painter, const RenderScene& scene, Camera camera,
+                             const RenderRequest& request, const Progress& progress)
+{
+    camera.frameAllAround(scene.framePoints(), double(request.size.width()) / double(request.size.height()));
+    const double start = camera.yawRad;
+    for (int i = 0; i < request.turntable; ++i) {
+        camera.yawRad = start + 2.0 * std::numbers::pi * i / request.turntable;
+        const Progress part = progress.part(double(i) / request.turntable, double(i + 1) / request.turntable);
+        if (auto drawn = draw(painter, scene, {camera, {}}, request, numberedFile(request.file, i), part);
+            !drawn)
+            return drawn;
+        part.report(1.0);
+        if (progress.cancelled())
+            return fail(ErrorCode::Cancelled, "cancelled");
+    }
+    return {};
+}
+
+/// One picture, one for each frame, or one from each side. The camera of a sequence is that of its first
+/// frame, or a node's as it moves.
+Expected<void> drawAll(const Input& input, const CommandLine& line, const RenderRequest& request,
+                       const Moments& moments, const Progress& progress)
+{
+    TreePipeline pipeline;
+    Evaluator evaluator(pipelineSource(pipeline), moments.timeline);
+    Painter painter;
+    std::optional<Camera> camera;
+    const auto node = cameraNode(input, request.picture.cameraNode);
+    if (!node)
+        return fail(node.error());
+    const std::vector<std::int64_t> frames =
+        moments.isSequence() ? moments.frames : std::vector<std::int64_t>{0};
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        const double time = moments.isSequence() ? moments.timeOf(frames[i]) : moments.timeSeconds;
+        const auto shown = sceneOf(input, line, request, *node, evaluator, time, progress);
+        if (!shown)
+            return fail(shown.error());
+        if (!camera) {
+            if (auto begun = painter.begin(); !begun)
+                return begun;
+            camera = request.picture.camera ? *request.picture.camera : cameraFor(shown->scene, request.size);
+        }
+        if (request.turntable > 0)
+            return drawTurntable(painter, shown->scene, *camera, request, progress);
+        const QString file = moments.isSequence() ? numberedFile(request.file, frames[i]) : request.file;
+        const NodeView view = shown->through.value_or(NodeView{*camera, {}});
+        const auto count = double(frames.size());
+        const Progress part = progress.part(double(i) / count, double(i + 1) / count);
+        if (auto drawn = draw(painter, shown->scene, view, request, file, part); !drawn)
+            return drawn;
+        part.report(1.0);
+        if (progress.cancelled())
+            return fail(ErrorCode::Cancelled, "cancelled");
+    }
+    return {};
+}
+
+void addRenderOptions(CommandLine& line)
+{
+    line.add({QStringLiteral("o"), QStringLiteral("output")}, QStringLiteral("Writes this file."),
+             QStringLiteral("FILE.png"));
+    line.addDefault(
+        {QStringLiteral("size")},
+        QStringLiteral("Size of the picture in pixels, 16 to 8192 each way; 1280x800 without it."),
+        QStringLiteral("WIDTHxHEIGHT"), QStringLiteral("1280x800"));
+    line.addDefault(
+        {QStringLiteral("mode")},
+        QStringLiteral(
+            "skeleton, simplified (removed nodes in red), rough, sections, mesh (the default), checker "
+            "(texture coordinates as squares) or stretch (blue where squares stay squares, yellow "
+            "from 1.25 on, red from 2 on)."),
+        modeNames().join(QLatin1Char('|')), QStringLiteral("mesh"));
+    addMomentOptions(line, MomentOptions::Sequence);
+    line.add(
+        {QStringLiteral("turntable")},
+        QStringLiteral("So many pictures all around, 2 to 10000; the number goes before the file's ending."),
+        QStringLiteral("N"));
+    addPictureOptions(line);
+    line.addInputOptions();
+    line.addNodeOption();
+}
+
+Expected<int> runRender(const CommandLine& line)
+{
+    const auto request = renderRequestOf(line);
+    if (!request)
+        return fail(request.error());
+    const DisplayModeRow& mode = rowOf(request->mode);
+    if (mode.shown == Shown::Texture && (line.has("time") || line.has("frames")))
+        return fail(ErrorCode::Invalid, "--mode %1 needs the tree at rest: without --time and --frames",
+                    {mode.name()});
+    auto input = loadInput(line);
+    if (!input)
+        return fail(input.error());
+    if (const auto kept = keepNodes(*input, line.values("node")); !kept)
+        return fail(kept.error());
+    const auto moments = momentsOf(line, *input);
+    if (!moments)
+        return fail(moments.error());
+    if (const auto& sky = request->picture.skyFile; !sky.isEmpty()) {
+        if (auto saved = saveSkyPicture(request->picture.options.light, skyWidth, systemPath(sky)); !saved)
+            return fail(saved.error());
+    }
+    const Work work("render");
+    if (const auto drawn = drawAll(*input, line, *request, *moments, work.progress()); !drawn)
+        return fail(drawn.error());
+    return exitGood;
+}
+
+} // namespace
+
+const Command renderCommand{renderText, &addRenderOptions, &runRender, true};
+
+} // namespace ramure::cli

@@ -1,0 +1,19 @@
+/// \file
+/// What readers of scenes share. Internal to the formats.
+#pragma once
+
+#include "core/io/formats/text/animation_file.h"
+#include "core/scene/scene.h"
+#include <span>
+
+namespace ramure {
+
+/// Numbers of single precision are never quite square: the nearest placement, where it is near. Errors: those
+/// of decomposePlacement.
+Expected<PlacementParams> placementNear(const glm::dmat4& matrix);
+
+/// Frames that show all keys; default where nothing moves. \param saidRate frames a second; 0: the usual rate
+/// that puts all keys on frames, and \p notes tells which one was taken.
+TimelineSettings timelineOfKeys(std::span<const Node> nodes, double saidRate, std::vector<Note>& notes);
+
+} // namespace ramure

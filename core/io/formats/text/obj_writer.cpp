@@ -1,0 +1,407 @@
+#include "core/io/formats/text/material_file.h"
+#include "core/io/material_maps.h"
+#include "core/io/write_parts.h"
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <unordered_map>
+#include <utility>
+
+namespace ramure {
+
+namespace {
+
+constexpr double textShare = 0.5; ///< of the time, where pictures are made as well
+
+using writing::appendText;
+using writing::forEach;
+using writing::oneLine;
+using writing::Ticker;
+using writing::writeVectors;
+
+/// PATH with the ending .mtl instead of its own.
+std::string materialPath(const std::string& path)
+{
+    std::filesystem::path out(path);
+    if (out.extension() == ".mtl")
+        out += ".mtl";
+    else
+        out.replace_extension(".mtl");
+    return out.string();
+}
+
+std::string head(const std::string& comment)
+{
+    return "# Ramure " RAMURE_VERSION "\n" + (comment.empty() ? "" : "# " + oneLine(comment) + "\n");
+}
+
+/// Number of \p v in the object's own vertices, counted through the file from 1.
+char* appendCorner(char* to, Index v, bool hasNormals, Index normalShift)
+{
+    char* end = appendIndex(to, v);
+    if (!hasNormals)
+        return end;
+    const std::ptrdiff_t length = end - to;
+    *end++ = '/';
+    *end++ = '/';
+    if (normalShift != 0)
+        return appendIndex(end, v - normalShift);
+    char copy[16]; // the same number, and what lies behind it
+    std::memcpy(copy, to, sizeof copy);
+    std::memcpy(end, copy, sizeof copy);
+    return end + length;
+}
+
+/// The texts of corners, each with a space before it: faces that follow each other share vertices, and most
+/// corners were written just before.
+class CornerTexts
+{
+public:
+    CornerTexts(bool hasNormals, Index normalShift)
+        : m_hasNormals(hasNormals)
+        , m_normalShift(normalShift)
+        , m_kept(keptCorners)
+    {
+    }
+    /// \p v counts from 1. Overwrites up to `room` bytes.
+    char* append(char* to, Index v)
+    {
+        Kept& kept = m_kept[v % keptCorners];
+        if (kept.vertex != v) {
+            kept.vertex = v;
+            kept.text[0] = ' ';
+            char text[room + 16];
+            const char* const end = appendCorner(text, v, m_hasNormals, m_normalShift);
+            kept.length = static_cast<Index>(end - text) + 1u;
+            std::memcpy(kept.text + 1, text, sizeof kept.text - 1);
+        }
+        std::memcpy(to, kept.text, sizeof kept.text);
+        return to + kept.length;
+    }
+    static constexpr std::size_t room = 24; ///< a space, two numbers, two slashes
+    static_assert(room >= 3 + 2 * maxIndexText);
+
+private:
+    static constexpr std::size_t keptCorners = 512;
+    struct Kept
+    {
+        Index vertex = 0;
+        Index length = 0;
+        char text[room] = {};
+    };
+    bool m_hasNormals;
+    Index m_normalShift;
+    std::vector<Kept> m_kept;
+};
+
+/// How many stand in the file before.
+struct Before
+{
+    Index vertices = 0, normals = 0, texture = 0;
+};
+
+/// Triangles of one material, which follow each other in the order of a mesh.
+struct Run
+{
+    std::size_t begin, end;
+};
+
+/// Which triangle is written when: each material once, so that viewers draw an object in few calls.
+struct Order
+{
+    std::vector<Run> runs;
+    std::vector<Index> triangles; ///< numbers of triangles; empty: as they stand in the mesh
+
+    [[nodiscard]] std::size_t operator[](std::size_t place) const
+    {
+        return triangles.empty() ? place : triangles[place];
+    }
+};
+
+/// Do triangles need materials of their own? Tones do not: leaves are one material.
+bool hasOwnColours(const MeshPart& part)
+{
+    return writing::hasColours(*part.mesh) && !part.material.tones;
+}
+
+/// Those of one colour together, colours and triangles in the order of the mesh; all of them where there are
+/// no colours.
+Order orderOf(const MeshPart& part)
+{
+    const TriangleMesh& mesh = *part.mesh;
+    Order out;
+    if (!hasOwnColours(part)) {
+        out.runs = {{0, mesh.triangles.size()}};
+        return out;
+    }
+    const auto number = [](const glm::u8vec3& c) {
+        return Index(c.r) << 16U | Index(c.g) << 8U | Index(c.b);
+    };
+    std::unordered_map<Index, std::size_t> runOf;
+    std::vector<std::size_t> of;
+    for (const glm::u8vec3& colour : mesh.colours) {
+        const auto [run, isNew] = runOf.try_emplace(number(colour), out.runs.size());
+        if (isNew)
+            out.runs.push_back({0, 0});
+        of.push_back(run->second);
+        ++out.runs[run->second].end;
+    }
+    std::size_t before = 0;
+    for (Run& run : out.runs) {
+        run.begin = before;
+        before += std::exchange(run.end, before); // a run ends where its next triangle goes
+    }
+    out.triangles.resize(of.size());
+    for (std::size_t i = 0; i < of.size(); ++i)
+        out.triangles[out.runs[of[i]].end++] = static_cast<Index>(i);
+    return out;
+}
+
+/// Faces v/vt/vn or v/vt.
+bool writeTexturedFaces(FileWriter& out, const TriangleMesh& mesh, const Order& order, const Run& run,
+                        const Before& before, bool hasNormals, Ticker& ticker)
+{
+    const std::vector<glm::uvec3>& texture = writing::textureTriangles(mesh);
+    constexpr std::size_t faceRoom = 32 + 9 * (maxIndexText + 2);
+    return forEach(run.end - run.begin, faceRoom, ticker, out, [&](char* to, std::size_t number) {
+        const std::size_t i = order[run.begin + number];
+        *to++ = 'f';
+        for (int k = 0; k < 3; ++k) {
+            *to++ = ' ';
+            to = appendIndex(to, mesh.triangles[i][k] + before.vertices + 1u);
+            *to++ = '/';
+            to = appendIndex(to, texture[i][k] + before.texture + 1u);
+            if (!hasNormals)
+                continue;
+            *to++ = '/';
+            to = appendIndex(to, mesh.triangles[i][k] + before.normals + 1u);
+        }
+        *to++ = '\n';
+        return to;
+    });
+}
+
+/// Faces v//vn or v.
+bool writePlainFaces(FileWriter& out, const TriangleMesh& mesh, const Order& order, const Run& run,
+                     const Before& before, CornerTexts& corners, Ticker& ticker)
+{
+    constexpr std::size_t faceRoom = 8 + 4 * CornerTexts::room;
+    return forEach(run.end - run.begin, faceRoom, ticker, out, [&](char* to, std::size_t i) {
+        const glm::uvec3 t = mesh.triangles[order[run.begin + i]] + (before.vertices + 1u);
+        *to++ = 'f';
+        to = corners.append(to, t.x);
+        to = corners.append(to, t.y);
+        to = corners.append(to, t.z);
+        *to++ = '\n';
+        return to;
+    });
+}
+
+/// Of a triangle.
+Material materialOf(const MeshPart& part, std::size_t triangle)
+{
+    return hasOwnColours(part) ? surfaceMaterial(part.mesh->colours[triangle]) : part.material;
+}
+
+/// One object.
+bool writePart(FileWriter& out, const MeshPart& part, const Before& before, bool hasMaterials, Ticker& ticker)
+{
+    const TriangleMesh& mesh = *part.mesh;
+    const bool hasNormals = writing::hasNormals(mesh);
+    out.append("o " + oneLine(part.name) + "\n");
+    const bool hasTexture = writing::hasTexture(mesh);
+    if (!writeVectors("v ", mesh.positions, ticker, out) ||
+        (hasTexture && !writeVectors("vt ", mesh.uv, ticker, out)) ||
+        (hasNormals && !writeVectors("vn ", mesh.normals, ticker, out)))
+        return false;
+    const Order order = orderOf(part);
+    CornerTexts corners(hasNormals, before.vertices - before.normals);
+    for (const Run& run : order.runs) {
+        if (hasMaterials)
+            out.append("usemtl " + oneLine(materialOf(part, order[run.begin]).name) + "\n");
+        if (hasNormals && &run == &order.runs.front())
+            out.append("s 1\n"); // smooth: some programs look at this alone and not at the normals
+        if (!(hasTexture ? writeTexturedFaces(out, mesh, order, run, before, hasNormals, ticker)
+                         : writePlainFaces(out, mesh, order, run, before, corners, ticker)))
+            return false;
+    }
+    return true;
+}
+
+/// Colours in an .mtl have no stated space. Programs show Kd as it is, so that it holds the sRGB value that
+/// the user chose, divided by 255, and not a linear one.
+///
+/// With pictures Kd is white: programs multiply it with them. The picture of the normals stands there twice,
+/// as Blender reads it (map_Bump) and as most others do (norm).
+void writeMaterial(FileWriter& out, const Material& material, int mapSize)
+{
+    const bool isLeaf = material.leaf != LeafShape::Faithful;
+    const bool isMade = mapSize > 0 && (isLeaf || material.bark.family != BarkFamily::Plain);
+    const auto mapLine = [&](const char* word, const std::string& picture, std::optional<MaterialMap> map) {
+        std::string name;
+        if (!picture.empty())
+            name = pictureFileName(picture);
+        else if (isMade && map && !(isLeaf && std::ranges::count(leafMapKinds, *map) == 0))
+            name = isLeaf ? mapFileName(material.leaf, mapSize, *map)
+                          : mapFileName(material.bark, mapSize, *map);
+        if (!name.empty())
+            out.append(std::string(word) + " " + name + "\n");
+    };
+    char buffer[16 + 3 * maxFloatText];
+    char* end = appendText(buffer, "Kd ");
+    end = writing::appendVector(end, isMade ? glm::vec3(1.0f) : glm::vec3(material.colour) / 255.0f);
+    out.append("\nnewmtl " + oneLine(material.name) + "\n");
+    if (material.twoSided)
+        out.append("# seen from both sides\n");
+    out.append({buffer, static_cast<std::size_t>(end - buffer)});
+    out.append(material.phong ? "\nKs 0.2 0.2 0.2\nNs 30\nillum 2\n" : "\nKs 0 0 0\nillum 1\n");
+    if (mapSize <= 0)
+        return;
+    const PictureParams& own = material.pictures;
+    mapLine("map_Kd", own.colour, MaterialMap::Colour);
+    // The program's normals belong to its height: a picture of the height is there in their place.
+    if (!own.normal.empty() || own.height.empty()) {
+        mapLine("map_Bump", own.normal, MaterialMap::Normal);
+        mapLine("norm", own.normal, MaterialMap::Normal);
+    }
+    mapLine("map_Pr", own.roughness, MaterialMap::Roughness);
+    mapLine("map_ao", own.occlusion, MaterialMap::Occlusion);
+    mapLine("disp", own.height, MaterialMap::Height);
+    mapLine("map_d", own.opacity, std::nullopt);
+}
+
+bool hasMaps(const MeshPart& part, const WriteOptions& options)
+{
+    const bool isPictured = part.material.bark.family != BarkFamily::Plain ||
+                            part.material.leaf != LeafShape::Faithful || !part.material.pictures.isEmpty();
+    return options.mapSize > 0 && isPictured && writing::hasTexture(*part.mesh);
+}
+
+/// The pictures that the program makes for a material, if there are some.
+Expected<std::vector<std::string>> writeMade(const std::string& folder, const Material& material, int size,
+                                             const Progress& progress)
+{
+    if (material.leaf != LeafShape::Faithful)
+        return writeMaps(folder, material.leaf, size);
+    if (material.bark.family != BarkFamily::Plain)
+        return writeMaps(folder, material.bark, size, progress);
+    return {};
+}
+
+void writeMaterials(FileWriter& out, std::span<const MeshPart> parts, const WriteOptions& options)
+{
+    out.append("# Ramure " RAMURE_VERSION "\n# Kd in sRGB\n");
+    std::set<std::string> written;
+    for (const MeshPart& part : parts) {
+        const Order order = orderOf(part);
+        for (const Run& run : order.runs) {
+            const Material material = materialOf(part, order[run.begin]);
+            if (written.insert(material.name).second)
+                writeMaterial(out, material, hasMaps(part, options) ? options.mapSize : 0);
+        }
+    }
+}
+
+/// Of all parts, into the folder of the file.
+Expected<void> writePictures(const std::string& path, std::span<const MeshPart> parts,
+                             const WriteOptions& options, const Progress& progress)
+{
+    const std::string folder = std::filesystem::path(path).parent_path().string();
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const Progress own =
+            progress.part(double(i) / double(parts.size()), double(i + 1) / double(parts.size()));
+        if (!hasMaps(parts[i], options))
+            continue;
+        const Material& material = parts[i].material;
+        if (auto copied = copyPictures(folder, material.pictures); !copied)
+            return copied;
+        if (const auto made = writeMade(folder, material, options.mapSize, own); !made)
+            return fail(made.error());
+        own.report(1.0);
+    }
+    return {};
+}
+
+std::size_t elementCount(std::span<const MeshPart> parts)
+{
+    std::size_t sum = 0;
+    for (const MeshPart& part : parts)
+        sum += part.mesh->positions.size() + part.mesh->normals.size() + part.mesh->triangles.size() +
+               part.mesh->uv.size();
+    return sum;
+}
+
+tl::unexpected<Error> cancelled(const std::string& path)
+{
+    auto out = fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
+    out.value().file = path;
+    return out;
+}
+
+} // namespace
+
+Expected<void> writeObj(const std::string& path, std::span<const MeshPart> parts, const Progress& progress,
+                        const WriteOptions& options)
+{
+    if (const auto finite = writing::checkFinite(parts, path); !finite)
+        return finite;
+    auto out = FileWriter::open(path);
+    if (!out)
+        return fail(out.error());
+    const std::string library = materialPath(path);
+    out->append(head(options.comment));
+    if (out->isRegular()) // a device has nothing beside it
+        out->append("mtllib " + oneLine(std::filesystem::path(library).filename().string()) + "\n");
+    const auto pictured =
+        std::ranges::count_if(parts, [&](const MeshPart& p) { return hasMaps(p, options); });
+    const double text = pictured > 0 ? textShare : 1.0;
+    const Progress ofText = progress.part(0.0, text);
+    Ticker ticker(ofText, elementCount(parts));
+    Before before;
+    for (const MeshPart& part : parts) {
+        if (!writePart(*out, part, before, out->isRegular(), ticker))
+            break;
+        before.vertices += part.mesh->vertexCount();
+        before.normals += writing::hasNormals(*part.mesh) ? part.mesh->vertexCount() : 0;
+        before.texture += writing::hasTexture(*part.mesh) ? static_cast<Index>(part.mesh->uv.size()) : 0;
+    }
+    if (ticker.cancelled())
+        return cancelled(path);
+    if (!out->isRegular())
+        return out->commit();
+    auto materials = FileWriter::open(library);
+    if (!materials)
+        return fail(materials.error());
+    writeMaterials(*materials, parts, options);
+    if (auto done = writePictures(path, parts, options, progress.part(text, 1.0)); !done)
+        return done;
+    return FileWriter::commitTogether({&*materials, &*out});
+}
+
+Expected<void> writeObjLines(const std::string& path, const LinePart& lines, const Progress& progress,
+                             const std::string& comment)
+{
+    if (const auto finite = writing::checkFinite(lines, path); !finite)
+        return finite;
+    auto out = FileWriter::open(path);
+    if (!out)
+        return fail(out.error());
+    out->append(head(comment) + "o " + oneLine(lines.name) + "\n");
+    Ticker ticker(progress, lines.positions.size() + lines.lines.size());
+    if (writeVectors("v ", lines.positions, ticker, *out))
+        forEach(lines.lines.size(), 8 + 2 * maxIndexText, ticker, *out, [&](char* to, std::size_t i) {
+            to = appendText(to, "l ");
+            to = appendIndex(to, lines.lines[i].x + 1u);
+            *to++ = ' ';
+            to = appendIndex(to, lines.lines[i].y + 1u);
+            *to++ = '\n';
+            return to;
+        });
+    if (ticker.cancelled())
+        return cancelled(path);
+    return out->commit();
+}
+
+} // namespace ramure

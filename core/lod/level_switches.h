@@ -1,0 +1,32 @@
+/// \file
+/// When one level of detail takes the place of another on a screen.
+#pragma once
+
+#include "core/lod/tree_levels.h"
+
+namespace ramure {
+
+/// Of what engines take for a screen, pixels.
+inline constexpr double levelScreenWidth = 1920.0, levelScreenHeight = 1080.0;
+
+/// By level, the finest first.
+struct LevelSwitches
+{
+    /// m in the scene, from the eye to the tree: where the level takes the place of the one before, seen with
+    /// levelFovRad. Rises; 0: the first one.
+    std::vector<double> distances;
+    /// Of the picture's height that the tree has there; infinite: the first one.
+    std::vector<double> shares;
+    /// Share of that screen's area that the tree covers (its box seen from the front) down to which the level
+    /// is needed. Never rises; 0: the last one.
+    std::vector<double> coverage;
+    /// m: from where on the details in which the level differs from the one before are a pixel of that screen
+    /// or less. Never falls.
+    std::vector<double> unseen;
+};
+
+/// As the options have it, or the usual. \param scale of the node, m of the scene for one of the tree.
+/// \pre checkLevels(options); levels are not empty
+LevelSwitches switchesOf(const std::vector<TreeLevel>& levels, const LevelOptions& options, double scale);
+
+} // namespace ramure

@@ -1,0 +1,187 @@
+/// \file
+/// All commands that change a document. They swap values on undo and redo, merge within one gesture (press to
+/// release, focus-in to focus-out; never by the clock), and one that ends where it began removes itself.
+#pragma once
+
+#include "core/qt/document/document.h"
+#include "core/scene/node_transform.h"
+#include <QString>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace ramure {
+
+/// A gesture: commands with the same id merge. 0 = never merge.
+using GestureId = quint64;
+/// Another one than ever before; from any thread.
+GestureId newGesture();
+
+/// All commands that are pushed while it lives are one step of undo; where there are none, no step. What a
+/// hand holds is kept before.
+class OneStep
+{
+public:
+    OneStep(Document& document, const QString& text)
+        : m_document(document)
+    {
+        m_document.beginStep(text);
+    }
+    ~OneStep() { m_document.endStep(); }
+    OneStep(const OneStep&) = delete;
+    OneStep& operator=(const OneStep&) = delete;
+
+private:
+    Document& m_document;
+};
+
+/// A track that a channel of a node gets; null or without keys: none.
+struct TrackEdit
+{
+    NodeId node = noNode;
+    Channel channel;
+    NodeAnimation::TrackPtr track;
+};
+
+/// What sends an arm somewhere, what comes of it, and its keys: changed together where they belong together.
+struct ArmState
+{
+    std::vector<ArmJoint> joints;
+    bool follows = true;
+    glm::dvec3 target{0.0}; ///< m, in the arm's own space
+    NodeAnimation animation;
+    bool operator==(const ArmState&) const = default;
+};
+/// \pre an arm
+ArmState armState(const Node& arm);
+
+/// Where a node is put, see core/scene/node_transform.h.
+struct NodePlacing
+{
+    NodeId node = noNode;
+    NodeTransform values;
+    bool keys = false;   ///< the tracks are what changes, else the placement
+    bool placed = false; ///< with keys: the placement changes too, see core/scene/keyed_placement.h
+};
+
+/// Each function pushes one undo step (or none where nothing would change) and returns an error where the
+/// value is refused, the node unknown or locked; then nothing is pushed. Nodes that are locked, or below a
+/// locked one, only accept setNodeLocked. A node that is named twice counts once.
+namespace edit {
+/// Errors: Unknown (node), Invalid (value, locked, a kind of node without this parameter); path = key.
+Expected<void> setParam(Document& document, const std::vector<NodeId>& nodes, const ParamDef& def,
+                        const ParamValue& value, GestureId gesture = 0);
+/// Several parameters as one step ("paste group", "new from preset"). Of a parameter named twice the last
+/// counts.
+Expected<void> setParams(Document& document, const std::vector<NodeId>& nodes,
+                         const std::vector<std::pair<const ParamDef*, ParamValue>>& values,
+                         const QString& text, GestureId gesture = 0);
+/// Back to what each node's preset says, or to the default where it came from none (core/params/presets.h).
+/// Errors: as above.
+Expected<void> resetParams(Document& document, const std::vector<NodeId>& nodes,
+                           const std::vector<const ParamDef*>& params, const QString& text);
+/// One component of a vector parameter (0 = x, 1 = y, 2 = z); of each node the other components stay.
+Expected<void> setComponent(Document& document, const std::vector<NodeId>& nodes, const ParamDef& def,
+                            int axis, double value, GestureId gesture = 0);
+Expected<void> setNodeName(Document& document, NodeId node, const QString& name);
+Expected<void> setNodeVisible(Document& document, const std::vector<NodeId>& nodes, bool visible);
+Expected<void> setNodeLocked(Document& document, const std::vector<NodeId>& nodes, bool locked);
+/// The nodes' ids are replaced by new ones; returns the id of the top node, which becomes selected.
+/// \p subtree as Scene::insert wants it.
+Expected<NodeId> insertNodes(Document& document, std::vector<Node> subtree, NodeId parent, int row);
+/// Nodes with all below them. Error also where one of those is locked.
+Expected<void> removeNodes(Document& document, const std::vector<NodeId>& nodes);
+/// Copies beside their originals, selected, with names of their own; returns their ids.
+Expected<std::vector<NodeId>> duplicateNodes(Document& document, const std::vector<NodeId>& nodes);
+/// \param row among the new siblings without the node itself.
+/// \param keepWorld changes the placement so that the node stays where it is at \p timeSeconds (sheared
+/// parents: an error).
+Expected<void> moveNode(Document& document, NodeId node, NodeId newParent, int row, bool keepWorld,
+                        double timeSeconds = 0.0);
+/// Sets the hand-made values of branches (by Skeleton::name) of one tree.
+Expected<void> setBranchRoll(Document& document, NodeId node, const std::vector<std::uint64_t>& keys,
+                             double rollRad, GestureId gesture = 0);
+/// Takes back all that was set by hand on branches (by Skeleton::name) of one tree.
+Expected<void> removeBranchEdits(Document& document, NodeId node, const std::vector<std::uint64_t>& names);
+/// Sets how branches (by Skeleton::name) of one tree are turned about their starts, as one step; branches
+/// that are not named lose their bend.
+Expected<void> setBranchBends(Document& document, NodeId node,
+                              const std::map<std::uint64_t, glm::dvec3>& bendRad);
+/// Sets how these branches are turned about their starts; the others stay. Errors as above; Invalid where a
+/// bend is not finite.
+Expected<void> turnBranches(Document& document, NodeId node,
+                            const std::map<std::uint64_t, glm::dvec3>& bendRad, GestureId gesture = 0);
+/// Edits of a tree (core/params/tree_edit.h). Those whose id the tree has already are put in the place of
+/// these, the others at the end of the list, each with an id of its own where it has none; returns the ids.
+/// A drag gives the edit again and again, with the id that the first call returned: one step. Whether an edit
+/// can act is not asked here: core/skeleton/edits/edit_context.h. Errors: Unknown (node), Invalid (locked, no
+/// tree, what checkTreeEdit refuses; path = "edits[0].at").
+Expected<std::vector<std::uint64_t>> putTreeEdits(Document& document, NodeId tree,
+                                                  std::vector<TreeEdit> edits, GestureId gesture = 0);
+/// Errors of these: those of editable trees; Unknown (no edit of that id).
+Expected<void> removeTreeEdits(Document& document, NodeId tree, const std::vector<std::uint64_t>& ids,
+                               GestureId gesture = 0);
+Expected<void> setTreeEditsEnabled(Document& document, NodeId tree, const std::vector<std::uint64_t>& ids,
+                                   bool enabled);
+/// An empty name is that of the operation.
+Expected<void> renameTreeEdit(Document& document, NodeId tree, std::uint64_t id, const QString& name);
+/// \param row in the list without the edit itself; past its end: the last.
+Expected<void> moveTreeEdit(Document& document, NodeId tree, std::uint64_t id, int row);
+/// The edits as they are, with their ids, at the ends of the lists of other trees, as one step. What a tree
+/// has of them already is put in their place.
+Expected<void> copyTreeEdits(Document& document, NodeId from, const std::vector<std::uint64_t>& ids,
+                             const std::vector<NodeId>& to);
+/// Sets the joints of an arm: their number, lengths, angles and limits. Errors: Unknown (node), Invalid
+/// (locked, no arm, what checkArm refuses).
+Expected<void> setJoints(Document& document, NodeId node, std::vector<ArmJoint> joints, const QString& text,
+                         GestureId gesture = 0);
+/// All of an arm's state as one step. Errors: those of setJoints and of setParam for the target; Invalid (a
+/// track that an arm cannot have).
+Expected<void> setArm(Document& document, NodeId node, ArmState state, const QString& text,
+                      GestureId gesture = 0);
+/// A joint like joint \p at right behind it; the keys of those behind move on with them. Errors: those of
+/// setJoints; Unknown (no joint \p at).
+Expected<void> addJoint(Document& document, NodeId node, std::size_t at);
+/// Takes joint \p at and its keys out. Errors: likewise.
+Expected<void> removeJoint(Document& document, NodeId node, std::size_t at);
+/// What an arm wears: this mesh, in the arm's own space around the straight arm, or, where it is empty, the
+/// cylinder. Errors: Unknown (node), Invalid (locked, no arm, what checkArmMesh refuses).
+Expected<void> setArmMesh(Document& document, NodeId arm, SharedValue<TriangleMesh> mesh,
+                          const QString& text);
+/// The arm wears a copy of the mesh of a node: as it stands around the straight arm at rest, or \p fitted to
+/// it (fittedToArm). The node is hidden, in the same step. Errors: as above; Unknown (mesh), Invalid (it is
+/// no imported mesh; the scale of one of the two is 0).
+Expected<void> wearMesh(Document& document, NodeId arm, NodeId mesh, bool fitted);
+/// "New tree" (Space): the next seeds and stochastic rewriting on, as one step. Seeds follow each other in a
+/// fixed order that repeats after 2^31 of them; trees of one call never get the same. Nodes that are no
+/// trees, and trees in which chance has no say (core/generators/variety.h), are left out; error where
+/// no tree remains.
+Expected<void> newTree(Document& document, const std::vector<NodeId>& nodes);
+/// Grows one tree from this seed, branches and leaves, also where it had no chance. Errors: those of editable
+/// nodes; Invalid (no tree).
+Expected<void> reseedTree(Document& document, NodeId tree, std::int64_t seed);
+/// Tracks of any channels of any nodes as one step: every edit of keys (insert, remove, drag, paste, modes,
+/// extrapolation) is made on copies of the tracks and set with this. While a gesture goes on, the dragged
+/// tracks are given again from the ones before the gesture. Of a channel named twice the last counts. Errors:
+/// Unknown (node), Invalid (locked; a channel this kind of node has not; a track of the wrong kind).
+Expected<void> setTracks(Document& document, const std::vector<TrackEdit>& edits, const QString& text,
+                         GestureId gesture = 0);
+/// A key at \p time in each of these channels, with the value the channel has then ("insert key"). A key that
+/// is there already stays. Channels that a node has not are left out. New keys have the mode of the key
+/// before them, or \p mode where there is none. Where \p channels are all of the global transform, its
+/// three parts are keyed as wholes, and the placement is taken over where that is possible, see
+/// core/scene/keyed_placement.h.
+Expected<void> insertKeys(Document& document, const std::vector<NodeId>& nodes,
+                          const std::vector<Channel>& channels, Ticks time, KeyMode mode = KeyMode::Bezier);
+/// Placements and global tracks of nodes as one step: what a hand in the viewport does to them. While a
+/// gesture goes on, the same nodes are given again. Errors: Unknown (node), Invalid (locked, a value out of
+/// range, a track of the wrong kind).
+Expected<void> placeNodes(Document& document, const std::vector<NodePlacing>& places, const QString& text,
+                          GestureId gesture = 0);
+/// Frames and frame rate. Errors: those of checkTimeline.
+Expected<void> setTimeline(Document& document, const TimelineSettings& settings, GestureId gesture = 0);
+/// A view that is kept, by its place from 0; nothing forgets it. Errors: Invalid (place, checkViewBookmark).
+Expected<void> setBookmark(Document& document, std::size_t place, const std::optional<ViewBookmark>& view);
+} // namespace edit
+
+} // namespace ramure

@@ -1,0 +1,263 @@
+// The edits of trees: every command leads from one list to another.
+#include "core/params/tree_edit_table.h"
+#include "core/qt/document/document_command.h"
+
+#include <QCoreApplication>
+#include <iterator>
+#include <map>
+
+namespace ramure {
+
+namespace {
+
+/// What leads from one list of edits to another: a range of the first and what stands in its place.
+struct EditsChange
+{
+    NodeId node = noNode;
+    std::size_t at = 0, count = 0;
+    std::vector<TreeEdit> with;
+
+    [[nodiscard]] bool isNothing() const { return count == 0 && with.empty(); }
+    /// Makes it, and becomes the way back.
+    void exchange(std::vector<TreeEdit>& list)
+    {
+        const auto first = list.begin() + static_cast<std::ptrdiff_t>(at);
+        const auto last = first + static_cast<std::ptrdiff_t>(count);
+        std::vector<TreeEdit> before(std::make_move_iterator(first), std::make_move_iterator(last));
+        count = with.size();
+        list.insert(list.erase(first, last), std::make_move_iterator(with.begin()),
+                    std::make_move_iterator(with.end()));
+        with = std::move(before);
+    }
+};
+
+EditsChange changeBetween(NodeId node, const std::vector<TreeEdit>& from, const std::vector<TreeEdit>& to)
+{
+    const auto [a, b] = std::ranges::mismatch(from, to);
+    auto fromEnd = from.end();
+    auto toEnd = to.end();
+    while (fromEnd != a && toEnd != b && *(fromEnd - 1) == *(toEnd - 1)) {
+        --fromEnd;
+        --toEnd;
+    }
+    return {node, static_cast<std::size_t>(a - from.begin()), static_cast<std::size_t>(fromEnd - a),
+            std::vector<TreeEdit>(b, toEnd)};
+}
+
+/// Keeps what differs, not the lists: a tree may have a thousand edits, and a session as many steps.
+class EditsCommand final : public DocumentCommand
+{
+public:
+    EditsCommand(Document& document, std::vector<EditsChange> changes, Stage stale, GestureId gesture,
+                 const QString& text)
+        : DocumentCommand(document, gesture, text)
+        , m_changes(std::move(changes))
+        , m_stale(stale)
+    {
+    }
+    bool mergeWith(const DocumentCommand& other) override
+    {
+        const auto* next = dynamic_cast<const EditsCommand*>(&other);
+        if (!next || next->gesture() != gesture() ||
+            !std::ranges::equal(m_changes, next->m_changes, {}, &EditsChange::node, &EditsChange::node))
+            return false;
+        // Both are done: from the list of now back over the other to the one before both.
+        for (std::size_t i = 0; i < m_changes.size(); ++i) {
+            const std::vector<TreeEdit>& now = document().scene().find(m_changes[i].node)->params.edits;
+            std::vector<TreeEdit> before = now;
+            EditsChange(next->m_changes[i]).exchange(before);
+            m_changes[i].exchange(before);
+            m_changes[i] = changeBetween(m_changes[i].node, now, before);
+        }
+        m_stale = std::min(m_stale, next->m_stale);
+        setObsolete(std::ranges::all_of(m_changes, &EditsChange::isNothing));
+        return true;
+    }
+    void swap() override
+    {
+        Change change;
+        change.kinds = changeBranches;
+        change.firstStale = m_stale;
+        for (const EditsChange& part : m_changes)
+            change.nodes.push_back(part.node);
+        document().applyChange(change, [this](Scene& scene) {
+            for (EditsChange& part : m_changes)
+                if (Node* node = scene.find(part.node))
+                    part.exchange(node->params.edits);
+        });
+    }
+    void countMemory(MemoryCount& memory) const override
+    {
+        memory.add(sizeof(*this) + m_changes.size() * sizeof(EditsChange));
+        for (const EditsChange& part : m_changes)
+            for (const TreeEdit& edit : part.with)
+                memory.add(edit);
+    }
+
+private:
+    std::vector<EditsChange> m_changes; ///< each node once
+    Stage m_stale;                      ///< Placement: only names change, nothing is made anew
+};
+
+using Lists = std::map<NodeId, std::vector<TreeEdit>>; ///< by tree: all its edits
+
+/// Pushes unless nothing would change.
+void pushLists(Document& document, const Lists& lists, const QString& text, GestureId gesture = 0,
+               Stage stale = Stage::Skeleton)
+{
+    std::vector<EditsChange> changes;
+    for (const auto& [id, list] : lists)
+        changes.push_back(changeBetween(id, document.scene().find(id)->params.edits, list));
+    if (!std::ranges::all_of(changes, &EditsChange::isNothing))
+        document.push(std::make_unique<EditsCommand>(document, std::move(changes), stale, gesture, text));
+}
+
+using Ids = std::vector<std::uint64_t>;
+
+Expected<const Node*> editableTree(const Document& document, NodeId id)
+{
+    if (auto allowed = checkEditable(document.scene(), id); !allowed)
+        return fail(std::move(allowed.error()));
+    const Node* const tree = document.scene().find(id);
+    if (tree->kind != NodeKind::Tree)
+        return fail(ErrorCode::Invalid, RAMURE_NOOP("\"%1\" has no branches"), {tree->name});
+    return tree;
+}
+
+/// The tree's list, where it has edits with all these ids.
+Expected<std::vector<TreeEdit>> editsWith(const Document& document, NodeId id, const Ids& ids)
+{
+    const auto tree = editableTree(document, id);
+    if (!tree)
+        return fail(tree.error());
+    const std::vector<TreeEdit>& edits = (*tree)->params.edits;
+    for (const std::uint64_t wanted : ids)
+        if (std::ranges::find(edits, wanted, &TreeEdit::id) == edits.end())
+            return fail(ErrorCode::Unknown, RAMURE_NOOP("\"%1\" has no such edit"), {(*tree)->name});
+    return edits;
+}
+
+/// In its place where its id is there, else at the end.
+void put(std::vector<TreeEdit>& list, const TreeEdit& edit)
+{
+    const auto at = std::ranges::find(list, edit.id, &TreeEdit::id);
+    if (at == list.end())
+        list.push_back(edit);
+    else
+        *at = edit;
+}
+
+QString labelOf(const TreeEdit& edit)
+{
+    return QCoreApplication::translate("core", infoOf(edit.operation).label);
+}
+
+QString putText(const std::vector<TreeEdit>& edits)
+{
+    return edits.size() == 1
+               ? labelOf(edits.front())
+               : DocumentCommand::tr("Shape %n limb(s)", nullptr, static_cast<int>(edits.size()));
+}
+
+} // namespace
+
+Expected<std::vector<std::uint64_t>> edit::putTreeEdits(Document& document, NodeId id,
+                                                        std::vector<TreeEdit> edits, GestureId gesture)
+{
+    const auto tree = editableTree(document, id);
+    if (!tree)
+        return fail(tree.error());
+    std::vector<TreeEdit> list = (*tree)->params.edits;
+    Ids ids;
+    for (std::size_t i = 0; i < edits.size(); ++i) {
+        if (auto ok = checkTreeEdit(edits[i]); !ok) {
+            ok.error().path = "edits[" + std::to_string(i) + "]." + ok.error().path;
+            return fail(std::move(ok.error()));
+        }
+        if (edits[i].id == 0)
+            edits[i].id = newEditId(list, edits[i]);
+        put(list, edits[i]);
+        ids.push_back(edits[i].id);
+    }
+    pushLists(document, {{id, std::move(list)}}, putText(edits), gesture);
+    return ids;
+}
+
+Expected<void> edit::removeTreeEdits(Document& document, NodeId id, const Ids& ids, GestureId gesture)
+{
+    auto list = editsWith(document, id, ids);
+    if (!list)
+        return fail(std::move(list.error()));
+    std::erase_if(*list, [&ids](const TreeEdit& edit) { return std::ranges::count(ids, edit.id) > 0; });
+    pushLists(document, {{id, std::move(*list)}},
+              DocumentCommand::tr("Delete %n edit(s) of the tree", nullptr, static_cast<int>(ids.size())),
+              gesture);
+    return {};
+}
+
+Expected<void> edit::setTreeEditsEnabled(Document& document, NodeId id, const Ids& ids, bool enabled)
+{
+    auto list = editsWith(document, id, ids);
+    if (!list)
+        return fail(std::move(list.error()));
+    for (TreeEdit& edit : *list)
+        if (std::ranges::count(ids, edit.id) > 0)
+            edit.enabled = enabled;
+    const int count = static_cast<int>(ids.size());
+    pushLists(document, {{id, std::move(*list)}},
+              enabled ? DocumentCommand::tr("Switch %n edit(s) on", nullptr, count)
+                      : DocumentCommand::tr("Switch %n edit(s) off", nullptr, count));
+    return {};
+}
+
+Expected<void> edit::renameTreeEdit(Document& document, NodeId id, std::uint64_t wanted, const QString& name)
+{
+    auto list = editsWith(document, id, {wanted});
+    if (!list)
+        return fail(std::move(list.error()));
+    std::ranges::find(*list, wanted, &TreeEdit::id)->name = name.toStdString();
+    pushLists(document, {{id, std::move(*list)}}, DocumentCommand::tr("Rename edit"), 0, Stage::Placement);
+    return {};
+}
+
+Expected<void> edit::moveTreeEdit(Document& document, NodeId id, std::uint64_t wanted, int row)
+{
+    auto list = editsWith(document, id, {wanted});
+    if (!list)
+        return fail(std::move(list.error()));
+    const auto at = std::ranges::find(*list, wanted, &TreeEdit::id);
+    TreeEdit moved = std::move(*at);
+    list->erase(at);
+    const auto last = static_cast<std::ptrdiff_t>(list->size());
+    list->insert(list->begin() + std::clamp<std::ptrdiff_t>(row, 0, last), std::move(moved));
+    pushLists(document, {{id, std::move(*list)}}, DocumentCommand::tr("Move edit"));
+    return {};
+}
+
+Expected<void> edit::copyTreeEdits(Document& document, NodeId from, const Ids& ids,
+                                   const std::vector<NodeId>& to)
+{
+    const Node* const source = document.scene().find(from);
+    if (!source)
+        return unknownNode(from);
+    std::vector<TreeEdit> copied;
+    for (const TreeEdit& edit : source->params.edits)
+        if (std::ranges::count(ids, edit.id) > 0)
+            copied.push_back(edit);
+    if (copied.empty())
+        return fail(ErrorCode::Unknown, RAMURE_NOOP("\"%1\" has no such edit"), {source->name});
+    Lists lists;
+    for (const NodeId id : to) {
+        const auto tree = editableTree(document, id);
+        if (!tree)
+            return fail(tree.error());
+        std::vector<TreeEdit>& list = lists[id] = (*tree)->params.edits;
+        for (const TreeEdit& edit : copied)
+            put(list, edit);
+    }
+    pushLists(document, lists,
+              DocumentCommand::tr("Copy %n edit(s) of the tree", nullptr, static_cast<int>(copied.size())));
+    return {};
+}
+
+} // namespace ramure

@@ -1,0 +1,56 @@
+/// \file
+/// How many vertices and faces a scene has, part by part: what an export of it writes.
+#pragma once
+
+#include "core/qt/session/export/exporter.h"
+#include <array>
+#include <cstdint>
+#include <map>
+
+namespace ramure {
+
+/// Has the node a shape, and do the options ask for it?
+bool isExported(const Scene& scene, const ExportOptions& options, const Node& node);
+
+/// Of trees; other nodes are counted by their kind.
+enum class ScenePart : std::uint8_t { Branches, Leaves, Apples };
+
+struct PartCount
+{
+    std::uint64_t vertices = 0, faces = 0;
+    bool operator==(const PartCount&) const = default;
+};
+
+struct SceneCounts
+{
+    std::array<PartCount, 3> parts{};
+    std::map<NodeKind, PartCount> kinds;
+    bool complete = true; ///< every tree that counts had a result
+
+    [[nodiscard]] const PartCount& of(ScenePart part) const { return parts[static_cast<std::size_t>(part)]; }
+    [[nodiscard]] PartCount of(NodeKind kind) const
+    {
+        const auto found = kinds.find(kind);
+        return found == kinds.end() ? PartCount() : found->second;
+    }
+    [[nodiscard]] PartCount total() const;
+};
+
+/// Keeps the counts of arms, terrains, primitives and imported meshes: another look builds only those whose
+/// shape has changed. Shapes that cannot be made count nothing.
+class SceneCounter
+{
+public:
+    /// \param options which nodes and which parts of trees; the model counts as ExportModel::Mesh, at rest.
+    SceneCounts count(const Scene& scene, const ExportOptions& options, const TreeSource& trees);
+
+private:
+    struct Known
+    {
+        Node node; ///< as it was counted
+        PartCount count;
+    };
+    std::map<NodeId, Known> m_shapes;
+};
+
+} // namespace ramure

@@ -1,0 +1,45 @@
+/// \file
+/// What the player's thread is asked for: one frame, with all that it needs to know of the document.
+#pragma once
+
+#include "core/qt/session/motion/motion.h"
+
+namespace ramure {
+
+/// What the thread needs to know of one tree.
+struct MotionTree
+{
+    NodeId node = noNode;
+    TreeResult tree;
+    NodeParams params;
+    NodeAnimation animation;
+    std::optional<Pull> pull;
+    std::vector<Index> shaken; ///< apples let go at the frame before this one
+    std::string bakeFile;      ///< of this tree; empty: there is none
+    int bakeVersion = 0;       ///< another number: the file is another
+};
+
+/// And of one arm.
+struct MotionArm
+{
+    NodeId node = noNode;
+    NodeParams params;
+    NodeAnimation animation;
+};
+
+struct MotionRequest
+{
+    std::int64_t frame = 0;
+    int document = 0; ///< counted by the player: what comes late from one that was left is of no use
+    TimelineSettings timeline;
+    std::vector<MotionTree> trees;
+    std::vector<MotionArm> arms;
+    std::shared_ptr<const Scene> scene;             ///< null where nothing in it has a track
+    std::size_t memoryBytes = std::size_t(1) << 30; ///< for the runs of all trees together
+    /// Playing: changed parameters and the hand act from the present step on. Otherwise the whole run is that
+    /// of the present parameters.
+    bool live = false;
+    bool forgetHand = false; ///< the hand's pulls and the shaken apples of the run are forgotten first
+};
+
+} // namespace ramure

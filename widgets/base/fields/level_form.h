@@ -1,0 +1,51 @@
+/// \file
+/// Levels of detail of an export: how many, how many triangles each may have, and when it is shown.
+#pragma once
+
+#include "core/lod/level_options.h"
+#include <QVariantMap>
+#include <QWidget>
+
+class QLabel;
+class QLineEdit;
+class QSpinBox;
+
+namespace ramure {
+
+class LevelForm : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit LevelForm(QWidget* parent = nullptr);
+
+    /// What is written there, which checkLevels() may refuse; nothing where one level is asked for without a
+    /// budget: the tree as it is.
+    [[nodiscard]] LevelOptions options() const;
+    void setOptions(const LevelOptions& options);
+    /// For a panel: what stands in the empty field is shorter.
+    void setNarrow();
+    /// A text that holds no numbers is no budget. Errors: Invalid, with what is expected; those of
+    /// readSwitches and of checkLevels.
+    [[nodiscard]] Expected<void> check() const;
+
+    /// For files of settings; what is no number there is left out.
+    static QVariantMap settingsOf(const LevelOptions& options);
+    static LevelOptions optionsIn(const QVariantMap& settings);
+
+signals:
+    void changed();
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void retranslate();
+    void takeCount();
+
+    QSpinBox* m_count;
+    QLabel *m_label, *m_fromLabel;
+    QLineEdit *m_budgets, *m_from;
+    bool m_isNarrow = false;
+};
+
+} // namespace ramure

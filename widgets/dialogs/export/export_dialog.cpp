@@ -1,0 +1,466 @@
+#include "widgets/dialogs/export/export_dialog.h"
+
+#include "core/io/formats/file_format.h"
+#include "core/qt/document/document.h"
+#include "core/qt/session/jobs/recompute.h"
+#include "widgets/base/chooser.h"
+#include "widgets/base/fields/level_form.h"
+#include "widgets/base/texts/core_text.h"
+#include "widgets/base/theme/preferences.h"
+#include "widgets/dialogs/export/export_rows.h"
+#include "widgets/dialogs/export/export_task.h"
+#include "widgets/dialogs/export/mesh_faults.h"
+#include "widgets/dialogs/export/moment_form.h"
+#include "widgets/dialogs/export/print_form.h"
+#include "widgets/dialogs/export/space_form.h"
+#include "widgets/dialogs/picture_form.h"
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QEvent>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QStyle>
+#include <QTabBar>
+#include <QTimer>
+#include <QVBoxLayout>
+
+namespace ramure {
+
+/// Of a node's name: letters without accents, digits, - and _, as every program and system takes them.
+/// "Chêne pédonculé" is "Chene_pedoncule".
+static QString plainFileName(QString name)
+{
+    name.replace(QStringLiteral("œ"), QStringLiteral("oe"))
+        .replace(QStringLiteral("Œ"), QStringLiteral("Oe"));
+    QString plain;
+    for (const QChar letter : name.normalized(QString::NormalizationForm_KD)) {
+        const bool isPlain = letter.unicode() < 128 && (letter.isLetterOrNumber() || letter == u'-');
+        if (isPlain)
+            plain += letter;
+        else if (letter.category() != QChar::Mark_NonSpacing && !plain.isEmpty() && !plain.endsWith(u'_'))
+            plain += u'_';
+    }
+    while (plain.endsWith(u'_'))
+        plain.chop(1);
+    return plain.isEmpty() ? QStringLiteral("tree") : plain;
+}
+
+ExportDialog::ExportDialog(Document* document, Recompute* recompute, Preferences* preferences,
+                           Chooser* chooser, QWidget* parent, std::int64_t shownFrame)
+    : QDialog(parent)
+    , m_document(document)
+    , m_recompute(recompute)
+    , m_preferences(preferences)
+    , m_chooser(chooser)
+    , m_task(new ExportTask(this))
+    , m_preparer(new Job(this, Job::Manner::Polite))
+    , m_printRest(new QTimer(this))
+    , m_shownFrame(shownFrame)
+{
+    setObjectName(QStringLiteral("exportDialog"));
+    buildForm();
+    connect(m_format, &QComboBox::currentIndexChanged, this, &ExportDialog::takeFormat);
+    connect(m_model, &QComboBox::currentIndexChanged, this, &ExportDialog::updateWidgets);
+    for (QCheckBox* box : {m_branches, m_leaves, m_apples})
+        connect(box, &QCheckBox::toggled, this, &ExportDialog::updateWidgets);
+    connect(m_foliage, &QComboBox::currentIndexChanged, this, [this](int row) {
+        // Nothing is mixed into the one mesh of a format without objects.
+        if (format() && !holds(holdsObjects))
+            for (QCheckBox* box : {m_leaves, m_apples})
+                box->setChecked(row == 1);
+        updateWidgets();
+    });
+    connect(m_path, &QLineEdit::textChanged, this, &ExportDialog::updateWidgets);
+    connect(m_moments, &MomentForm::changed, this, &ExportDialog::updateWidgets);
+    connect(m_pictures, &PictureForm::changed, this, &ExportDialog::updateSummary);
+    connect(m_space, &SpaceForm::changed, this, &ExportDialog::updateSummary);
+    for (QCheckBox* box : {m_selection, m_hidden, m_texture, m_compressed})
+        connect(box, &QCheckBox::toggled, this, &ExportDialog::updateSummary);
+    connectMessage();
+    connect(m_levels, &LevelForm::changed, this, &ExportDialog::updateSummary);
+    connect(m_maps, &QComboBox::currentIndexChanged, this, &ExportDialog::updateSummary);
+    connect(m_uses, &QTabBar::currentChanged, this, &ExportDialog::takeUse);
+    buildPrint();
+    connect(m_browse, &QPushButton::clicked, this, &ExportDialog::browse);
+    connect(m_export, &QPushButton::clicked, this, &ExportDialog::startExport);
+    connect(m_cancel, &QPushButton::clicked, this, &ExportDialog::reject);
+    connect(m_task, &ExportTask::progress, this, [this](double fraction) {
+        m_progress->setValue(static_cast<int>(fraction * m_progress->maximum()));
+    });
+    connect(m_task, &ExportTask::finished, this, &ExportDialog::finish);
+    connect(m_recompute, &Recompute::busyChanged, this, [this](bool busy) {
+        if (m_waiting && !busy)
+            run();
+    });
+    const auto& nodes = document->scene().nodes();
+    QString name = QFileInfo(document->filePath()).completeBaseName();
+    if (name.isEmpty())
+        name = nodes.empty() ? QStringLiteral("tree")
+                             : plainFileName(QString::fromStdString(nodes.front().name));
+    m_path->setText(
+        QDir::toNativeSeparators(QDir(preferences->lastFolder()).filePath(name + QStringLiteral(".obj"))));
+    setPicturesEnabled(false);
+    retranslate();
+    takeFormat();
+    m_usual = settings();
+    turnPage(m_use);
+}
+
+ExportDialog::~ExportDialog() = default;
+
+/// What was wrong with the last attempt says nothing about the next one.
+void ExportDialog::connectMessage()
+{
+    const auto forget = [this] { setMessage({}, false); };
+    for (QComboBox* box : {m_format, m_model, m_foliage, m_maps, m_wind})
+        connect(box, &QComboBox::currentIndexChanged, this, forget);
+    connect(m_levels, &LevelForm::changed, this, forget);
+    for (QCheckBox* box : {m_branches, m_leaves, m_apples, m_selection, m_hidden, m_texture})
+        connect(box, &QCheckBox::toggled, this, forget);
+    connect(m_path, &QLineEdit::textChanged, this, forget);
+    connect(m_space, &SpaceForm::changed, this, forget);
+    connect(m_moments, &MomentForm::changed, this, forget);
+    connect(m_pictures, &PictureForm::changed, this, forget);
+    connect(m_printing, &PrintForm::changed, this, forget);
+}
+
+/// What is not clean about the mesh, and the way to it.
+void ExportDialog::buildFaults(QVBoxLayout* layout)
+{
+    auto* row = new QHBoxLayout;
+    row->setSpacing(8);
+    m_faults = new QLabel(this);
+    m_faults->setObjectName(QStringLiteral("meshFaults"));
+    m_faults->setTextFormat(Qt::PlainText);
+    m_faults->setWordWrap(true);
+    m_show = new QPushButton(this);
+    m_show->setObjectName(QStringLiteral("showFaults"));
+    m_show->setAutoDefault(false);
+    row->addWidget(m_faults, 1);
+    row->addWidget(m_show, 0, Qt::AlignTop);
+    layout->addLayout(row);
+    connect(m_show, &QPushButton::clicked, this, [this] {
+        const NodeId tree = meshFaults(*m_document, m_analysis, options()).tree;
+        reject();
+        emit showRequested(tree);
+    });
+}
+
+void ExportDialog::setAnalysis(const Analysis* analysis)
+{
+    m_analysis = analysis;
+    if (m_analysis)
+        connect(m_analysis, &Analysis::changed, this, &ExportDialog::showFaults);
+    showFaults();
+}
+
+void ExportDialog::showFaults()
+{
+    const MeshFaults found =
+        format() && !isPrint() ? meshFaults(*m_document, m_analysis, options()) : MeshFaults();
+    const QString& text = found.text;
+    m_faults->setText(text);
+    m_faults->setProperty("broken", found.mustAsk());
+    m_faults->style()->unpolish(m_faults);
+    m_faults->style()->polish(m_faults);
+    m_faults->setVisible(!text.isEmpty());
+    m_show->setVisible(!text.isEmpty());
+    const bool accepted = !text.isEmpty() && text == m_acceptedFaults;
+    m_export->setText(accepted ? tr("Export anyway") : tr("Export"));
+}
+
+/// A broken mesh is written when the button is pressed a second time.
+bool ExportDialog::mayExportFaults()
+{
+    const MeshFaults found =
+        format() && !isPrint() ? meshFaults(*m_document, m_analysis, options()) : MeshFaults();
+    if (!found.mustAsk() || found.text == m_acceptedFaults)
+        return true;
+    m_acceptedFaults = found.text;
+    showFaults();
+    setMessage(tr("Export it all the same?"), false);
+    return false;
+}
+
+const FileFormat* ExportDialog::format() const
+{
+    const QString id = m_format->currentData().toString();
+    for (const FileFormat* format : fileFormats())
+        if (id == QLatin1String(format->id))
+            return format;
+    return nullptr;
+}
+
+bool ExportDialog::holds(int what) const
+{
+    return format() && (format()->holds & what);
+}
+
+QString ExportDialog::suffix() const
+{
+    return format() ? QString::fromLatin1(format()->ending) : pictureFormat;
+}
+
+void ExportDialog::setFormat(const QString& id)
+{
+    for (const ExportUse use : exportUses)
+        if (m_format->findData(id) < 0 && formatsOf(use).contains(id))
+            setUse(use);
+    m_format->setCurrentIndex(m_format->findData(id));
+}
+
+void ExportDialog::setPicturesEnabled(bool enabled)
+{
+    m_uses->setTabEnabled(static_cast<int>(ExportUse::Pictures), enabled);
+}
+
+void ExportDialog::setPath(const QString& path)
+{
+    m_path->setText(QDir::toNativeSeparators(path));
+}
+
+QString ExportDialog::path() const
+{
+    return QDir::fromNativeSeparators(m_path->text().trimmed());
+}
+
+WindProfile ExportDialog::wind() const
+{
+    return static_cast<WindProfile>(m_wind->currentIndex());
+}
+
+ExportOptions ExportDialog::options() const
+{
+    ExportOptions options;
+    if (m_use == ExportUse::Blender)
+        options.model = static_cast<ExportModel>(m_model->currentIndex());
+    options.parts = static_cast<std::uint8_t>((m_branches->isChecked() ? exportBranches : 0) |
+                                              (m_leaves->isChecked() ? exportLeaves : 0) |
+                                              (m_apples->isChecked() ? exportApples : 0));
+    if (m_selection->isChecked())
+        options.nodes = m_document->selection().nodes;
+    options.hidden = m_hidden->isChecked();
+    options.instances =
+        m_foliage->currentIndex() == 1 && m_use != ExportUse::Game && m_use != ExportUse::Print;
+    if (m_use == ExportUse::Game)
+        options.levels = m_levels->options();
+    if (m_use == ExportUse::Game && holds(holdsWind))
+        options.wind = wind();
+    options.write.mapSize = m_maps->currentData().toInt();
+    options.write.joints = m_joints->currentData().toInt();
+    options.write.compressed = holds(holdsCompressed) && m_compressed->isChecked();
+    options.texture = options.model == ExportModel::Mesh && holds(holdsTexture) && m_texture->isChecked();
+    options.write.ascii = format() && format()->isText;
+    if (holds(holdsSpace))
+        options.space = m_space->space();
+    return options;
+}
+
+void ExportDialog::takeFormat()
+{
+    const bool all = !format() || usualParts(*format(), m_foliage->currentIndex() == 1) == exportAll;
+    m_leaves->setChecked(all);
+    m_apples->setChecked(all);
+    const QFileInfo info(path());
+    if (info.suffix().toLower() == pictureFormat || findFormat(path().toStdString(), FormatUse::Write))
+        setPath(info.path() + u'/' + info.completeBaseName() + u'.' + suffix());
+    const bool isMesh =
+        format() && !isPrint(); // a print says itself what is written, how large and with which axes
+    const std::pair<Row, bool> rows[] = {{PrintRow, m_use == ExportUse::Print},
+                                         {ModelRow, m_use == ExportUse::Blender},
+                                         {PartsRow, isMesh},
+                                         {FoliageRow, m_use == ExportUse::Blender || m_use == ExportUse::Web},
+                                         {LevelRow, m_use == ExportUse::Game},
+                                         {WindRow, m_use == ExportUse::Game && holds(holdsWind)},
+                                         {MapRow, holds(holdsTexture) && holds(holdsObjects)},
+                                         {SpaceRow, isMesh && holds(holdsSpace)},
+                                         {TreesRow, format() != nullptr},
+                                         {MomentRow, !format() || isMesh},
+                                         {PictureRow, !format()}};
+    for (const auto& [row, isShown] : rows) {
+        m_rows[row].label->setVisible(isShown);
+        m_rows[row].field->setVisible(isShown);
+    }
+    m_compressed->setVisible(holds(holdsCompressed));
+    m_moments->setClips(holds(holdsClip));
+    m_moments->setPictures(!format());
+    // A picture shows what the view shows.
+    if (!format() && m_shownFrame > 0 && m_moments->moment() == ExportMoment::Rest)
+        m_moments->setMoment(ExportMoment::Shown);
+    updateWidgets();
+    growToFit();
+}
+
+/// A page that needs less leaves the window, and what the user has made of it, as it is.
+void ExportDialog::growToFit()
+{
+    const QSize before = isVisible() ? size() : QSize();
+    adjustSize();
+    resize(size().expandedTo(before));
+}
+
+void ExportDialog::updateWidgets()
+{
+    const bool running = m_waiting || m_writesPrint || m_task->isRunning();
+    const bool lines = options().model == ExportModel::Skeleton;
+    for (QWidget* widget :
+         {static_cast<QWidget*>(m_format), static_cast<QWidget*>(m_model), static_cast<QWidget*>(m_path),
+          static_cast<QWidget*>(m_browse), static_cast<QWidget*>(m_hidden)})
+        widget->setEnabled(!running);
+    for (QCheckBox* box : {m_branches, m_leaves, m_apples})
+        box->setEnabled(!running && !lines);
+    m_foliage->setEnabled(!running && !lines);
+    if (format())
+        m_partsNote->setText(tr("%1 has no objects: leaves and fruit would be mixed into the one closed "
+                                "mesh of the branches. Tick them to write them all the same.")
+                                 .arg(coreText(format()->name)));
+    m_partsNote->setVisible(format() && !isPrint() && !holds(holdsObjects) && !lines &&
+                            !options().instances && !(m_leaves->isChecked() && m_apples->isChecked()));
+    m_texture->setEnabled(!running && holds(holdsTexture) && options().model == ExportModel::Mesh);
+    for (QWidget* widget :
+         {static_cast<QWidget*>(m_uses), static_cast<QWidget*>(m_kept), static_cast<QWidget*>(m_levels),
+          static_cast<QWidget*>(m_wind), static_cast<QWidget*>(m_space)})
+        widget->setEnabled(!running);
+    m_maps->setEnabled(!running && options().texture);
+    m_compressed->setEnabled(!running);
+    m_joints->setEnabled(!running);
+    const ExportMoment moment = m_moments->moment();
+    const bool moves =
+        holds(holdsClip) && (moment == ExportMoment::Sequence || moment == ExportMoment::WindLoop);
+    m_rows[JointRow].label->setVisible(moves);
+    m_rows[JointRow].field->setVisible(moves);
+    m_printing->setEnabled(!running);
+    m_printing->setMayPrepare(!m_recompute->isBusy());
+    m_moments->setEnabled(!running);
+    m_pictures->setEnabled(!running);
+    m_selection->setEnabled(!running && !m_document->selection().nodes.empty());
+    m_export->setEnabled(!running && !path().isEmpty() && (lines || options().parts != 0));
+    m_progress->setVisible(running);
+    updateSummary();
+    showFaults();
+}
+
+void ExportDialog::browse()
+{
+    const QString filter =
+        (format() ? coreText(format()->name) : tr("PNG pictures")) + QStringLiteral(" (*.%1)").arg(suffix());
+    const QString chosen = m_chooser->saveFile(tr("Export"), path(), filter, suffix());
+    if (chosen.isEmpty())
+        return;
+    setPath(chosen);
+    if (!isNumbered())
+        m_mayReplace = path(); // the chooser has asked
+}
+
+void ExportDialog::startExport()
+{
+    if (QFileInfo(path()).suffix().isEmpty())
+        setPath(path() + u'.' + suffix());
+    if (!mayStart() || !mayReplaceFiles())
+        return;
+    m_progress->setValue(0);
+    if (!m_recompute->isBusy() && !mayExportFaults())
+        return;
+    if (m_recompute->isBusy()) {
+        m_waiting = true;
+        setMessage(tr("Waiting until the tree is computed…"), false);
+        updateWidgets();
+        return;
+    }
+    run();
+}
+
+void ExportDialog::run()
+{
+    m_waiting = false;
+    if (!mayExportFaults()) // they came with the result that was waited for
+        return updateWidgets();
+    setMessage({}, false);
+    if (isPrint())
+        return writePreparedPrint();
+    if (isInBackground())
+        return startSequence();
+    ExportOptions what = options();
+    double seconds = m_moments->timeSeconds();
+    if (isClip()) {
+        const FrameSequence frames = m_moments->frames();
+        seconds = frames.timeOf(frames.first);
+        for (std::int64_t i = 1; i < frames.count(); ++i)
+            what.clip.push_back(frames.timeOf(frames.frame(i)));
+    }
+    m_task->startExport(*m_document, what, path(), seconds, m_moments->loop());
+    updateWidgets();
+}
+
+void ExportDialog::finish(const std::optional<Error>& error)
+{
+    updateWidgets();
+    if (error && error->code == ErrorCode::Cancelled) {
+        setMessage(tr("Cancelled. No file was changed."), false);
+        return;
+    }
+    if (error) {
+        setMessage(errorTextWithPlace(*error), true);
+        // While it ran everything but "Cancel" was off and took no focus: Return is to try again, not to
+        // leave.
+        m_path->setFocus();
+        return;
+    }
+    keepChoices();
+    emit exported(path());
+    accept();
+}
+
+/// For the next export.
+void ExportDialog::keepChoices()
+{
+    m_preferences->setLastFolder(QFileInfo(path()).absolutePath());
+    m_preferences->setExportSpace(m_space->space());
+    storeKept(QStringLiteral("last"), settings());
+}
+
+void ExportDialog::setMessage(const QString& text, bool isError)
+{
+    m_message->setObjectName(isError ? QStringLiteral("problem") : QStringLiteral("hint"));
+    m_message->style()->unpolish(m_message);
+    m_message->style()->polish(m_message);
+    m_message->setText(text);
+    m_message->setVisible(!text.isEmpty());
+}
+
+void ExportDialog::reject()
+{
+    if (m_waiting) {
+        m_waiting = false;
+        setMessage(tr("Cancelled. No file was changed."), false);
+        updateWidgets();
+    } else if (m_task->isRunning()) {
+        m_task->cancel();
+    } else if (isPreparing()) {
+        cancelPrint();
+    } else {
+        QDialog::reject();
+    }
+}
+
+void ExportDialog::done(int result)
+{
+    keepPages();
+    QDialog::done(result);
+}
+
+void ExportDialog::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    QDialog::changeEvent(event);
+}
+
+} // namespace ramure

@@ -1,0 +1,225 @@
+/// \file
+/// What to export, how and where to.
+#pragma once
+
+#include "core/qt/session/export/exporter.h"
+#include "widgets/dialogs/export/export_uses.h"
+#include "widgets/dialogs/export/sequence_task.h"
+#include <QDialog>
+#include <QVariantMap>
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+class QCheckBox;
+class QComboBox;
+class QDialogButtonBox;
+class QGridLayout;
+class QLabel;
+class QLayout;
+class QLineEdit;
+class QProgressBar;
+class QPushButton;
+class QTabBar;
+class QTimer;
+class QVBoxLayout;
+
+namespace ramure {
+
+class Analysis;
+class Chooser;
+class Document;
+class ExportTask;
+class Job;
+class LevelForm;
+class MomentForm;
+class PictureForm;
+class Preferences;
+class PrintForm;
+class Recompute;
+struct ScenePrint;
+class SpaceForm;
+
+class ExportDialog : public QDialog
+{
+    Q_OBJECT
+public:
+    /// Nothing is owned; all must outlive the dialog. \param shownFrame of the timeline.
+    ExportDialog(Document* document, Recompute* recompute, Preferences* preferences, Chooser* chooser,
+                 QWidget* parent = nullptr, std::int64_t shownFrame = 0);
+    ~ExportDialog() override;
+
+    /// What it found is told before a mesh that is not clean is written; without it only defects are.
+    void setAnalysis(const Analysis* analysis);
+    /// What writes sequences while the work goes on; without it there are none. Not owned.
+    void setSequenceTask(SequenceTask* task);
+    /// How pictures look; without it there are none.
+    void setPictureLook(const PictureLook& look);
+    /// The page on show.
+    void setUse(ExportUse use);
+    [[nodiscard]] ExportUse use() const { return m_use; }
+    /// Turns to the page for games, which has them.
+    void setLevels(const LevelOptions& levels);
+    /// Its page for games has these when it is turned to, not those of an export before.
+    void offerLevels(const LevelOptions& levels);
+    /// There is a view that shows it: windShown().
+    void offerWind();
+    /// FileFormat::id, or "png": pictures of the view. Turns to a page that has it.
+    void setFormat(const QString& id);
+    /// All that was chosen, but where to; and the same again. Numbers out of range are brought into it.
+    [[nodiscard]] QVariantMap settings() const;
+    void setSettings(const QVariantMap& kept);
+    /// Starts the same export again, over the files that it wrote.
+    void repeat(const QVariantMap& settings, const QString& path);
+    [[nodiscard]] MomentForm* moments() const { return m_moments; }
+    [[nodiscard]] PictureForm* pictures() const { return m_pictures; }
+    [[nodiscard]] PrintForm* printing() const { return m_printing; }
+    void setPath(const QString& path);
+    [[nodiscard]] QString path() const;
+    [[nodiscard]] ExportOptions options() const;
+    /// Waits for the full result where it is being computed, then writes on a thread.
+    void startExport();
+
+signals:
+    /// The file was written, and the dialog has closed itself.
+    void exported(const QString& path);
+    /// A sequence, or a picture, is being written by the task; the dialog has closed itself.
+    void started();
+    /// What is wrong with the mesh of this tree is to be shown; the dialog has closed itself.
+    void showRequested(ramure::NodeId tree);
+    /// Trees in the view are to move as they will in that engine; None: not any more.
+    void windShown(ramure::WindProfile game);
+
+public slots:
+    void reject() override;         ///< cancels what is running first
+    void done(int result) override; ///< with what each page has for the next time
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    [[nodiscard]] WindProfile wind() const; ///< that is chosen
+    void buildForm();
+    void buildWind();
+    void addFormRows();
+    void buildUses(QVBoxLayout* layout);
+    void fillFormats();
+    void takeUse(int tab);
+    [[nodiscard]] QLayout* buildParts();
+    [[nodiscard]] QLayout* buildTarget();
+    void buildProgress(QVBoxLayout* layout);
+    void buildFaults(QVBoxLayout* layout);
+    void showFaults();
+    [[nodiscard]] bool mayExportFaults();
+    void browse();
+    void takeFormat();
+    void growToFit();
+    void updateWidgets();
+    void retranslateFormats();
+    void retranslateMore();
+    void connectMessage();
+    void keepChoices();
+    void run();
+    // export_sequence.cpp
+    void updateSummary();
+    [[nodiscard]] bool isClip() const;
+    [[nodiscard]] bool isNumbered() const; ///< a file for each frame
+    [[nodiscard]] bool isInBackground() const;
+    [[nodiscard]] bool mayStart();
+    [[nodiscard]] bool mayReplaceFiles();
+    void startSequence();
+    // export_kept.cpp
+    [[nodiscard]] QLayout* buildKept();
+    [[nodiscard]] QVariantMap keptOf(const QString& group) const;
+    void storeKept(const QString& group, const QVariantMap& settings);
+    void fillKept();
+    void updateKept();
+    void takeKept(int row);
+    void turnPage(ExportUse use);
+    void keepPages();
+    void keep();
+    void forgetKept();
+    // export_print.cpp
+    [[nodiscard]] bool isPrint() const;
+    void takePrint();
+    void forgetPrint();
+    void buildPrint();
+    void preparePrint();
+    void takePrepared(const Expected<std::shared_ptr<const ScenePrint>>& made);
+    void cancelPrint();
+    void writePreparedPrint();
+    [[nodiscard]] bool isPreparing() const;
+    void finish(const std::optional<Error>& error);
+    void setMessage(const QString& text, bool isError);
+    void retranslate();
+    /// Null: pictures.
+    [[nodiscard]] const FileFormat* format() const;
+    [[nodiscard]] bool holds(int what) const; ///< bits of FormatHolds
+    void setPicturesEnabled(bool enabled);
+    [[nodiscard]] QString suffix() const;
+
+    Document* m_document;
+    Recompute* m_recompute;
+    Preferences* m_preferences;
+    Chooser* m_chooser;
+    ExportTask* m_task;
+    const Analysis* m_analysis = nullptr;
+    bool m_waiting = false;
+    QString m_acceptedFaults; ///< the text about a mesh that is not clean which the user has read
+    QLabel* m_faults = nullptr;
+    QPushButton* m_show = nullptr;
+    QString m_mayReplace; ///< the path (and frames) whose existing files the user has agreed to overwrite
+    bool m_mayReplaceAll = false; ///< it is done again
+    ExportUse m_use = ExportUse::Blender;
+    QVariantMap m_usual;                      ///< settings before anybody chose
+    std::map<ExportUse, QVariantMap> m_pages; ///< of those that were left
+    QTabBar* m_uses = nullptr;
+    struct FormRow
+    {
+        QLabel* label;
+        QWidget* field;
+    };
+    QGridLayout* m_form = nullptr;
+    std::vector<FormRow> m_rows; ///< by Row
+    QComboBox* m_kept = nullptr; ///< settings under names
+    QPushButton* m_keep = nullptr;
+    QPushButton* m_forget = nullptr;
+    QComboBox* m_maps = nullptr; ///< pixels a side of the pictures of bark and leaves
+    LevelForm* m_levels = nullptr;
+    std::optional<LevelOptions> m_offered;
+    QComboBox* m_wind = nullptr;       ///< WindProfile by the numbers of its rows
+    QPushButton* m_showWind = nullptr; ///< while it is down
+    QComboBox* m_format = nullptr;
+    QComboBox* m_model = nullptr;
+    QComboBox* m_foliage = nullptr; ///< merged, or instances
+    QCheckBox* m_branches = nullptr;
+    QCheckBox* m_leaves = nullptr;
+    QCheckBox* m_apples = nullptr;
+    QLabel* m_partsNote = nullptr; ///< why a format leaves some out
+    QCheckBox* m_selection = nullptr;
+    QCheckBox* m_hidden = nullptr;
+    QCheckBox* m_texture = nullptr;
+    QCheckBox* m_compressed = nullptr;
+    QComboBox* m_joints = nullptr;
+    SpaceForm* m_space = nullptr;
+    QLineEdit* m_path = nullptr;
+    QPushButton* m_browse = nullptr;
+    SequenceTask* m_sequences = nullptr;
+    std::optional<PictureLook> m_look;
+    MomentForm* m_moments = nullptr;
+    PictureForm* m_pictures = nullptr;
+    PrintForm* m_printing = nullptr;
+    std::shared_ptr<const ScenePrint> m_print; ///< prepared, as the form has it; else null
+    Job* m_preparer;                           ///< makes it
+    QTimer* m_printRest;                       ///< after a change while it is being made
+    bool m_writesPrint = false;                ///< as soon as it is there
+    QLabel* m_summary = nullptr;
+    std::int64_t m_shownFrame;
+    QProgressBar* m_progress = nullptr;
+    QLabel* m_message = nullptr;
+    QPushButton* m_export = nullptr;
+    QPushButton* m_cancel = nullptr;
+};
+
+} // namespace ramure

@@ -1,0 +1,32 @@
+/// \file
+/// One export on a thread of its own.
+#pragma once
+
+#include "core/qt/session/export/exporter.h"
+#include "core/qt/session/export/print_export.h"
+#include "core/qt/session/jobs/job.h"
+#include <QString>
+#include <optional>
+
+namespace ramure {
+
+/// The document's results, shared with a thread: the document itself stays where it is.
+TreeSource snapshotOf(const Document& document);
+
+class ExportTask : public Job
+{
+    Q_OBJECT
+public:
+    using Job::Job;
+
+    /// Takes what it needs from the document and returns at once; nothing happens while another export is
+    /// running. The trees are as their physics has moved them at \p timeSeconds.
+    /// \param timeline in the place of the scene's.
+    void startExport(const Document& document, const ExportOptions& options, const QString& path,
+                     double timeSeconds = 0.0, const std::optional<TimelineSettings>& timeline = {});
+    /// Writes a print with Z up, in mm.
+    void startPrint(const std::shared_ptr<const ScenePrint>& print, const WriteOptions& options,
+                    const QString& path);
+};
+
+} // namespace ramure

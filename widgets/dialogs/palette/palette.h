@@ -1,0 +1,50 @@
+/// \file
+/// The palette: a field and a list over the window. What is typed finds every command, parameter and place of
+/// the handbook; Return does it.
+#pragma once
+
+#include "widgets/dialogs/palette/palette_item.h"
+#include <QFrame>
+#include <vector>
+
+class QLabel;
+class QLineEdit;
+class QListView;
+
+namespace ramure {
+
+class PaletteModel;
+
+class Palette : public QFrame
+{
+    Q_OBJECT
+public:
+    explicit Palette(QWidget* parent);
+
+    /// Shows it at the top of the parent's window, with nothing typed. \p recent: paletteName of what was
+    /// used, the latest first.
+    void open(std::vector<PaletteItem> items, const QStringList& recent);
+
+signals:
+    /// After the palette has closed. Never of what is disabled.
+    void chosen(const ramure::PaletteItem& item);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    void build();
+    void place();
+    void showFound();
+    void chooseCurrent();
+    void retranslate();
+
+    PaletteModel* m_model;
+    QLineEdit* m_field;
+    QListView* m_list;
+    QLabel* m_none;
+    QLabel* m_hint;
+};
+
+} // namespace ramure

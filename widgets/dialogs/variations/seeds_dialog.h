@@ -1,0 +1,61 @@
+/// \file
+/// "More like this": nine trees of the same numbers that chance grew otherwise, to choose from.
+#pragma once
+
+#include "core/qt/document/document.h"
+#include "widgets/view/tree_pictures.h"
+#include <QDialog>
+#include <array>
+
+class QLabel;
+class QPushButton;
+
+namespace ramure {
+
+class PictureButton;
+
+/// Not modal; stays open, so that one choice can follow another.
+class SeedsDialog : public QDialog
+{
+    Q_OBJECT
+public:
+    static constexpr int count = 9;
+
+    /// \param document is not owned and must outlive the dialog.
+    SeedsDialog(Document* document, QWidget* parent);
+
+    /// A choice adds a tree like \p like, whose id does not count.
+    void offerNew(const Node& like);
+    /// A choice gives this tree another seed.
+    void offerFor(NodeId tree);
+    [[nodiscard]] std::int64_t seedOf(int choice) const;
+    [[nodiscard]] const std::array<PictureButton*, count>& choices() const { return m_choices; }
+    [[nodiscard]] QPushButton* otherButton() const { return m_other; }
+    /// How many of the pictures are drawn.
+    [[nodiscard]] int drawn() const { return m_drawn; }
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+
+private:
+    void offer(const Node& like);
+    void begin(std::int64_t first, bool named);
+    void drawNext();
+    void choose(int choice);
+    void retranslate();
+
+    Document* m_document;
+    Node m_like;
+    NodeId m_tree = noNode;   ///< whose seed is chosen; none: trees are added
+    std::int64_t m_first = 1; ///< of those that follow one another
+    bool m_named = false;     ///< those that have a name stand before them
+    int m_drawn = 0;
+    QString m_problem;
+    std::array<PictureButton*, count> m_choices{};
+    QLabel* m_hint;
+    QPushButton* m_other;
+    TreePictures m_pictures;
+};
+
+} // namespace ramure

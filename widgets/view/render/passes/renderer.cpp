@@ -1,0 +1,584 @@
+#include "widgets/view/render/passes/renderer.h"
+
+#include "core/base/stopwatch.h"
+#include "widgets/view/render/gl_setup.h"
+#include "widgets/view/render/passes/renderer_picture.h"
+#include <QOpenGLContext>
+#include <QOpenGLDebugLogger>
+#include <QOpenGLVersionFunctionsFactory>
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_inverse.hpp>
+#include <utility>
+
+namespace ramure {
+namespace {
+
+constexpr GLenum shadowUnit = 0;
+constexpr GLenum shadowDepthUnit = 1;
+constexpr GLenum statesUnit = 2;
+constexpr GLenum nearUnit = 8; // those between are the cache's
+constexpr GLenum nearDepthUnit = 9;
+constexpr GLenum occlusionUnit = 10;
+
+constexpr float exposure = 0.8f; ///< with which a film shows a surface in the middle as it is
+
+glm::vec3 srgb(const glm::u8vec3& bytes)
+{
+    return glm::vec3(bytes) / 255.0f;
+}
+
+} // namespace
+
+/// Twice as large each way, where the card can.
+static bool isDrawnLarge(QSize size, const RenderOptions& options)
+{
+    constexpr int largestSide = 4096; // of which software rasterisers still have the memory
+    return options.quality == Quality::Best && !options.hurried && size.width() <= largestSide &&
+           size.height() <= largestSide;
+}
+
+Renderer::Renderer(Gl& gl)
+    : m_gl(gl)
+    , m_cache(gl)
+    , m_shadowMap(gl)
+    , m_nearShadow(gl)
+    , m_parts(gl)
+    , m_smoothing(gl)
+    , m_large(gl)
+    , m_lensPicture(gl)
+    , m_lensSum(gl, GL_RGBA32F)
+    , m_outline(gl)
+    , m_occlusion(gl)
+{
+}
+
+Renderer::~Renderer()
+{
+    m_gl.glDeleteVertexArrays(1, &m_emptyArray);
+    m_gl.glDeleteTextures(1, &m_noStates);
+}
+
+Expected<std::unique_ptr<Renderer>> Renderer::make()
+{
+    QOpenGLContext* context = QOpenGLContext::currentContext();
+    auto* gl = context ? QOpenGLVersionFunctionsFactory::get<Gl>(context) : nullptr;
+    if (!gl || !gl->initializeOpenGLFunctions())
+        return fail(ErrorCode::Unknown, RAMURE_NOOP("No OpenGL 3.3 context is available here"));
+    std::unique_ptr<Renderer> made(new Renderer(*gl));
+    made->m_messages = driverMessages(*context);
+    if (auto compiled = made->compile(); !compiled)
+        return fail(std::move(compiled.error()));
+    return made;
+}
+
+std::vector<std::pair<Renderer::Program, ShaderSources>> Renderer::programs()
+{
+    const std::vector<const char*> mesh{"states.glsl", "skin.glsl",      "copy.glsl",
+                                        "wind.glsl",   "skin_mesh.glsl", "mesh.vert"};
+    const std::vector<const char*> depth{"skin.glsl", "copy.glsl", "wind.glsl", "skin_mesh.glsl",
+                                         "shadow.vert"};
+    const std::vector<const char*> surface{"colour.glsl",  "pixel.glsl",  "lighting.glsl",
+                                           "texture.glsl", "shaded.glsl", "mesh.frag"};
+    const std::vector<const char*> far{"states.glsl",    "skin.glsl",   "copy.glsl",   "wind.glsl",
+                                       "skin_mesh.glsl", "colour.glsl", "corner.glsl", "lighting.glsl",
+                                       "shaded.glsl",    "mesh.vert"};
+    return {
+        {&Renderer::m_mesh, {mesh, nullptr, surface}},
+        {&Renderer::m_plain, {mesh, nullptr, surface, "#define BARK false\n#define VEINS false\n"}},
+        {&Renderer::m_bark, {mesh, nullptr, surface, "#define BARK true\n#define VEINS false\n"}},
+        {&Renderer::m_leaf, {mesh, nullptr, surface, "#define BARK false\n#define VEINS true\n"}},
+        {&Renderer::m_far, {far, nullptr, {"pixel.glsl", "far.frag"}, "#define FAR\n"}},
+        {&Renderer::m_meshColours, {mesh, nullptr, surface, "#define COLOURS\n"}},
+        {&Renderer::m_meshWire, {mesh, "mesh.geom", surface, "#define COLOURS\n#define WIRE\n"}},
+        {&Renderer::m_shadow, {depth, nullptr, {"shadow.frag"}}},
+        {&Renderer::m_shadowCut, {depth, nullptr, {"shadow.frag"}, "#define CUT\n"}},
+        {&Renderer::m_world,
+         {{"world.vert"}, nullptr, {"colour.glsl", "pixel.glsl", "lighting.glsl", "world.frag"}}},
+        {&Renderer::m_line, {{"states.glsl", "skin.glsl", "line.vert"}, nullptr, {"line.frag"}}},
+        {&Renderer::m_point, {{"states.glsl", "skin.glsl", "point.vert"}, nullptr, {"point.frag"}}},
+        {&Renderer::m_smooth, {{"world.vert"}, nullptr, {"smooth.frag"}}},
+        {&Renderer::m_shrink, {{"world.vert"}, nullptr, {"shrink.frag"}}},
+        {&Renderer::m_lensAdd, {{"world.vert"}, nullptr, {"colour.glsl", "lens_add.frag"}}},
+        {&Renderer::m_lensShow, {{"world.vert"}, nullptr, {"colour.glsl", "lens_show.frag"}}},
+        {&Renderer::m_ghost, {{"ghost.vert"}, nullptr, {"ghost.frag"}}},
+        {&Renderer::m_occlude, {{"world.vert"}, nullptr, {"occlusion.glsl", "occlusion.frag"}}},
+        {&Renderer::m_occludeBlur, {{"world.vert"}, nullptr, {"occlusion.glsl", "occlusion_blur.frag"}}},
+        {&Renderer::m_outlineRows, {{"world.vert"}, nullptr, {"outline_spread.frag"}, "#define ROWS\n"}},
+        {&Renderer::m_outlineColumns, {{"world.vert"}, nullptr, {"outline_spread.frag"}}},
+        {&Renderer::m_outlineClosing,
+         {{"world.vert"}, nullptr, {"outline_spread.frag"}, "#define ROWS\n#define CLOSED\n"}},
+        {&Renderer::m_outlineInk, {{"world.vert"}, nullptr, {"outline_ink.frag"}}},
+    };
+}
+
+Expected<void> Renderer::compile()
+{
+    m_software = isSoftwareRenderer(reinterpret_cast<const char*>(m_gl.glGetString(GL_RENDERER)));
+    for (const auto& [program, sources] : programs()) {
+        auto made = ShaderProgram::make(m_gl, sources);
+        if (!made)
+            return fail(std::move(made.error()));
+        this->*program = std::move(*made);
+    }
+    m_gl.glGenVertexArrays(1, &m_emptyArray);
+    m_gl.glGenTextures(1, &m_noStates);
+    m_gl.glBindTexture(GL_TEXTURE_2D, m_noStates);
+    const std::uint32_t none = 0;
+    m_gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_R8UI, 1, 1, 0, GL_RED_INTEGER, GL_UNSIGNED_BYTE, &none);
+    m_gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    m_gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    m_gl.glBindTexture(GL_TEXTURE_2D, 0);
+    return {};
+}
+
+void Renderer::draw(const RenderScene& scene, const Camera& camera, QSize size, GLuint framebuffer,
+                    const RenderOptions& options)
+{
+    m_parts.restart();
+    if (drawAside(scene, camera, size, framebuffer, options))
+        show(size, framebuffer);
+}
+
+/// \returns whether there is a picture aside: else it is in the framebuffer, or not whole.
+bool Renderer::drawAside(const RenderScene& scene, const Camera& camera, QSize size, GLuint framebuffer,
+                         const RenderOptions& options)
+{
+    Stopwatch watch;
+    m_drawn = 0;
+    m_cache.beginPicture(options.wind);
+    m_cache.restAttributes();
+    upload(scene);
+    m_stats.uploadMs = watch.elapsed().wallMs;
+    watch.restart();
+
+    const bool inParts = m_parts.isActive();
+    const bool shrinks = isDrawnLarge(size, options);
+    const QSize drawn = shrinks ? 2 * size : size;
+    RenderOptions own = options;
+    if (shrinks)
+        own.pixelRatio *= 2.0;
+    Smoothing& place = shrinks || inParts ? m_large : m_smoothing; // what is shown meanwhile stays
+    const GLuint aside = shrinks || inParts || options.smoothing ? place.begin(drawn) : 0;
+    if (inParts && aside == 0)
+        return false;
+    const bool large = shrinks && aside != 0;
+    Picture picture = arrange(scene, camera, large ? drawn : size, large ? own : options);
+    occlude(picture, size);
+    castShadows(picture);
+    drawInto(aside != 0 ? aside : framebuffer, picture, large ? drawn : size);
+    m_cache.freeUnused();
+    resetState();
+    m_stats.pictures += m_parts.isWhole() ? 1 : 0;
+    m_stats.drawMs = watch.elapsed().wallMs;
+    m_stats.drawCpuMs = watch.elapsed().cpuMs;
+    if (aside == 0 || !m_parts.isWhole())
+        return false;
+    m_shown = large               ? Shown::Shrunk
+              : !inParts          ? Shown::Smoothed
+              : options.smoothing ? Shown::PartSmoothed
+                                  : Shown::Part;
+    return true;
+}
+
+bool Renderer::drawPart(const RenderScene& scene, const Camera& camera, QSize size,
+                        const RenderOptions& options, int sample, double ms)
+{
+    const bool hasLens = options.lens.diameter > 0.0;
+    const Camera seenBy = hasLens ? throughLens(camera, options.lens, size, sample, lensSamples) : camera;
+    m_parts.begin(ms);
+    const bool isAside = drawAside(scene, seenBy, size, 0, options);
+    if (!m_parts.end())
+        return false;
+    m_parts.restart();
+    if (isAside && hasLens)
+        addThroughLens(size, sample);
+    return true;
+}
+
+/// The picture that is shown now joins those of the samples before.
+void Renderer::addThroughLens(QSize size, int sample)
+{
+    const GLuint aside = m_lensPicture.begin(size), sum = m_lensSum.begin(size);
+    if (aside == 0 || sum == 0)
+        return;
+    show(size, aside);
+    m_gl.glViewport(0, 0, size.width(), size.height());
+    m_gl.glBindVertexArray(m_emptyArray);
+    m_gl.glBindFramebuffer(GL_FRAMEBUFFER, sum);
+    m_gl.glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    if (sample == 0)
+        m_gl.glClear(GL_COLOR_BUFFER_BIT);
+    m_gl.glEnable(GL_BLEND);
+    m_gl.glBlendFunc(GL_ONE, GL_ONE);
+    m_lensPicture.end(sum, *m_lensAdd);
+    m_gl.glDisable(GL_BLEND);
+    resetState();
+    m_shown = Shown::Lens;
+    m_lensPictures = sample + 1;
+}
+
+void Renderer::show(QSize size, GLuint framebuffer)
+{
+    m_gl.glViewport(0, 0, size.width(), size.height());
+    m_gl.glBindVertexArray(m_emptyArray);
+    if (m_shown == Shown::Lens) {
+        m_lensShow->bind();
+        m_lensShow->set("uShare", 1.0f / float(m_lensPictures));
+        m_lensSum.end(framebuffer, *m_lensShow);
+    } else if (m_shown == Shown::Part) {
+        m_gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, m_large.begin(size));
+        m_gl.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+        m_gl.glBlitFramebuffer(0, 0, size.width(), size.height(), 0, 0, size.width(), size.height(),
+                               GL_COLOR_BUFFER_BIT, GL_NEAREST);
+        m_gl.glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    } else {
+        Smoothing& aside = m_shown == Shown::Smoothed ? m_smoothing : m_large;
+        aside.end(framebuffer, m_shown == Shown::Shrunk ? *m_shrink : *m_smooth);
+    }
+    resetState();
+}
+
+void Renderer::drawInto(GLuint framebuffer, const Picture& picture, QSize size)
+{
+    const RenderOptions& options = picture.options;
+    if (!m_parts.enter(PictureParts::Pass::Picture, size))
+        return;
+    m_nearShadow.bind(nearUnit, nearDepthUnit); // first: what is new is made in the first unit
+    m_shadowMap.bind(shadowUnit, shadowDepthUnit);
+    m_gl.glActiveTexture(GL_TEXTURE0 + occlusionUnit);
+    m_gl.glBindTexture(GL_TEXTURE_2D, picture.occluded ? m_occlusion.texture() : 0);
+    m_gl.glActiveTexture(GL_TEXTURE0);
+    m_gl.glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    beginState(size, m_parts.isFirst());
+    m_gl.glGetIntegerv(GL_SAMPLES, &m_samples);
+    if (options.world && !picture.isLevel())
+        drawWorld(picture);
+    if (options.shading == ShadingMode::Solid) // the wireframe's other program would not give the same depths
+        drawDepth(picture);
+    drawMeshes(picture, options.shading, false);
+    if (options.world && picture.isLevel()) // after what hides it: the ground's light costs much
+        drawWorld(picture);
+    m_gl.glEnable(GL_BLEND);
+    m_gl.glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    drawGhosts(picture);
+    drawLines(picture, true);
+    drawPoints(picture, true);
+    drawLines(picture, false);
+    drawPoints(picture, false);
+    drawFaded(picture);
+    if (options.outline)
+        m_parts.share(1, [&](int, int) { drawOutline(picture, framebuffer); });
+}
+
+Renderer::Picture Renderer::arrange(const RenderScene& scene, const Camera& camera, QSize size,
+                                    const RenderOptions& options)
+{
+    Picture picture{scene, camera, options, {}};
+    picture.viewport = {float(size.width()), float(size.height())};
+    picture.aspect = double(size.width()) / std::max(1, size.height());
+    glm::dmat4 rotation = camera.viewMatrix();
+    rotation[3] = glm::dvec4(0.0, 0.0, 0.0, 1.0);
+    Box box = scene.box;
+    box.add(scene.trailBox);
+    picture.projectedView = camera.projectionMatrix(picture.aspect, camera.depthRange(box)) * rotation;
+    if (!m_light || m_light->first != options.light)
+        m_light = {options.light, lightOf(options.light)};
+    picture.light = m_light->second;
+    return picture;
+}
+
+/// In pictures at rest.
+void Renderer::occlude(Picture& picture, QSize size)
+{
+    constexpr double ofScene = 0.06, ofView = 0.08; // how far what counts as close is away
+    const RenderOptions& options = picture.options;
+    const Box& box = picture.scene.box;
+    const bool draft =
+        options.quality == Quality::Draft || (options.sparing && options.quality == Quality::Good);
+    if (draft || options.hurried || options.shading != ShadingMode::Solid || box.empty())
+        return;
+    const bool isDue = m_parts.enter(PictureParts::Pass::Occlusion, size);
+    picture.occluded = isDue ? m_occlusion.begin(size, m_parts.isFirst()) : m_occlusion.texture() != 0;
+    if (!isDue || !picture.occluded)
+        return;
+    m_gl.glEnable(GL_DEPTH_TEST);
+    m_gl.glDepthMask(GL_TRUE);
+    if (options.world && options.ground)
+        drawWorld(picture, true);
+    m_gl.glDepthFunc(GL_LEQUAL);
+    const DepthPrograms programs{*m_shadow, *m_shadowCut};
+    for (const MeshItem& item : picture.scene.meshes) {
+        if (item.opacity < 1.0f)
+            continue;
+        ShaderProgram& program = programs.of(item);
+        program.bind();
+        if (DepthPrograms::cuts(item))
+            m_cache.bindPictures(program, item);
+        m_cache.bindMotion(program, item.motion);
+        program.set("uClip", glm::mat4(picture.projectedView * picture.relative(item.world)));
+        drawItem(picture, item, m_cache.item(item));
+    }
+    m_gl.glBindVertexArray(m_emptyArray);
+    m_occlusion.end(picture.camera, picture.projectedView,
+                    std::min(ofScene * box.radius(), ofView * picture.camera.heightAtTarget()),
+                    {*m_occlude, *m_occludeBlur}, m_parts);
+}
+
+void Renderer::castShadows(Picture& picture)
+{
+    const RenderOptions& options = picture.options;
+    if (!options.shadows || options.shading == ShadingMode::Wire)
+        return;
+    const bool finest = options.quality == Quality::Best && !options.hurried;
+    const auto fit =
+        m_shadowMap.update(picture.scene, picture.light.sun, m_cache, {*m_shadow, *m_shadowCut}, m_parts,
+                           PictureParts::Pass::Shadow, finest ? LeafDetail::All : LeafDetail::Few);
+    if (!fit)
+        return;
+    picture.shadow = placeOf(*fit, picture.camera.eye());
+    picture.shadowTaps = options.shadowTaps > 0 ? options.shadowTaps : (m_software ? 12 : 20);
+    if (finest)
+        picture.shadowTaps = std::max(picture.shadowTaps, 32);
+    if (options.quality != Quality::Draft && !options.hurried)
+        castNear(picture, fit->side);
+}
+
+/// Where the view shows but a part of what there is, that gets a map of its own.
+void Renderer::castNear(Picture& picture, double side)
+{
+    constexpr double around = 0.75, worthwhile = 0.5;
+    const Camera& camera = picture.camera;
+    const double radius = around * camera.heightAtTarget() * std::max(picture.aspect, 1.0);
+    if (2.0 * radius > worthwhile * side)
+        return;
+    const auto fit = m_nearShadow.update(picture.scene, picture.light.sun, m_cache, {*m_shadow, *m_shadowCut},
+                                         m_parts, PictureParts::Pass::NearShadow, LeafDetail::All,
+                                         ShadowFocus{camera.target, radius});
+    if (fit)
+        picture.near = placeOf(*fit, picture.camera.eye());
+}
+
+void Renderer::beginState(QSize size, bool clears)
+{
+    m_gl.glViewport(0, 0, size.width(), size.height());
+    m_gl.glEnable(GL_MULTISAMPLE);
+    m_gl.glEnable(GL_DEPTH_TEST);
+    m_gl.glDepthFunc(GL_LEQUAL);
+    m_gl.glDepthMask(GL_TRUE);
+    m_gl.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    m_gl.glDisable(GL_BLEND);
+    m_gl.glDisable(GL_CULL_FACE);
+    m_gl.glDisable(GL_SCISSOR_TEST);
+    m_gl.glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    if (clears)
+        m_gl.glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+void Renderer::upload(const RenderScene& scene)
+{
+    for (const MeshItem& item : scene.meshes)
+        m_cache.item(item);
+    for (const GhostItem& item : scene.ghosts)
+        m_cache.mesh(item.mesh, nullptr);
+    for (const LineItem& item : scene.lines)
+        m_cache.lines(item.lines);
+    for (const PointItem& item : scene.points)
+        m_cache.points(item.points);
+    for (const Highlight& highlight : scene.highlights)
+        m_cache.states(highlight.states);
+}
+
+void Renderer::setLight(ShaderProgram& program, const Picture& picture)
+{
+    picture.light.set(program);
+    program.set("uExposure", picture.options.quality == Quality::Draft ? 0.0f : exposure);
+    program.set("uShadowTaps", picture.shadowTaps);
+    program.set("uShadow", picture.shadow.place);
+    program.set("uShadowScale", picture.shadow.scale);
+    program.set("uHasNear", picture.near.has_value());
+    if (picture.near) {
+        program.set("uNear", picture.near->place);
+        program.set("uNearScale", picture.near->scale);
+    }
+    program.set("uOcclusionScale", picture.occluded ? 1.0f / picture.viewport : glm::vec2(0.0f));
+}
+
+void Renderer::setStates(ShaderProgram& program, const RenderScene& scene, NodeId node, bool hasBranches)
+{
+    m_gl.glActiveTexture(GL_TEXTURE0 + statesUnit);
+    GLuint texture = m_noStates;
+    int count = 0;
+    for (const Highlight& highlight : scene.highlights) {
+        if (highlight.node == node && node != noNode && (hasBranches || highlight.whole)) {
+            const GpuBlock& block = m_cache.states(highlight.states);
+            texture = block.texture != 0 ? block.texture : m_noStates;
+            count = block.count;
+        }
+    }
+    m_gl.glBindTexture(GL_TEXTURE_2D, texture);
+    m_gl.glActiveTexture(GL_TEXTURE0);
+    program.set("uStateCount", count);
+}
+
+/// The depth pass and the shading pass must draw the same triangles.
+void Renderer::drawItem(const Picture& picture, const MeshItem& item, const GpuBlock& block)
+{
+    if (m_progress && m_progress->cancelled())
+        return;
+    const bool culls = item.closed && picture.options.shading == ShadingMode::Solid;
+    m_gl.glFrontFace(glm::determinant(glm::dmat3(item.world)) < 0.0 ? GL_CW : GL_CCW);
+    culls ? m_gl.glEnable(GL_CULL_FACE) : m_gl.glDisable(GL_CULL_FACE);
+    m_cache.drawTriangles(block, m_parts, picture.detailOf(item));
+    m_gl.glDisable(GL_CULL_FACE);
+    m_gl.glFrontFace(GL_CCW);
+    if (!m_progress)
+        return;
+    constexpr double passes = 3.0; // what is close, depth, colour
+    m_gl.glFinish();               // drivers only note down what is to be drawn
+    m_progress->report(std::min(1.0, double(++m_drawn) / (passes * double(picture.scene.meshes.size()))));
+}
+
+void Renderer::drawMeshDepth(const Picture& picture, const MeshItem& item)
+{
+    ShaderProgram& program = m_shadow->with(item.motion.isStill(), switches::still);
+    program.bind();
+    m_cache.bindMotion(program, item.motion);
+    program.set("uClip", glm::mat4(picture.projectedView * picture.relative(item.world)));
+    drawItem(picture, item, m_cache.item(item));
+}
+
+// Leaves cover each other many times over: with the depth known, only what is seen is shaded. Of small ones
+// drawing them twice costs more than shading what is hidden.
+void Renderer::drawDepth(const Picture& picture)
+{
+    m_gl.glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    for (const MeshItem& item : picture.scene.meshes)
+        if (item.opacity >= 1.0f && !(item.images && item.images->isCut) && !picture.isOfSmall(item))
+            drawMeshDepth(picture, item);
+    m_gl.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+void Renderer::beginMeshes(ShaderProgram& program, const Picture& picture, ShadingMode shading)
+{
+    program.bind();
+    setLight(program, picture);
+    program.set("uViewport", picture.viewport);
+    program.set("uWireOnly", shading == ShadingMode::Wire);
+    program.set("uLineWidth", float(1.2 * picture.options.pixelRatio));
+    program.set("uBackward",
+                glm::vec4(glm::vec3(picture.camera.backward()), picture.camera.orthographic ? 1.0f : 0.0f));
+}
+
+void Renderer::drawMesh(ShaderProgram& program, const Picture& picture, const MeshItem& item)
+{
+    const GpuBlock& block = m_cache.item(item);
+    m_cache.bindMotion(program, item.motion);
+    m_cache.bindColours(program, block);
+    m_cache.bindPictures(program, item);
+    const glm::dmat4 relative = picture.relative(item.world);
+    const bool hasCrown = item.crown && picture.options.quality != Quality::Draft;
+    m_cache.bindCrown(program, hasCrown ? item.crown : nullptr);
+    if (hasCrown)
+        program.set("uCrownPlace", glm::mat4(item.crown->place * glm::inverse(relative)));
+    setStates(program, picture.scene, item.node, !item.mesh->branch.empty());
+    program.set("uClip", glm::mat4(picture.projectedView * relative));
+    program.set("uRelative", glm::mat4(relative));
+    program.set("uNormal", glm::mat3(glm::inverseTranspose(glm::dmat3(item.world))));
+    program.set("uColour", srgb(item.material.colour));
+    program.set("uShininess", item.material.phong ? 26.0f : 0.0f);
+    program.set("uGlint", item.material.glint);
+    program.set("uThrough", item.material.through);
+    program.set("uVariety", item.mesh->branch.empty() ? 0.0f : item.material.variety);
+    program.set("uTwoSided", item.material.twoSided);
+    program.set("uPaint", int(item.paint));
+    program.set("uTileSize", item.tileSize);
+    program.set("uOpacity", item.opacity);
+    const bool covers = m_samples > 1 && item.images && item.images->isCut && item.opacity >= 1.0f;
+    program.set("uCovers", covers);
+    for (const GLenum how : {GLenum(GL_SAMPLE_ALPHA_TO_COVERAGE), GLenum(GL_SAMPLE_ALPHA_TO_ONE)})
+        covers ? m_gl.glEnable(how) : m_gl.glDisable(how);
+    drawItem(picture, item, block);
+}
+
+/// Where triangles have colours of their own they are counted, which costs software rasterisers time: only
+/// for the meshes that have some.
+ShaderProgram& Renderer::programOf(const Picture& picture, const MeshItem& item, ShadingMode shading)
+{
+    if (shading != ShadingMode::Solid)
+        return *m_meshWire;
+    if (m_cache.item(item).hasColours())
+        return *m_meshColours;
+    if (item.paint != Paint::Material || item.images)
+        return *m_mesh;
+    const bool isFar = picture.detailOf(item) == LeafDetail::Least;
+    return (isFar       ? *m_far
+            : item.bark ? *m_bark
+            : item.leaf ? *m_leaf
+                        : *m_plain)
+        .with(item.motion.isStill(), switches::still)
+        .with(picture.scene.highlights.empty(), switches::unmarked)
+        .with(!picture.near, switches::one);
+}
+
+/// Those that are opaque, or those that are not.
+void Renderer::drawMeshes(const Picture& picture, ShadingMode shading, bool faded)
+{
+    const ShaderProgram* last = nullptr;
+    for (const MeshItem& item : picture.scene.meshes) {
+        if ((item.opacity < 1.0f) != faded)
+            continue;
+        ShaderProgram& program = programOf(picture, item, shading);
+        if (&program != std::exchange(last, &program))
+            beginMeshes(program, picture, shading);
+        drawMesh(program, picture, item);
+    }
+}
+
+/// Over everything else, but only what is nearest of it: a hundred leaves hide no more than one.
+void Renderer::drawFaded(const Picture& picture)
+{
+    const auto isFaded = [](const MeshItem& item) { return item.opacity < 1.0f; };
+    if (std::ranges::none_of(picture.scene.meshes, isFaded))
+        return;
+    const bool wire = picture.options.shading == ShadingMode::Wire;
+    m_gl.glDepthFunc(GL_LEQUAL);
+    m_gl.glDepthMask(GL_TRUE);
+    m_gl.glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    for (const MeshItem& item : picture.scene.meshes)
+        if (isFaded(item) && !wire)
+            drawMeshDepth(picture, item);
+    m_gl.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    drawMeshes(picture, wire ? ShadingMode::Wire : ShadingMode::Solid, true);
+}
+
+void Renderer::resetState()
+{
+    m_gl.glBindVertexArray(0);
+    m_gl.glBindBuffer(GL_ARRAY_BUFFER, 0);
+    m_gl.glUseProgram(0);
+    m_gl.glDepthMask(GL_TRUE);
+    m_gl.glDepthFunc(GL_LESS);
+    m_gl.glDisable(GL_DEPTH_TEST);
+    m_gl.glDisable(GL_BLEND);
+    for (const GLenum unit : {shadowUnit, shadowDepthUnit, nearUnit, nearDepthUnit, occlusionUnit, statesUnit,
+                              GpuCache::bonesUnit, GpuCache::coloursUnit, GpuCache::barkUnit,
+                              GpuCache::barkNormalsUnit, GpuCache::elementsUnit}) {
+        m_gl.glActiveTexture(GL_TEXTURE0 + unit);
+        m_gl.glBindTexture(GL_TEXTURE_2D, 0);
+        m_gl.glBindSampler(unit, 0);
+    }
+    m_gl.glActiveTexture(GL_TEXTURE0 + GpuCache::crownUnit);
+    m_gl.glBindTexture(GL_TEXTURE_3D, 0);
+    m_gl.glActiveTexture(GL_TEXTURE0);
+}
+
+RenderStats Renderer::stats() const
+{
+    RenderStats stats = m_stats;
+    stats.shadowRedraws = m_shadowMap.redraws() + m_nearShadow.redraws();
+    stats.uploads = m_cache.stats();
+    return stats;
+}
+
+} // namespace ramure
