@@ -34,8 +34,7 @@ Expected<int> runCommand(const Command& command, const QStringList& arguments)
     CommandLine line(command.text);
     command.addOptions(line);
     const auto done = line.parse(arguments);
-    if (!done)
-        return fail(done.error());
+    RAMURE_TRY(done);
     return *done ? Expected<int>(**done) : command.run(line);
 }
 

@@ -96,13 +96,11 @@ Expected<std::optional<int>> CommandLine::parse(const QStringList& arguments)
 {
     const bool isGood = m_parser.parse(QStringList{QString()} + arguments);
     if (has("help")) {
-        if (const auto printed = print(help()); !printed)
-            return fail(printed.error());
+        RAMURE_TRY(print(help()));
         return std::optional<int>(exitGood);
     }
     if (has("version")) {
-        if (const auto printed = print(versionText()); !printed)
-            return fail(printed.error());
+        RAMURE_TRY(print(versionText()));
         return std::optional<int>(exitGood);
     }
     const std::string hint = std::string("`ramure-cli ") + m_text.name + " --help` shows what it takes";

@@ -37,8 +37,7 @@ Expected<Setting> parseSetting(const QString& text)
         return fail(ErrorCode::Unknown,
                     "unknown parameter \"%1\": `ramure-cli list params` shows those there are", {key});
     auto value = parseValue(*def, text.mid(equals + 1).toStdString(), true);
-    if (!value)
-        return fail(value.error());
+    RAMURE_TRY(value);
     return Setting{def, std::move(*value)};
 }
 
@@ -71,8 +70,7 @@ Expected<void> applyJointSetting(Scene& scene, const QString& text)
 Expected<Scene> projectScene(const QString& path)
 {
     auto project = loadProjectFile(path);
-    if (!project)
-        return fail(project.error());
+    RAMURE_TRY(project);
     return std::move(project->scene);
 }
 
@@ -89,8 +87,7 @@ Expected<void> applySettings(Scene& scene, const QStringList& sets)
             continue;
         }
         const auto setting = parseSetting(text);
-        if (!setting)
-            return fail(setting.error());
+        RAMURE_TRY(setting);
         for (const Node& listed : scene.nodes()) {
             if (!hasParam(listed.kind, *setting->def))
                 continue;
@@ -110,10 +107,8 @@ Expected<Input> loadInput(const QString& text, const QStringList& sets, const Pr
         auto scene = isPreset ? presetScene(text.mid(presetPrefix.size()).toStdString())
                      : isDemo ? demoScene(text.mid(demoPrefix.size()).toStdString())
                               : projectScene(text);
-        if (!scene)
-            return fail(scene.error());
-        if (const auto applied = applySettings(*scene, sets); !applied)
-            return fail(applied.error());
+        RAMURE_TRY(scene);
+        RAMURE_TRY(applySettings(*scene, sets));
         linkGrowthSpaces(*scene);
         return Input{std::move(*scene)};
     }
@@ -124,8 +119,7 @@ Expected<Input> loadInput(const QString& text, const QStringList& sets, const Pr
     if (!sets.isEmpty())
         return fail(ErrorCode::Invalid, "--set needs a tree: \"%1\" is a mesh", {text.toStdString()});
     auto mesh = readMeshFile(systemPath(text), progress);
-    if (!mesh)
-        return fail(mesh.error());
+    RAMURE_TRY(mesh);
     return Input{std::move(*mesh)};
 }
 

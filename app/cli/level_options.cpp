@@ -54,8 +54,7 @@ Expected<LevelOptions> levelsFrom(const CommandLine& line)
     auto fine = readSwitches(line.value("switch").toStdString(), out);
     if (fine)
         fine = checkLevels(out);
-    if (!fine)
-        return fail(std::move(fine.error()));
+    RAMURE_TRY(fine);
     return out;
 }
 

@@ -20,8 +20,7 @@ Expected<MeshAnalysis> shapeOf(const TriangleMesh& mesh, const Progress& progres
     MeshAnalysis analysis;
     analysis.hash = meshHash(mesh);
     auto quality = measureQuality(mesh, 0, progress);
-    if (!quality)
-        return fail(quality.error());
+    RAMURE_TRY(quality);
     analysis.quality = std::move(*quality);
     return analysis;
 }
@@ -32,8 +31,7 @@ Expected<void> checkPlaced(CheckedMesh& checked, const TriangleMesh& mesh, const
 {
     const auto placed = std::make_shared<const TriangleMesh>(transformed(mesh, world));
     auto again = checkMesh(placed, false, progress);
-    if (!again)
-        return fail(std::move(again.error()));
+    RAMURE_TRY(again);
     if (checked.isOpen)
         again->report.valid = isGoodSurface(again->report);
     checked.isSpoiltByPlace = checked.report.valid && !again->report.valid;
@@ -49,29 +47,23 @@ Expected<CheckedMesh> checkTree(const Node& node, bool isOneOfSeveral, Evaluated
                                 const MeshChecks& checks, const glm::dmat4& world, const Progress& progress)
 {
     const auto result = evaluateTree(scene, node, isOneOfSeveral, Stage::Mesh, progress.part(0.0, 0.4));
-    if (!result)
-        return fail(result.error());
+    RAMURE_TRY(result);
     const BranchMesh& branches = *result->branches;
     CheckedMesh checked{node.name, *result->report, {},
                         {},        branches.budget, static_cast<Index>(node.params.mesh.targetTriangles)};
-    if (const auto asked = confirmWithOpenMesh(branches.mesh, checked.report, progress.part(0.4, 0.6));
-        !asked)
-        return fail(asked.error());
+    RAMURE_TRY(confirmWithOpenMesh(branches.mesh, checked.report, progress.part(0.4, 0.6)));
     auto analysis = checks.crossings
                         ? analyseMesh(branches, result->simplified->skeleton, 0, progress.part(0.6, 0.9))
                         : shapeOf(branches.mesh, progress.part(0.6, 0.9));
-    if (!analysis)
-        return fail(analysis.error());
+    RAMURE_TRY(analysis);
     checked.analysis = std::move(*analysis);
     if (checks.placed && world != glm::dmat4(1.0))
-        if (const auto placed = checkPlaced(checked, branches.mesh, world, progress.part(0.9, 1.0)); !placed)
-            return fail(placed.error());
+        RAMURE_TRY(checkPlaced(checked, branches.mesh, world, progress.part(0.9, 1.0)));
     checked.report.valid = verdictOn(checked.report, nullptr, branches.roots) != MeshVerdict::Broken;
     checked.crossingsKnown = checks.crossings;
     if (checks.texture) {
         const auto coordinates = result->texture->coordinates(node.params, progress.part(0.9, 1.0));
-        if (!coordinates)
-            return fail(coordinates.error());
+        RAMURE_TRY(coordinates);
         checked.texture = textureReport(branches, **coordinates);
     }
     return checked;
@@ -88,8 +80,7 @@ CheckedMesh checkedMesh(ShapeCheck&& check, bool crossings)
 Expected<CheckedMesh> checkFile(const ReadMesh& mesh, bool crossings, const Progress& progress)
 {
     auto checked = checkMesh(std::make_shared<const TriangleMesh>(mesh.joined()), crossings, progress);
-    if (!checked)
-        return fail(std::move(checked.error()));
+    RAMURE_TRY(checked);
     return checkedMesh(std::move(*checked), crossings);
 }
 
@@ -97,8 +88,7 @@ Expected<CheckedMesh> checkFile(const ReadMesh& mesh, bool crossings, const Prog
 Expected<CheckedMesh> checkNode(const Node& node, EvaluatedScene& scene, const MeshChecks& checks,
                                 const glm::dmat4& world, const Progress& progress)
 {
-    if (auto posed = scene.pose(node, progress.part(0.0, 0.2)); !posed)
-        return fail(std::move(posed.error()));
+    RAMURE_TRY(scene.pose(node, progress.part(0.0, 0.2)));
     auto check = checkShape(node, scene.params(node), checks.crossings, progress.part(0.2, 0.8));
     if (!check)
         return fail(named(node, std::move(check.error())));
@@ -120,15 +110,13 @@ Expected<std::vector<CheckedMesh>> checkMeshes(const Input& input, Evaluator& ev
     std::vector<CheckedMesh> out;
     if (input.mesh()) {
         auto checked = checkFile(*input.mesh(), checks.crossings, progress);
-        if (!checked)
-            return fail(checked.error());
+        RAMURE_TRY(checked);
         out.push_back(std::move(*checked));
         return out;
     }
     const Scene& scene = *input.scene();
     auto nodes = treesOrShapes(scene);
-    if (!nodes)
-        return fail(nodes.error());
+    RAMURE_TRY(nodes);
     for (const Node& node : scene.nodes())
         if (isShape(node.kind))
             nodes->push_back(&node);
@@ -142,8 +130,7 @@ Expected<std::vector<CheckedMesh>> checkMeshes(const Input& input, Evaluator& ev
         const glm::dmat4 world = checks.placed ? now.transforms(node->id).geometry : glm::dmat4(1.0);
         auto checked = isShape(node->kind) ? checkNode(*node, now, checks, world, part)
                                            : checkTree(*node, nodes->size() > 1, now, checks, world, part);
-        if (!checked)
-            return fail(checked.error());
+        RAMURE_TRY(checked);
         out.push_back(std::move(*checked));
     }
     return out;
@@ -160,8 +147,7 @@ Expected<std::vector<CheckedMesh>> checkBarks(const ExportScene& scene)
                                    ? mesh.mesh
                                    : std::make_shared<const TriangleMesh>(transformed(*mesh.mesh, world)),
                                false);
-        if (!check)
-            return fail(std::move(check.error()));
+        RAMURE_TRY(check);
         out.push_back(checkedMesh(std::move(*check), false));
         out.back().name = scene.nodes[mesh.node].name;
     }
@@ -174,8 +160,7 @@ Expected<void> separateTrees(Input& input, TreePipeline& pipeline, const Progres
     if (!scene)
         return fail(ErrorCode::Invalid, "--separate needs a tree: the input is a mesh");
     const auto nodes = treesOf(*scene);
-    if (!nodes)
-        return fail(nodes.error());
+    RAMURE_TRY(nodes);
     std::vector<NodeId> trees;
     for (const Node* node : *nodes)
         trees.push_back(node->id);
@@ -184,8 +169,7 @@ Expected<void> separateTrees(Input& input, TreePipeline& pipeline, const Progres
         Node& node = *scene->find(trees[i]);
         const double from = static_cast<double>(i) / count;
         auto separated = separateBranches(pipeline, node.params, {}, progress.part(from, from + 1.0 / count));
-        if (!separated)
-            return fail(separated.error());
+        RAMURE_TRY(separated);
         node.params = withBends(node.params, separated->bendRad);
         printError(QStringLiteral("%1: %2 of %3 colliding pairs moved apart")
                        .arg(fromText(node.name))

@@ -102,20 +102,17 @@ Expected<Moments> momentsOf(const CommandLine& line, const Input& input)
     moments.framesPerSecond = moments.timeline.framesPerSecond;
     if (line.has("time")) {
         const auto time = numberOf(line, "time", 0.0, mostSeconds);
-        if (!time)
-            return fail(time.error());
+        RAMURE_TRY(time);
         moments.timeSeconds = *time;
     }
     if (line.has("fps")) {
         const auto rate = numberOf(line, "fps", leastFrameRate, mostFrameRate);
-        if (!rate)
-            return fail(rate.error());
+        RAMURE_TRY(rate);
         moments.framesPerSecond = *rate;
     }
     if (line.has("frames")) {
         auto frames = framesOf(line.value("frames"));
-        if (!frames)
-            return fail(frames.error());
+        RAMURE_TRY(frames);
         moments.frames = std::move(*frames);
     }
     if (line.has("wind-loop")) {
@@ -124,11 +121,9 @@ Expected<Moments> momentsOf(const CommandLine& line, const Input& input)
             return fail(ErrorCode::Invalid,
                         "--wind-loop chooses its frames itself: no --frames, no --seamless");
         const auto seconds = numberOf(line, "wind-loop", 0.1, 3600.0);
-        if (!seconds)
-            return fail(seconds.error());
+        RAMURE_TRY(seconds);
         const double from = line.has("time") ? moments.timeSeconds : settled;
-        if (auto closed = closeLoop(moments, from, *seconds); !closed)
-            return fail(std::move(closed.error()));
+        RAMURE_TRY(closeLoop(moments, from, *seconds));
         return moments;
     }
     if (!line.has("seamless"))

@@ -6,8 +6,7 @@ namespace ramure::cli {
 
 Expected<void> Painter::begin()
 {
-    if (const auto ensured = m_display.ensure(); !ensured)
-        return fail(ensured.error());
+    RAMURE_TRY(m_display.ensure());
     // Whatever the user's desktop needs (wayland, a wrong name): this one needs nothing but the X server.
     qputenv("QT_QPA_PLATFORM", "offscreen");
     m_application.emplace(m_argc, m_argv);
@@ -36,15 +35,13 @@ Expected<RenderScene> renderSceneOf(EvaluatedScene& now, DisplayMode mode)
 {
     const Scene& scene = now.scene();
     const auto nodes = treesOrShapes(scene);
-    if (!nodes)
-        return fail(nodes.error());
+    RAMURE_TRY(nodes);
     std::map<NodeId, TreeResult> results;
     for (const Node* node : *nodes) {
         if (!scene.isShown(node->id))
             continue;
         auto result = evaluateTree(now, *node, nodes->size() > 1, rowOf(mode).stage);
-        if (!result)
-            return fail(result.error());
+        RAMURE_TRY(result);
         results.emplace(node->id, std::move(*result));
     }
     SceneView view;

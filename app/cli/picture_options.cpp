@@ -46,8 +46,7 @@ Expected<Camera> cameraOf(const CommandLine& line)
 {
     const char* form = "EX,EY,EZ,TX,TY,TZ[,ANGLE], metres and degrees, or the name of a camera";
     const auto numbers = numbersOf(line, "camera", 6, 7, form);
-    if (!numbers)
-        return fail(numbers.error());
+    RAMURE_TRY(numbers);
     const std::vector<double>& n = *numbers;
     const glm::dvec3 eye(n[0], n[1], n[2]), target(n[3], n[4], n[5]), away = eye - target;
     const double angle = n.size() > 6 ? n[6] : glm::degrees(Camera().fovRad);
@@ -113,8 +112,7 @@ Expected<SceneLight> lightOf(const CommandLine& line)
         return fail(ErrorCode::Invalid, "--sun goes without --sun-at");
     if (line.has("sun")) {
         const auto sun = numbersOf(line, "sun", 2, 2, "DIRECTION,HEIGHT in degrees");
-        if (!sun)
-            return fail(sun.error());
+        RAMURE_TRY(sun);
         if ((*sun)[1] < SceneLight::leastHeightDeg || (*sun)[1] > 90.0)
             return fail(ErrorCode::Invalid, "--sun \"%1\": its height must be 2 to 90 degrees",
                         {line.value("sun").toStdString()});
@@ -122,13 +120,11 @@ Expected<SceneLight> lightOf(const CommandLine& line)
         light.heightDeg = (*sun)[1];
     }
     if (line.has("sun-at"))
-        if (auto taken = takeSunAt(line, light); !taken)
-            return fail(taken.error());
+        RAMURE_TRY(takeSunAt(line, light));
     for (const auto& taken :
          {takeNumber(line, "haze", Sky::leastTurbidity, Sky::mostTurbidity, light.turbidity),
           takeNumber(line, "exposure", -SceneLight::mostStops, SceneLight::mostStops, light.exposure)})
-        if (!taken)
-            return fail(taken.error());
+        RAMURE_TRY(taken);
     return light;
 }
 
@@ -192,15 +188,13 @@ Expected<PictureOptions> pictureOptionsOf(const CommandLine& line)
 {
     PictureOptions out;
     const auto light = lightOf(line);
-    if (!light)
-        return fail(light.error());
+    RAMURE_TRY(light);
     out.options.light = *light;
     double samples = 1.0;
     for (const auto& taken :
          {takeNumber(line, "f-stop", 0.1, 64.0, out.fStop), takeNumber(line, "focus", 0.001, 1e6, out.focus),
           takeNumber(line, "samples", 1.0, 256.0, samples)})
-        if (!taken)
-            return fail(taken.error());
+        RAMURE_TRY(taken);
     if (line.has("focus") && !line.has("f-stop"))
         return fail(ErrorCode::Invalid, "--focus needs --f-stop");
     out.options.pictures = int(std::lround(samples));
@@ -226,8 +220,7 @@ Expected<PictureOptions> pictureOptionsOf(const CommandLine& line)
         out.cameraNode = seenFrom;
     } else if (line.has("camera")) {
         const auto camera = cameraOf(line);
-        if (!camera)
-            return fail(camera.error());
+        RAMURE_TRY(camera);
         out.camera = *camera;
     }
     return out;

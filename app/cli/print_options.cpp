@@ -134,13 +134,11 @@ Expected<std::optional<PrintOptions>> printFrom(const CommandLine& line)
     if (!line.has("height"))
         return fail(ErrorCode::Invalid, "--print needs --height, such as --height 180mm");
     const auto height = lengthOf(line, "height");
-    if (!height)
-        return fail(height.error());
+    RAMURE_TRY(height);
     options.height = *height;
     if (line.has("thinnest")) {
         const auto thinnest = lengthOf(line, "thinnest");
-        if (!thinnest)
-            return fail(thinnest.error());
+        RAMURE_TRY(thinnest);
         options.thinnest = *thinnest;
     }
     const QString foot = line.value("foot");
@@ -154,8 +152,7 @@ Expected<std::optional<PrintOptions>> printFrom(const CommandLine& line)
         return fail(std::move(error));
     }
     options.leaves = *leaves;
-    if (auto fine = checkPrint(options); !fine)
-        return fail(std::move(fine.error()));
+    RAMURE_TRY(checkPrint(options));
     return std::optional(options);
 }
 
@@ -165,8 +162,7 @@ Expected<int> printTo(const CommandLine& line, const Input& input, const PrintOp
     if (!input.scene())
         return fail(ErrorCode::Invalid, "--print needs a tree: the input is a mesh");
     const auto made = printScene(evaluator.at(*input.scene()), {}, options, progress.part(0.0, 0.9));
-    if (!made)
-        return fail(made.error());
+    RAMURE_TRY(made);
     const PrintReport& report = made->tree.report;
     if (line.has("require-valid") && (!report.isClosed || report.pieces != 1 || report.crossings != 0)) {
         printError(QStringLiteral("the print is not one closed surface, nothing was written"));
@@ -180,15 +176,10 @@ Expected<int> printTo(const CommandLine& line, const Input& input, const PrintOp
     if (!line.has("unit"))
         into.unit = printSpace().unit;
     for (const QString& file : line.values("o"))
-        if (auto written = writePrint(systemPath(file), *made, into, write, progress.part(0.9, 1.0));
-            !written)
-            return fail(std::move(written.error()));
+        RAMURE_TRY(writePrint(systemPath(file), *made, into, write, progress.part(0.9, 1.0)));
     const QJsonObject json = reportOf(line, made->tree, options);
     if (line.has("report"))
-        if (auto written =
-                writeFile(systemPath(line.value("report")), QJsonDocument(json).toJson().toStdString());
-            !written)
-            return fail(std::move(written.error()));
+        RAMURE_TRY(writeFile(systemPath(line.value("report")), QJsonDocument(json).toJson().toStdString()));
     const auto told = line.has("json") ? printJson(json) : print(textOf(made->tree, options));
     return told ? Expected<int>(exitGood) : fail(told.error());
 }

@@ -44,6 +44,17 @@ struct Error
 
 template <class T> using Expected = tl::expected<T, Error>;
 
+/// Leaves the function with the error of an Expected that has no value: RAMURE_TRY(readCsv(path)); or, to go
+/// on with the value, auto cells = readCsv(path); RAMURE_TRY(cells);
+#define RAMURE_TRY(...) RAMURE_TRY_AS(RAMURE_TRY_NAME(__LINE__), __VA_ARGS__)
+#define RAMURE_TRY_NAME(line) RAMURE_TRY_JOIN(tried, line)
+#define RAMURE_TRY_JOIN(name, line) name##line
+#define RAMURE_TRY_AS(name, ...)                                                                             \
+    do {                                                                                                     \
+        if (auto&& name = (__VA_ARGS__); !name)                                                              \
+            return ::ramure::fail(std::move(name.error()));                                                  \
+    } while (false)
+
 inline tl::unexpected<Error> fail(ErrorCode code, const char* text, std::vector<std::string> args = {})
 {
     Error error;
@@ -53,7 +64,7 @@ inline tl::unexpected<Error> fail(ErrorCode code, const char* text, std::vector<
     return tl::make_unexpected(std::move(error));
 }
 
-/// The error as it is, to hand on from a function with another value type.
+/// The error as it is, to hand on from a function with another value type. \see RAMURE_TRY
 inline tl::unexpected<Error> fail(Error error)
 {
     return tl::make_unexpected(std::move(error));

@@ -326,8 +326,7 @@ Expected<void> FileWriter::commitTogether(std::initializer_list<FileWriter*> fil
 Expected<void> writeFile(const std::string& path, std::string_view bytes)
 {
     auto out = FileWriter::open(path);
-    if (!out)
-        return fail(out.error());
+    RAMURE_TRY(out);
     out->append(bytes);
     return out->commit();
 }

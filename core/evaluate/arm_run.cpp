@@ -45,8 +45,7 @@ Expected<NodeMotion> ArmRun::motionAt(double seconds, const TimelineSettings& ti
                                       const Progress& progress)
 {
     auto moment = momentAt(seconds, timeline, progress);
-    if (!moment)
-        return fail(std::move(moment.error()));
+    RAMURE_TRY(moment);
     NodeMotion motion = armMotion(m_params, moment->joints);
     motion.step = m_animation.movesParams() || (seconds > 0.0 && m_params.arm.follows) ? 1 : 0;
     motion.reshapes = movesLengths(m_animation);

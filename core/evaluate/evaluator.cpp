@@ -72,8 +72,7 @@ Expected<void> EvaluatedScene::poseArms(const Progress& progress)
 Expected<std::shared_ptr<const TriangleMesh>> EvaluatedScene::solid(const Node& node,
                                                                     const Progress& progress)
 {
-    if (auto posed = pose(node, progress); !posed)
-        return fail(std::move(posed.error()));
+    RAMURE_TRY(pose(node, progress));
     auto mesh = objectSolid(node, params(node));
     if (!mesh)
         return fail(named(node, std::move(mesh.error())));
@@ -120,16 +119,14 @@ EvaluatedScene Evaluator::at(const Scene& scene, double seconds)
 
 Expected<std::vector<ArmJoint>> Evaluator::joints(const Node& arm, double seconds, const Progress& progress)
 {
-    if (auto checked = checkArm(arm.params.joints); !checked)
-        return fail(std::move(checked.error()));
+    RAMURE_TRY(checkArm(arm.params.joints));
     const bool turns = seconds > 0.0 && arm.params.arm.follows;
     if (!turns && !arm.animation.movesParams() && !std::isnan(seconds))
         return arm.params.joints;
     ArmRun& run = m_arms[arm.id];
     run.set(arm.params, arm.animation);
     auto moment = run.momentAt(seconds, m_timeline, progress);
-    if (!moment)
-        return fail(std::move(moment.error()));
+    RAMURE_TRY(moment);
     return std::move(moment->joints);
 }
 
@@ -137,8 +134,7 @@ Expected<TreeResult> Evaluator::tree(const Node& node, Stage last, double second
 {
     const bool rests = seconds <= 0.0;
     auto posed = posedTree(node, last, seconds, false, rests ? progress : progress.part(0.0, 0.9));
-    if (!posed)
-        return fail(std::move(posed.error()));
+    RAMURE_TRY(posed);
     if (rests)
         return std::move(posed->rest);
     return movedTree(std::move(posed->rest), posed->motion, progress.part(0.9, 1.0));
@@ -165,19 +161,16 @@ Expected<PosedTree> Evaluator::posed(const Node& now, const PhysicsParams& physi
         });
     // Apples weigh: they must be known even where nobody asked for them.
     auto tree = m_rest(now, std::max(last, Stage::Foliage), progress.part(0.0, 0.45));
-    if (!tree)
-        return fail(std::move(tree.error()));
+    RAMURE_TRY(tree);
     TreeRun& run = m_trees[now.id];
-    if (auto set = run.setTree(*tree, now.params); !set)
-        return fail(std::move(set.error()));
+    RAMURE_TRY(run.setTree(*tree, now.params));
     for (auto& [id, each] : m_trees) // one more tree leaves less to each of the others
         each.setMemoryLimit(m_memoryBytes / m_trees.size());
     if (!std::isfinite(seconds) || seconds > run.cache().timeAt(maxPhysicsSteps))
         return fail(ErrorCode::Invalid, RAMURE_NOOP("the time lies beyond what the physics counts"));
     run.setPhysics(physics, now.animation, seconds);
     auto motion = run.motionAt(seconds, m_timeline, progress.part(0.45, 1.0));
-    if (!motion)
-        return fail(std::move(motion.error()));
+    RAMURE_TRY(motion);
     return PosedTree{std::move(*tree), std::move(*motion)};
 }
 

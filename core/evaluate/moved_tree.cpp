@@ -66,8 +66,7 @@ Expected<void> moveMeshes(TreeResult& tree, const NodeMotion& motion, const Prog
     moved->mesh = deformed(tree.branches->mesh, *motion.branches, *motion.bones, motion.method);
     if (tree.report) {
         auto report = validateMesh(moved->mesh, progress);
-        if (!report)
-            return fail(std::move(report.error()));
+        RAMURE_TRY(report);
         tree.report = std::make_shared<const MeshReport>(std::move(*report));
     }
     tree.branches = std::move(moved);
@@ -84,8 +83,7 @@ Expected<void> moveMeshes(TreeResult& tree, const NodeMotion& motion, const Prog
 Expected<TreeResult> movedTree(TreeResult tree, const NodeMotion& motion, const Progress& progress)
 {
     const std::span<const RigidTransform> bones = *motion.bones;
-    if (auto done = moveMeshes(tree, motion, progress); !done)
-        return fail(std::move(done.error()));
+    RAMURE_TRY(moveMeshes(tree, motion, progress));
     if (tree.skeleton)
         tree.skeleton = std::make_shared<const Skeleton>(
             movedSkeleton(*tree.skeleton, bones, tree.simplified->mergedInto));

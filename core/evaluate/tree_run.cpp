@@ -49,8 +49,7 @@ Expected<void> TreeRun::setLeaves(const TreeResult& tree, bool smooth)
     Expected<Skin> skin;
     if (tree.foliage->form.shape != LeafShape::Faithful) {
         auto anchors = bindAnchors(leaves, *tree.branches, skeleton, *m_motion.branches);
-        if (!anchors)
-            return fail(std::move(anchors.error()));
+        RAMURE_TRY(anchors);
         m_swing.emplace(skeleton, *tree.foliage, m_alpha, std::move(*anchors));
         m_motion.firstLeaf = skeleton.size() + static_cast<Index>(tree.foliage->apples.size());
         if (tree.leaves)
@@ -58,8 +57,7 @@ Expected<void> TreeRun::setLeaves(const TreeResult& tree, bool smooth)
     } else if (tree.leaves) {
         skin = bindFoliage(*tree.leaves, leaves, *tree.branches, skeleton, smooth);
     }
-    if (!skin)
-        return fail(std::move(skin.error()));
+    RAMURE_TRY(skin);
     if (tree.leaves)
         m_motion.leaves = std::make_shared<const Skin>(std::move(*skin));
     return {};
@@ -76,16 +74,14 @@ Expected<void> TreeRun::setSkins(const TreeResult& tree, SkinMethod method)
         return {};
     const Skeleton& skeleton = tree.simplified->skeleton;
     auto branches = bindBranches(*tree.branches, skeleton, smooth);
-    if (!branches)
-        return fail(std::move(branches.error()));
+    RAMURE_TRY(branches);
     m_motion.branches = std::make_shared<const Skin>(std::move(*branches));
     m_motion.leaves = m_motion.apples = nullptr;
     if (auto leaves = setLeaves(tree, smooth); !leaves)
         return leaves;
     if (tree.foliage && tree.apples) {
         auto apples = bindLoose(*tree.apples, tree.foliage->apples.size(), skeleton.size());
-        if (!apples)
-            return fail(std::move(apples.error()));
+        RAMURE_TRY(apples);
         m_motion.apples = std::make_shared<const Skin>(std::move(*apples));
     }
     m_motion.mesh = tree.branches;
@@ -100,8 +96,7 @@ Expected<bool> TreeRun::setTree(const TreeResult& rest, const NodeParams& params
 {
     const bool isOther = setBody(rest, params);
     m_leaf = params.leaf;
-    if (auto set = setSkins(rest, params.skin.method); !set)
-        return fail(std::move(set.error()));
+    RAMURE_TRY(setSkins(rest, params.skin.method));
     return isOther;
 }
 
@@ -196,13 +191,10 @@ Expected<NodeMotion> TreeRun::motionAt(double seconds, const TimelineSettings& t
     using Clock = std::chrono::steady_clock;
     const LoopBlend blend = loopBlend(timeline, seconds);
     if (blend.weight > 0.0) // the run goes back for the pose of the round before
-        if (auto there = seek(m_cache->stepAt(blend.earlierSeconds), m_earlier, progress.part(0.0, 0.5));
-            !there)
-            return fail(std::move(there.error()));
+        RAMURE_TRY(seek(m_cache->stepAt(blend.earlierSeconds), m_earlier, progress.part(0.0, 0.5)));
     const std::int64_t step = m_cache->stepAt(seconds), from = m_cache->step();
     const Clock::time_point start = Clock::now();
-    if (auto there = seek(step, m_now, progress.part(blend.weight > 0.0 ? 0.5 : 0.0, 1.0)); !there)
-        return fail(std::move(there.error()));
+    RAMURE_TRY(seek(step, m_now, progress.part(blend.weight > 0.0 ? 0.5 : 0.0, 1.0)));
     NodeMotion motion = m_motion;
     if (step > from)
         motion.stepSeconds =

@@ -84,8 +84,7 @@ public:
         const TriangleMesh shape = transformed(*copies.shape, m_scene.space.matrix());
         const MeshPart whole{name, &shape, m_scene.materials[copies.material]};
         const std::string file = besidePath(m_path, name + ".obj");
-        if (auto written = writeObj(file, {&whole, 1}, progress, m_options); !written)
-            return fail(std::move(written.error()));
+        RAMURE_TRY(writeObj(file, {&whole, 1}, progress, m_options));
         m_written.push_back({name, copies.material, copies.shape});
         return fileOf(name);
     }
@@ -196,11 +195,9 @@ Expected<void> writeCopyList(const std::string& path, const ExportScene& scene, 
     const std::string list = copyListPath(path);
     ShapeFiles files(path, scene, options);
     auto out = FileWriter::open(list);
-    if (!out)
-        return fail(out.error());
+    RAMURE_TRY(out);
     auto json = FileWriter::open(copyListPath(path, ".json"));
-    if (!json)
-        return fail(json.error());
+    RAMURE_TRY(json);
     json->append("{\"objects\":[");
     out->append("node,object,kind,mesh,material,branch,address,number,red,green,blue,"
                 "m11,m12,m13,m14,m21,m22,m23,m24,m31,m32,m33,m34\n");
@@ -214,8 +211,7 @@ Expected<void> writeCopyList(const std::string& path, const ExportScene& scene, 
         const ExportCopies& copies = scene.copies[i];
         const double share = 0.5 / double(scene.copies.size());
         const auto file = files.of(copies, progress.part(share * double(i), share * double(i + 1)));
-        if (!file)
-            return fail(file.error());
+        RAMURE_TRY(file);
         Row row{{}, space * scene.frames.front().transforms[copies.node].geometry, glm::inverse(space)};
         const std::array texts{scene.nodes[copies.node].name, copies.name, copies.kind, *file,
                                scene.materials[copies.material].name};

@@ -86,8 +86,7 @@ public:
         CsvTable::Row row{m_line, {}};
         for (;;) {
             auto cell = m_rest.starts_with('"') ? quoted() : plain();
-            if (!cell)
-                return fail(std::move(cell.error()));
+            RAMURE_TRY(cell);
             row.cells.push_back(std::move(*cell));
             if (!m_rest.starts_with(m_separator)) {
                 endLine();
@@ -241,12 +240,10 @@ Expected<CsvTable> parseCsv(std::string_view bytes, const std::string& file)
     int head = 0;
     while (!reader.atEnd()) {
         auto row = reader.row();
-        if (!row)
-            return fail(std::move(row.error()));
+        RAMURE_TRY(row);
         if (std::ranges::all_of(row->cells, &isBlank))
             continue;
-        if (auto checked = checkText(*row, table.columns, file); !checked)
-            return fail(std::move(checked.error()));
+        RAMURE_TRY(checkText(*row, table.columns, file));
         if (head == 0) {
             head = row->line;
             for (const std::string& name : row->cells)
@@ -262,19 +259,16 @@ Expected<CsvTable> parseCsv(std::string_view bytes, const std::string& file)
     if (head == 0)
         return failAt(file, 0, ErrorCode::Invalid, RAMURE_NOOP("no columns: the first line names them"));
     dropNameless(table);
-    if (auto checked = checkColumns(table, head, file); !checked)
-        return fail(std::move(checked.error()));
+    RAMURE_TRY(checkColumns(table, head, file));
     return table;
 }
 
 Expected<CsvTable> readCsv(const std::string& path)
 {
     auto file = reading::InputFile::open(path);
-    if (!file)
-        return fail(std::move(file.error()));
+    RAMURE_TRY(file);
     const auto bytes = reading::loadFile(*file, path);
-    if (!bytes)
-        return fail(bytes.error());
+    RAMURE_TRY(bytes);
     return parseCsv(bytes->view(), path);
 }
 

@@ -61,13 +61,11 @@ Expected<std::vector<MadeMap>> encoded(const MapsKey& key, std::span<const Mater
     if (auto kept = findKeptMaps(key))
         return std::move(*kept);
     const auto maps = make();
-    if (!maps)
-        return fail(maps.error());
+    RAMURE_TRY(maps);
     std::vector<MadeMap> out;
     for (const MaterialMap map : kinds) {
         auto png = pngOf(pictureOf(*maps, map));
-        if (!png)
-            return fail(std::move(png.error()));
+        RAMURE_TRY(png);
         out.push_back({map, std::move(*png)});
     }
     keepMaps(key, out);
@@ -133,8 +131,7 @@ Expected<void> copyPictures(const std::string& folder, const PictureParams& pict
         if (path.empty())
             continue;
         const auto bytes = pictureBytes(path);
-        if (!bytes)
-            return fail(bytes.error());
+        RAMURE_TRY(bytes);
         const std::string to = (std::filesystem::path(folder) / pictureFileName(path)).string();
         if (auto done = writeFile(to, *bytes); !done)
             return done;
@@ -199,11 +196,9 @@ Expected<std::vector<std::string>> writeMissing(const std::string& folder, std::
     if (missing.empty())
         return written;
     const Expected<std::vector<MadeMap>> maps = make(std::span<const MaterialMap>(missing));
-    if (!maps)
-        return fail(maps.error());
+    RAMURE_TRY(maps);
     for (const auto& [map, png] : *maps) {
-        if (const auto done = writeFile((std::filesystem::path(folder) / nameOf(map)).string(), png); !done)
-            return fail(done.error());
+        RAMURE_TRY(writeFile((std::filesystem::path(folder) / nameOf(map)).string(), png));
         written.push_back(nameOf(map));
     }
     return written;

@@ -65,13 +65,11 @@ Expected<Pixels> pixelsOf(std::string_view file, png_uint_32 format)
 Expected<std::string> maskedPng(std::string_view colour, std::string_view opacity)
 {
     const auto alpha = pixelsOf(opacity, PNG_FORMAT_GRAY);
-    if (!alpha)
-        return fail(alpha.error());
+    RAMURE_TRY(alpha);
     Pixels out{alpha->width, alpha->height, std::vector<std::uint8_t>(4 * alpha->bytes.size(), 255)};
     if (!colour.empty()) {
         auto read = pixelsOf(colour, PNG_FORMAT_RGBA);
-        if (!read)
-            return fail(std::move(read.error()));
+        RAMURE_TRY(read);
         out = std::move(*read);
     }
     const auto width = static_cast<std::size_t>(out.width), height = static_cast<std::size_t>(out.height);
@@ -85,8 +83,7 @@ Expected<std::string> maskedPng(std::string_view colour, std::string_view opacit
 Expected<std::string> channelPng(std::string_view picture, int channel)
 {
     const auto from = pixelsOf(picture, PNG_FORMAT_RGBA);
-    if (!from)
-        return fail(from.error());
+    RAMURE_TRY(from);
     std::vector<std::uint8_t> out;
     out.reserve(from->bytes.size() / 4);
     bool isWhite = true;

@@ -33,8 +33,7 @@ Expected<Bytes> loadStream(InputFile& file, const std::string& path)
         constexpr std::size_t block = std::size_t(1) << 20;
         text.resize(before + block);
         const auto got = file.read(text.data() + before, block);
-        if (!got)
-            return fail(got.error());
+        RAMURE_TRY(got);
         text.resize(before + *got);
         if (*got < block)
             break;
@@ -119,8 +118,7 @@ Expected<Bytes> loadFile(InputFile& file, const std::string& path)
         return loadStream(file, path);
     Bytes out{LargeBuffer<char>(file.size() + 1), 0};
     const auto got = file.read(out.buffer.data(), file.size());
-    if (!got)
-        return fail(got.error());
+    RAMURE_TRY(got);
     out.size = *got;
     return out;
 }
@@ -157,8 +155,7 @@ Expected<std::string_view> LineBlocks::next()
     for (;;) {
         const std::size_t room = m_buffer.size() - tail - m_used;
         const auto got = m_file.read(m_buffer.data() + m_used, room);
-        if (!got)
-            return fail(got.error());
+        RAMURE_TRY(got);
         m_used += *got;
         m_isAtEnd = *got < room;
         if (m_isAtEnd) {

@@ -62,8 +62,7 @@ int isCancelled(zip_t*, void* progress)
 Expected<void> copyTo(const std::string& path, zip_source_t* from)
 {
     auto out = FileWriter::open(path);
-    if (!out)
-        return fail(std::move(out.error()));
+    RAMURE_TRY(out);
     if (zip_source_open(from) != 0)
         return zipError(path, zip_error_strerror(zip_source_error(from)));
     std::array<char, FileWriter::largestRoom> block{};

@@ -79,8 +79,7 @@ Expected<LevelSkins> bindLevel(const TreeLevel& level, const Skeleton& tree, Ski
     LevelSkins out;
     if (level.branches) {
         const auto own = bindBranches(*level.branches, level.wood.skeleton, method != SkinMethod::Rigid);
-        if (!own)
-            return fail(own.error());
+        RAMURE_TRY(own);
         out.bark = shared(retold(*own, level, tree));
     }
     if (level.leaves)

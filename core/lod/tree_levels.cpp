@@ -116,8 +116,7 @@ Expected<void> LevelMaker::prepare(const Progress& progress)
         } else {
             auto placed =
                 placeFoliage(m_skeleton, m_params.foliage, m_params.leaf, m_params.fruit, m_alpha, progress);
-            if (!placed)
-                return fail(std::move(placed.error()));
+            RAMURE_TRY(placed);
             m_foliage = std::move(*placed);
         }
     }
@@ -179,8 +178,7 @@ Expected<TreeLevel> LevelMaker::whole(const Progress& progress)
             addAppleTexture(apples, m_foliage.fruit);
         out.apples = std::make_shared<const TriangleMesh>(std::move(apples));
     }
-    if (auto added = addBark(out, progress); !added)
-        return fail(std::move(added.error()));
+    RAMURE_TRY(addBark(out, progress));
     return out;
 }
 
@@ -261,8 +259,7 @@ Expected<LevelMaker::Wood> LevelMaker::build(double triangles, double mergeRad,
     BranchMeshOptions options{m_params.sections, m_params.mesh, true, turns};
     options.targetTriangles = std::max<std::int64_t>(1, std::llround(triangles));
     auto mesh = buildBranchMesh(out.pruned.skeleton, options, progress);
-    if (!mesh)
-        return fail(std::move(mesh.error()));
+    RAMURE_TRY(mesh);
     out.mesh = std::make_shared<const BranchMesh>(std::move(*mesh));
     return out;
 }
@@ -411,8 +408,7 @@ Expected<void> LevelMaker::addBark(TreeLevel& level, const Progress& progress)
         const bool isWhole = level.branches == m_tree.branches;
         const auto texture = isWhole ? m_tree.texture->coordinates(params, progress)
                                      : TextureStage(level.branches).coordinates(params, progress);
-        if (!texture)
-            return fail(texture.error());
+        RAMURE_TRY(texture);
         m_tileSize = (*texture)->tileSize;
         bark.uv = (*texture)->uv;
         bark.uvTriangles = (*texture)->corners;
@@ -466,13 +462,11 @@ Expected<TreeLevel> LevelMaker::level(std::int64_t budget, const Progress& progr
     out.wood = m_order.pruned(m_order.leastAxes(), 0.0);
     if (m_parts.branches) {
         auto wood = woodFor(budget, split, progress.part(0.0, 0.7));
-        if (!wood)
-            return fail(std::move(wood.error()));
+        RAMURE_TRY(wood);
         out.wood = std::move(wood->pruned);
         out.branches = std::move(wood->mesh);
         const auto report = validateMesh(out.branches->mesh);
-        if (!report)
-            return fail(report.error());
+        RAMURE_TRY(report);
         if (verdictOn(*report, nullptr, out.branches->roots) == MeshVerdict::Broken)
             return fail(ErrorCode::Invalid, RAMURE_NOOP("the bark of a level does not pass its proof"));
     }
@@ -480,8 +474,7 @@ Expected<TreeLevel> LevelMaker::level(std::int64_t budget, const Progress& progr
         return cancelled();
     stand(out);
     addFoliage(out, split);
-    if (auto added = addBark(out, progress.part(0.7, 1.0)); !added)
-        return fail(std::move(added.error()));
+    RAMURE_TRY(addBark(out, progress.part(0.7, 1.0)));
     const std::int64_t got = out.triangles();
     if (std::abs(double(got - budget)) > levelSlack * double(budget))
         return fail(ErrorCode::Limit,
@@ -502,11 +495,9 @@ Expected<std::vector<TreeLevel>> treeLevels(const TreeResult& tree, const NodePa
                                             const LevelOptions& options, const LevelParts& parts,
                                             const Progress& progress)
 {
-    if (auto fine = checkLevels(options); !fine)
-        return fail(std::move(fine.error()));
+    RAMURE_TRY(checkLevels(options));
     LevelMaker maker(tree, params, parts, options.beginsWhole());
-    if (auto prepared = maker.prepare(progress.part(0.0, 0.2)); !prepared)
-        return fail(std::move(prepared.error()));
+    RAMURE_TRY(maker.prepare(progress.part(0.0, 0.2)));
     std::vector<TreeLevel> out;
     for (std::int64_t i = 0; i < options.count; ++i) {
         if (progress.cancelled())
@@ -519,8 +510,7 @@ Expected<std::vector<TreeLevel>> treeLevels(const TreeResult& tree, const NodePa
         const std::int64_t budget = !options.beginsWhole() ? options.budgets[static_cast<std::size_t>(i)]
                                                            : (isWhole ? 0 : maker.usualBudget(out.back()));
         auto made = isWhole ? maker.whole(part) : maker.level(budget, part);
-        if (!made)
-            return fail(std::move(made.error()));
+        RAMURE_TRY(made);
         if (i == 0)
             made->detail = 0.0;
         out.push_back(std::move(*made));

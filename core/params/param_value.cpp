@@ -143,8 +143,7 @@ Expected<ParamValue> parseVec3(const ParamDef& def, std::string_view text)
                           RAMURE_NOOP("\"%1\" is not three numbers with commas between"),
                           {std::string(text)});
         const auto part = parseNumber<double>(def, text.substr(from, comma - from));
-        if (!part)
-            return fail(part.error());
+        RAMURE_TRY(part);
         vector[i] = *part;
         from = comma + 1;
     }

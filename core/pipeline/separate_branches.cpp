@@ -57,14 +57,12 @@ public:
             if (branch.bendRad != glm::dvec3(0.0))
                 start[key] = branch.bendRad;
         auto best = look(start);
-        if (!best)
-            return fail(best.error());
+        RAMURE_TRY(best);
         Separation result;
         result.before = best->analysis.collisions.size();
         for (int round = 1; round < m_options.rounds && !best->analysis.collisions.empty(); ++round) {
             auto next = improved(*best);
-            if (!next)
-                return fail(next.error());
+            RAMURE_TRY(next);
             if (!*next)
                 break;
             best = std::move(**next);
@@ -83,11 +81,9 @@ private:
     {
         const Progress quiet{m_progress.stop, {}};
         auto tree = m_pipeline.evaluate(withBends(m_params, bends), Stage::Mesh, quiet);
-        if (!tree)
-            return fail(std::move(tree.error()));
+        RAMURE_TRY(tree);
         auto analysis = analyseMesh(*tree->branches, tree->simplified->skeleton, m_options.threads, quiet);
-        if (!analysis)
-            return fail(std::move(analysis.error()));
+        RAMURE_TRY(analysis);
         return Candidate{bends, std::move(*tree), std::move(*analysis)};
     }
 
@@ -104,8 +100,7 @@ private:
                 for (const auto& [key, bend] : changes)
                     bends[key] = bend;
                 auto next = look(bends);
-                if (!next)
-                    return fail(next.error());
+                RAMURE_TRY(next);
                 if (isBetter(*next, from))
                     return std::optional(std::move(*next));
                 const std::set<std::uint64_t> guilty = suspects(from, *next, changes);

@@ -36,8 +36,7 @@ Expected<std::shared_ptr<const TextureCoordinates>> TextureStage::coordinates(co
         return fail(ErrorCode::Cancelled, RAMURE_NOOP("Cancelled"));
     // Nobody waits for another one's computation, which only that one can cancel.
     auto made = textureCoordinates(*m_rest, params, progress);
-    if (!made)
-        return fail(std::move(made.error()));
+    RAMURE_TRY(made);
     const auto result = std::make_shared<const TextureCoordinates>(std::move(*made));
     const std::lock_guard lock(m_mutex);
     m_kept.keep(hash, result);

@@ -99,8 +99,7 @@ tl::unexpected<Error> blame(Error error, const char* path)
 Expected<GrownSymbols> growModules(const GrammarParams& params, const Progress& progress)
 {
     const auto grammar = parseParametric(params);
-    if (!grammar)
-        return fail(grammar.error());
+    RAMURE_TRY(grammar);
     DeriveOptions options;
     options.iterations = static_cast<int>(params.iterations);
     options.stochastic = params.stochastic;
@@ -134,8 +133,7 @@ Expected<GrownSymbols> growSymbols(const NodeParams& all, const Progress& progre
     if (params.dialect == GrammarDialect::Parametric)
         return growModules(params, progress);
     const auto grammar = parseGrammar(params.axiom, params.rules);
-    if (!grammar)
-        return fail(grammar.error());
+    RAMURE_TRY(grammar);
     RewriteOptions options;
     options.iterations = static_cast<int>(params.iterations);
     options.stochastic = params.stochastic;
@@ -259,15 +257,12 @@ Expected<MeshedBranches> meshBranches(const Skeleton& skeleton, const NodeParams
 {
     const BranchMeshOptions options{params.sections, params.mesh, true, rolls};
     auto made = buildCheckedBranchMesh(skeleton, options, progress, &scratch);
-    if (!made)
-        return fail(std::move(made.error()));
+    RAMURE_TRY(made);
     const auto mesh = scratch.share(std::move(made->mesh));
     const bool isCut = !skeleton.sawn.empty() || !skeleton.loose.empty();
-    return MeshedBranches{
-        mesh, std::make_shared<const MeshReport>(std::move(made->report)),
-        isCut ? std::make_shared<const TriangleMesh>(cutWood(*mesh, skeleton))
-              : nullptr,
-        std::make_shared<const TextureStage>(mesh)};
+    return MeshedBranches{mesh, std::make_shared<const MeshReport>(std::move(made->report)),
+                          isCut ? std::make_shared<const TriangleMesh>(cutWood(*mesh, skeleton)) : nullptr,
+                          std::make_shared<const TextureStage>(mesh)};
 }
 
 /// \param branches that plants' leaves and fruit stand on; null: they are faithful, or it is a draft, which
@@ -279,8 +274,7 @@ Expected<MeshedFoliage> meshFoliage(const Skeleton& skeleton, const NodeParams& 
     const FoliageModel model = isSketch ? FoliageModel::Rough : FoliageModel::Fine;
     auto placed =
         placeFoliage(skeleton, params.foliage, params.leaf, params.fruit, trunkRadius(params), progress);
-    if (!placed)
-        return fail(std::move(placed.error()));
+    RAMURE_TRY(placed);
     if (branches)
         standOnBark(*placed, *branches, skeleton.size(), trunkRadius(params), progress);
     if (progress.cancelled())
@@ -325,8 +319,7 @@ Expected<std::shared_ptr<const T>> cached(StageCache<T>& cache, std::uint64_t ha
     if (auto kept = cache.find(hash))
         return kept;
     Expected<T> made = make();
-    if (!made)
-        return fail(std::move(made.error()));
+    RAMURE_TRY(made);
     auto result = std::make_shared<const T>(std::move(*made));
     cache.keep(hash, result);
     return result;
@@ -348,8 +341,7 @@ public:
     Expected<TreeResult> run(Stage last)
     {
         m_meshes = last >= Stage::Sections;
-        if (auto done = upTo(last); !done)
-            return fail(std::move(done.error()));
+        RAMURE_TRY(upTo(last));
         m_progress.report(1.0);
         return std::move(m_result);
     }
@@ -357,11 +349,9 @@ public:
     {
         if (m_cache.branches.find(m_hashes[Stage::Mesh]))
             return run(Stage::Foliage);
-        if (auto done = upTo(Stage::Simplified); !done)
-            return fail(std::move(done.error()));
+        RAMURE_TRY(upTo(Stage::Simplified));
         const Skeleton& skeleton = m_result.simplified->skeleton;
-        if (auto ok = checkMeshSize(skeleton.size(), m_params); !ok)
-            return fail(std::move(ok.error()));
+        RAMURE_TRY(checkMeshSize(skeleton.size(), m_params));
         NodeParams coarse = m_params;
         coarse.sections = draftDivisions(m_params.sections, skeleton.size());
         Evaluation draft(coarse, m_cache, m_progress);
@@ -417,8 +407,7 @@ private:
         const Skeleton& grown = *m_result.grown;
         const auto axes = cached(m_cache.axes, m_hashes.grown(), m_progress,
                                  [&]() -> Expected<TreeAxes> { return axesOf(grown); });
-        if (!axes)
-            return fail(axes.error());
+        RAMURE_TRY(axes);
         return cached(m_cache.edited, m_hashes[Stage::Skeleton], m_progress,
                       [&]() -> Expected<EditedSkeleton> { return applyEdits(grown, **axes, m_params.edits); })
             .map([&](auto made) {
@@ -514,8 +503,7 @@ TreePipeline::~TreePipeline() = default;
 template <class Run> static Expected<TreeResult> timed(const NodeParams& params, Run&& run)
 {
     const auto start = std::chrono::steady_clock::now();
-    if (auto ok = checkParams(params); !ok)
-        return fail(std::move(ok.error()));
+    RAMURE_TRY(checkParams(params));
     Expected<TreeResult> result = run();
     if (result)
         result->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -152,8 +152,7 @@ Expected<void> addThinnest(PrintReport& report, const std::shared_ptr<const Tria
 {
     const double length = glm::length(report.size());
     const auto walls = findWalls(mesh, std::max(around, 1e-4 * length), 1e-6 * length, progress);
-    if (!walls)
-        return fail(walls.error());
+    RAMURE_TRY(walls);
     for (const auto& [cell, wall] : *walls) {
         const Wall most = thickestAround(*walls, cell);
         if (report.thinnest == 0.0 || most.thickness < report.thinnest) {
@@ -203,8 +202,7 @@ Expected<std::vector<glm::dvec3>> thinPlaces(const std::shared_ptr<const Triangl
                                              double around, const Progress& progress)
 {
     const auto walls = findWalls(mesh, around, 1e-4 * around, progress);
-    if (!walls)
-        return fail(walls.error());
+    RAMURE_TRY(walls);
     std::vector<glm::dvec3> places;
     for (const auto& [cell, wall] : *walls)
         if (wall.thickness < below)
@@ -217,8 +215,7 @@ Expected<PrintReport> printReport(const std::shared_ptr<const TriangleMesh>& mes
 {
     PrintReport report;
     const auto checked = validateMesh(*mesh, progress.part(0.0, 0.1));
-    if (!checked)
-        return fail(checked.error());
+    RAMURE_TRY(checked);
     report.isClosed = checked->valid;
     report.pieces = checked->components;
     report.triangles = checked->faces;
@@ -227,12 +224,10 @@ Expected<PrintReport> printReport(const std::shared_ptr<const TriangleMesh>& mes
     addSums(report, *mesh);
     addBalance(report, *mesh);
     const auto crossings = findSelfIntersections(*mesh, {}, 0, progress.part(0.1, 0.5));
-    if (!crossings)
-        return fail(crossings.error());
+    RAMURE_TRY(crossings);
     report.crossings = crossings->total();
     progress.report(0.5);
-    if (auto walls = addThinnest(report, mesh, around, progress); !walls)
-        return fail(walls.error());
+    RAMURE_TRY(addThinnest(report, mesh, around, progress));
     progress.report(1.0);
     return report;
 }

@@ -81,8 +81,7 @@ Expected<void> addBeads(TriangleMesh& sheets, const TriangleMesh& tubes, double 
     const double below = pinched * thinnest * maths::cos(std::numbers::pi / sides);
     const auto places = thinPlaces(std::make_shared<const TriangleMesh>(tubes), below, 0.25 * thinnest,
                                    Progress{progress.stop, {}});
-    if (!places)
-        return fail(places.error());
+    RAMURE_TRY(places);
     for (const glm::dvec3& at : *places)
         addBead(sheets, glm::vec3(at));
     return {};
@@ -130,8 +129,7 @@ Expected<TriangleMesh> tubesOf(const Skeleton& skeleton, const NodeParams& param
     options.radialDivisions = sides;
     options.lengthDivisions = std::max<std::int64_t>(options.lengthDivisions, 4);
     auto made = buildBranchMesh(skeleton, options, progress);
-    if (!made)
-        return fail(std::move(made.error()));
+    RAMURE_TRY(made);
     return std::move(made->mesh);
 }
 
@@ -166,11 +164,9 @@ Expected<Prepared> prepared(const Source& of, double thinnest, double& wanted, c
     const double height = of.options.height, coarsest = of.options.smallestDiameter() / leastVoxelsAcross;
     for (int round = 1;; ++round) {
         auto print = printSkeleton(of.tree, wanted, thinnest);
-        if (!print)
-            return fail(std::move(print.error()));
+        RAMURE_TRY(print);
         auto tubes = tubesOf(print->skeleton, of.params, Progress{progress.stop, {}});
-        if (!tubes)
-            return fail(std::move(tubes.error()));
+        RAMURE_TRY(tubes);
         progress.report(double(round) / mostHeightRounds);
         LeafSheets leaves;
         if (of.foliage)
@@ -191,8 +187,7 @@ Expected<Places> markCrossings(std::vector<bool>& isKept, const TriangleMesh& fi
                                double reach, const Progress& progress)
 {
     const auto crossings = findSelfIntersections(thin, {}, 0, Progress{progress.stop, {}});
-    if (!crossings)
-        return fail(crossings.error());
+    RAMURE_TRY(crossings);
     Places places;
     std::vector<std::pair<glm::vec3, glm::vec3>> boxes;
     for (const FacePair& pair : crossings->pairs)
@@ -226,8 +221,7 @@ Expected<TriangleMesh> thinnedApart(const TriangleMesh& fine, ThinningOptions op
         if (!thin)
             return thin;
         auto found = markCrossings(options.isKept, fine, *thin, reach, progress);
-        if (!found)
-            return fail(found.error());
+        RAMURE_TRY(found);
         crossings = std::move(*found);
         if (crossings.empty())
             return thin;
@@ -264,8 +258,7 @@ Expected<Joined> joined(const TriangleMesh& tubes, UnionOptions joining, const T
 {
     for (int attempt = 1;; ++attempt) {
         auto united = unitedSurface(tubes, joining, progress.part(0.0, 0.45));
-        if (!united)
-            return fail(std::move(united.error()));
+        RAMURE_TRY(united);
         Places crossings;
         auto thin = thinnedWithoutCrossings(united->mesh, thinning, crossings, progress.part(0.45, 1.0));
         if (thin)
@@ -282,28 +275,24 @@ Expected<Joined> joined(const TriangleMesh& tubes, UnionOptions joining, const T
 Expected<PrintedTree> printTree(const Skeleton& tree, const NodeParams& params, const PrintOptions& options,
                                 const Progress& progress, const Foliage* foliage)
 {
-    if (auto fine = checkPrint(options); !fine)
-        return fail(fine.error());
+    RAMURE_TRY(checkPrint(options));
     const double diameter = options.smallestDiameter(), finest = diameter / voxelsAcross;
     const Source source{tree, params, options, options.leaves == PrintLeaves::Off ? nullptr : foliage};
     double wanted = options.height;
     auto ready = prepared(source, widening(diameter, finest), wanted, progress.part(0.0, 0.05));
-    if (!ready)
-        return fail(std::move(ready.error()));
+    RAMURE_TRY(ready);
     const double voxel =
         std::clamp(std::sqrt((areaOf(ready->tubes) + 2.5 * areaOf(ready->leaves.mesh)) / mostVoxels), finest,
                    diameter / leastVoxelsAcross);
     const double thinnest = widening(diameter, voxel); // a coarser grid takes more of a twig
     if (voxel > finest)
         ready = prepared(source, thinnest, wanted, progress.part(0.05, 0.1));
-    if (!ready)
-        return fail(std::move(ready.error()));
+    RAMURE_TRY(ready);
     UnionOptions joining{voxel, true};
     joining.notches = notchBalls(ready->print.skeleton);
     joining.sheets = std::move(ready->leaves.mesh);
     joining.thickness = thinnest;
-    if (auto mended = addBeads(joining.sheets, ready->tubes, thinnest, progress); !mended)
-        return fail(mended.error());
+    RAMURE_TRY(addBeads(joining.sheets, ready->tubes, thinnest, progress));
     addFoot(ready->tubes, ready->print.skeleton, options);
     ThinningOptions thinning;
     thinning.grain = voxel;
@@ -312,8 +301,7 @@ Expected<PrintedTree> printTree(const Skeleton& tree, const NodeParams& params, 
         thinning.mostTriangles =
             static_cast<Index>(std::min<std::int64_t>(thinning.mostTriangles, params.mesh.targetTriangles));
     auto made = joined(ready->tubes, std::move(joining), thinning, progress.part(0.1, 0.85));
-    if (!made)
-        return fail(std::move(made.error()));
+    RAMURE_TRY(made);
     computeNormals(made->mesh);
     PrintedTree out;
     out.mesh = std::make_shared<const TriangleMesh>(std::move(made->mesh));
@@ -324,8 +312,7 @@ Expected<PrintedTree> printTree(const Skeleton& tree, const NodeParams& params, 
     out.leaves = ready->leaves.leaves;
     out.leavesLeftOut = ready->leaves.leftOut;
     auto report = printReport(out.mesh, 0.5 * diameter, progress.part(0.85, 1.0));
-    if (!report)
-        return fail(std::move(report.error()));
+    RAMURE_TRY(report);
     out.report = *report;
     return out;
 }

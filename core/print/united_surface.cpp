@@ -270,8 +270,7 @@ Expected<TriangleMesh> manifoldMesh(FloatGrid& grid, const Progress& progress)
         if (mesh.empty())
             return fail(ErrorCode::Invalid, RAMURE_NOOP("nothing is left to print"));
         const auto report = validateMesh(mesh, Progress{progress.stop, {}});
-        if (!report)
-            return fail(report.error());
+        RAMURE_TRY(report);
         progress.report(double(round + 1) / mostRepairs);
         const bool isClosed = report->boundaryEdges == 0 && report->inconsistentEdges == 0;
         if (isClosed && report->nonManifoldEdges == 0 && report->nonManifoldVertices == 0)
@@ -366,8 +365,7 @@ Expected<void> checkSize(const TriangleMesh& mesh, double voxel)
 Expected<UnitedSurface> unitedSurface(const TriangleMesh& closed, const UnionOptions& options,
                                       const Progress& progress)
 {
-    if (auto fits = checkSize(closed, options.voxel); !fits)
-        return fail(fits.error());
+    RAMURE_TRY(checkSize(closed, options.voxel));
     const auto cancelled = [] { return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled")); };
     openvdb::initialize();
     const FloatGrid::Ptr grid = levelSetOf(closed, options.voxel, progress.part(0.0, 0.25));
@@ -388,8 +386,7 @@ Expected<UnitedSurface> unitedSurface(const TriangleMesh& closed, const UnionOpt
     if (progress.cancelled())
         return cancelled();
     const auto mesh = manifoldMesh(*grid, progress.part(0.5, 0.95));
-    if (!mesh)
-        return fail(mesh.error());
+    RAMURE_TRY(mesh);
     UnitedSurface out = largestPiece(*mesh);
     intoMetres(out, options.voxel, options.cutsGround);
     progress.report(1.0);

@@ -45,8 +45,7 @@ template <class TrackType, class Value>
 Expected<void> putKey(NodeAnimation::TrackPtr& track, Ticks time, const Value& value, KeyMode mode)
 {
     auto changed = withKey<TrackType>(track, time, value, mode);
-    if (!changed)
-        return fail(std::move(changed.error()));
+    RAMURE_TRY(changed);
     track = std::move(*changed);
     return {};
 }
@@ -138,8 +137,7 @@ Expected<NodeTransform> withPlacementKeys(const NodeTransform& values, Ticks tim
                                           KeyMode mode)
 {
     NodeTransform made = values;
-    if (auto good = takeOver(made, time, part, mode); !good)
-        return fail(std::move(good.error()));
+    RAMURE_TRY(takeOver(made, time, part, mode));
     const Moved moved = movedAt(made.tracks, secondsOf(time));
     const auto hasKey = [time](const NodeAnimation::TrackPtr& track) {
         return track && std::visit([time](const auto& held) { return bool(held.find(time)); }, *track);
@@ -153,8 +151,7 @@ Expected<NodeTransform> withPlacementKeys(const NodeTransform& values, Ticks tim
     }
     if (part == PlacementPart::Rotation && !hasKey(made.tracks[turnTrack]))
         good = putKey<OrientationTrack>(made.tracks[turnTrack], time, moved.turn, mode);
-    if (!good)
-        return fail(std::move(good.error()));
+    RAMURE_TRY(good);
     return made;
 }
 
@@ -165,8 +162,7 @@ Expected<NodeTransform> withPlacementSet(const NodeTransform& values, Ticks time
         return fail(ErrorCode::Invalid, RAMURE_NOOP("must be a finite number"));
     NodeTransform made = values;
     const KeyMode mode = KeyMode::Bezier;
-    if (auto good = takeOver(made, time, part, mode); !good)
-        return fail(std::move(good.error()));
+    RAMURE_TRY(takeOver(made, time, part, mode));
     const Moved before = movedAt(made.tracks, secondsOf(time));
     const glm::dvec3 origin = before.translation + carried(before, made.placement);
     Moved now = before;
@@ -190,8 +186,7 @@ Expected<NodeTransform> withPlacementSet(const NodeTransform& values, Ticks time
         if (good && made.placement.translation != glm::dvec3(0.0))
             good = putThree(made, 0, time, stays, {}, mode); // the origin stays where it is
     }
-    if (!good)
-        return fail(std::move(good.error()));
+    RAMURE_TRY(good);
     return made;
 }
 

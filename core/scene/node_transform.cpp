@@ -141,8 +141,7 @@ Expected<void> setNumber(NodeAnimation::TrackPtr& track, Ticks time, double befo
     if (!track && before == now)
         return {};
     auto made = withKey<Track>(track, time, now);
-    if (!made)
-        return fail(std::move(made.error()));
+    RAMURE_TRY(made);
     track = std::move(*made);
     return {};
 }
@@ -154,19 +153,15 @@ Expected<NodeTransform> withKeys(const TransformStart& start, const Carrier& bef
     for (std::size_t c = 0; c < 3; ++c) {
         const auto i = static_cast<glm::length_t>(c);
         if (now.translation != before.translation)
-            if (auto good = setNumber(values.tracks[c], time, before.translation[i], now.translation[i]);
-                !good)
-                return fail(std::move(good.error()));
+            RAMURE_TRY(setNumber(values.tracks[c], time, before.translation[i], now.translation[i]));
         auto& scale = values.tracks[orientation + 1 + c];
         if (now.scale != before.scale)
-            if (auto good = setNumber(scale, time, before.scale[i], now.scale[i]); !good)
-                return fail(std::move(good.error()));
+            RAMURE_TRY(setNumber(scale, time, before.scale[i], now.scale[i]));
     }
     if (now.rotation != before.rotation) {
         auto made = withKey<OrientationTrack>(values.tracks[orientation], time,
                                               glm::normalize(glm::quat_cast(now.rotation)));
-        if (!made)
-            return fail(std::move(made.error()));
+        RAMURE_TRY(made);
         values.tracks[orientation] = std::move(*made);
     }
     return values;

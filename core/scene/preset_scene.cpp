@@ -7,8 +7,7 @@ namespace ramure {
 Expected<Node> presetTree(std::string_view preset)
 {
     auto params = presetParams(preset);
-    if (!params)
-        return fail(std::move(params.error()));
+    RAMURE_TRY(params);
     Node tree;
     tree.kind = NodeKind::Tree;
     tree.name = preset;

@@ -171,8 +171,7 @@ Expected<void> Scene::insert(std::vector<Node> nodes, NodeId parent, int row)
     }
     nodes.front().parent = noNode; // whatever it was: within the block it is the top
     auto ordered = fromNodes(std::move(nodes));
-    if (!ordered)
-        return fail(std::move(ordered.error()));
+    RAMURE_TRY(ordered);
     noteUsed(*seen.rbegin());
     splice(std::move(ordered->m_nodes), parent, row);
     return {};

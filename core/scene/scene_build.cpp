@@ -35,8 +35,7 @@ static Expected<Family> familyOf(const std::vector<Node>& nodes)
 Expected<Scene> Scene::fromNodes(std::vector<Node> nodes)
 {
     const auto below = familyOf(nodes);
-    if (!below)
-        return fail(below.error());
+    RAMURE_TRY(below);
     Scene scene;
     scene.m_nodes.reserve(nodes.size());
     std::vector<bool> placed(nodes.size(), false);

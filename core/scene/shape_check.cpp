@@ -11,8 +11,7 @@ Expected<MeshAnalysis> shapeOf(const TriangleMesh& mesh, const Progress& progres
     MeshAnalysis analysis;
     analysis.hash = meshHash(mesh);
     auto quality = measureQuality(mesh, 0, progress);
-    if (!quality)
-        return fail(std::move(quality.error()));
+    RAMURE_TRY(quality);
     analysis.quality = std::move(*quality);
     return analysis;
 }
@@ -30,16 +29,13 @@ Expected<ShapeCheck> checkMesh(std::shared_ptr<const TriangleMesh> mesh, bool cr
                                const Progress& progress)
 {
     auto report = validateMesh(*mesh, progress.part(0.0, 0.3));
-    if (!report)
-        return fail(std::move(report.error()));
-    if (const auto asked = confirmWithOpenMesh(*mesh, *report, progress.part(0.3, 0.6)); !asked)
-        return fail(asked.error());
+    RAMURE_TRY(report);
+    RAMURE_TRY(confirmWithOpenMesh(*mesh, *report, progress.part(0.3, 0.6)));
     if (report->openMeshChecked && !report->openMeshAgrees)
         report->valid = false;
     auto analysis =
         crossings ? analyseMesh(*mesh, 0, progress.part(0.6, 1.0)) : shapeOf(*mesh, progress.part(0.6, 1.0));
-    if (!analysis)
-        return fail(std::move(analysis.error()));
+    RAMURE_TRY(analysis);
     return ShapeCheck{std::move(mesh), std::move(*report), std::move(*analysis)};
 }
 
@@ -47,8 +43,7 @@ Expected<ShapeCheck> checkShape(const Node& node, const NodeParams& params, bool
                                 const Progress& progress)
 {
     auto mesh = objectSolid(node, params);
-    if (!mesh)
-        return fail(std::move(mesh.error()));
+    RAMURE_TRY(mesh);
     if (!*mesh)
         mesh = std::make_shared<const TriangleMesh>();
     auto checked = checkMesh(std::move(*mesh), crossings, progress.part(0.1, 1.0));

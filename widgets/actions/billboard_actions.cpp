@@ -45,14 +45,12 @@ Expected<void> drawBillboard(const BillboardSource& source, const BillboardWish&
     Evaluator evaluator(source.trees, source.scene.timeline());
     EvaluatedScene now = evaluator.at(source.scene, source.timeSeconds);
     const auto scene = renderSceneAt(now, {}, progress.part(0.0, sceneShare));
-    if (!scene)
-        return fail(scene.error());
+    RAMURE_TRY(scene);
     const DrawSurfaces draw = [&](const Camera& camera, QSize size, double reach, bool sparing) {
         return renderer.drawSurfaces(*scene, camera, size, reach, sparing);
     };
     const auto write = [](const auto& baked, const auto& writer) -> Expected<void> {
-        if (!baked)
-            return fail(baked.error());
+        RAMURE_TRY(baked);
         return writer(*baked).map([](const QStringList&) {});
     };
     const SceneBall ball = ballOf(*scene);

@@ -23,8 +23,7 @@ void BarkWaiter::follow(const SceneWish& wish)
     m_job.start(
         [all = m_wanted](const Progress& progress) -> Expected<void> {
             for (const Wanted& one : all)
-                if (const auto made = one.stage->coordinates(one.params, progress); !made)
-                    return fail(made.error()); // the check of the mesh tells why
+                RAMURE_TRY(one.stage->coordinates(one.params, progress)); // the check of the mesh tells why
             return {};
         },
         [this](const Expected<void>& done) {

@@ -15,8 +15,7 @@ struct DrawnPicture::Context
     Expected<QImage> draw(const Draw& draw, QSize size, int finer, const Progress& progress)
     {
         if (!hasBegun)
-            if (auto begun = renderer.begin(); !begun)
-                return fail(std::move(begun.error()));
+            RAMURE_TRY(renderer.begin());
         hasBegun = true;
         auto picture = draw(renderer, finer * size, progress);
         if (!picture || finer == 1)

@@ -26,13 +26,11 @@ Expected<RenderScene> grown(TreePipeline& pipeline, const NodeParams& params, co
     if (tree.params.mesh.targetTriangles > 0)
         tree.params.mesh.targetTriangles = std::min(tree.params.mesh.targetTriangles, mostTriangles);
     auto scene = Scene::fromNodes({std::move(tree)});
-    if (!scene)
-        return fail(std::move(scene.error()));
+    RAMURE_TRY(scene);
     Evaluator evaluator(pipelineSource(pipeline), scene->timeline());
     EvaluatedScene now = evaluator.at(*scene, 0.0);
     const auto result = now.tree(scene->nodes().front(), Stage::Foliage, progress);
-    if (!result)
-        return fail(result.error());
+    RAMURE_TRY(result);
     return SceneBuilder().build(
         now, [&](NodeId) { return &*result; }, SceneView());
 }
@@ -49,12 +47,10 @@ struct TreePictures::Drawer
     Expected<QImage> draw(const NodeParams& params, QSize size, const Progress& progress)
     {
         if (!hasBegun)
-            if (auto begun = renderer.begin(); !begun)
-                return fail(std::move(begun.error()));
+            RAMURE_TRY(renderer.begin());
         hasBegun = true;
         const auto scene = grown(pipeline, params, progress);
-        if (!scene)
-            return fail(scene.error());
+        RAMURE_TRY(scene);
         if (progress.cancelled())
             return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
         Camera camera;

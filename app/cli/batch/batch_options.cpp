@@ -99,20 +99,15 @@ void addFileOptions(CommandLine& line)
 Expected<BatchPlan> planOf(const CommandLine& line, const Shard& shard)
 {
     const auto mapSize = mapSizeFrom(line);
-    if (!mapSize)
-        return fail(mapSize.error());
+    RAMURE_TRY(mapSize);
     const auto picture = pictureSizeFrom(line.value("size"));
-    if (!picture)
-        return fail(picture.error());
+    RAMURE_TRY(picture);
     const auto levels = levelsFrom(line);
-    if (!levels)
-        return fail(levels.error());
+    RAMURE_TRY(levels);
     const auto compressed = compressionFrom(line);
-    if (!compressed)
-        return fail(compressed.error());
+    RAMURE_TRY(compressed);
     const auto wind = windFrom(line);
-    if (!wind)
-        return fail(wind.error());
+    RAMURE_TRY(wind);
     auto plan = readPlan(line.arguments().front(), templatesOf(line), shard);
     if (!plan)
         return plan;

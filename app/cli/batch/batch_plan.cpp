@@ -122,8 +122,7 @@ public:
         const QStringList templates = own.isEmpty() ? m_files : own.split(QLatin1Char(';'));
         for (const QString& pattern : templates) {
             auto file = fileOf(row, cells, pattern.trimmed());
-            if (!file)
-                return fail(std::move(file.error()));
+            RAMURE_TRY(file);
             if (!file->isEmpty())
                 row.files << *file;
         }
@@ -333,19 +332,16 @@ QString folderOf(const QString& file)
 Expected<BatchPlan> readPlan(const QString& table, const QStringList& files, const Shard& shard)
 {
     auto cells = readCsv(systemPath(table));
-    if (!cells)
-        return fail(std::move(cells.error()));
+    RAMURE_TRY(cells);
     BatchPlan plan;
     plan.table = QFileInfo(table).fileName();
     plan.whole = cells->rows.size();
     Reader reader(table, std::move(*cells), files);
-    if (const auto good = reader.readColumns(); !good)
-        return fail(good.error());
+    RAMURE_TRY(reader.readColumns());
     // All rows are looked at, so that every shard refuses the same tables.
     for (std::size_t i = 0; i < plan.whole; ++i) {
         auto row = reader.row(i);
-        if (!row)
-            return fail(std::move(row.error()));
+        RAMURE_TRY(row);
         if (i >= shard.begin(plan.whole) && i < shard.end(plan.whole))
             plan.rows.push_back(std::move(*row));
         else

@@ -133,11 +133,9 @@ Expected<void> writeMapsOf(EvaluatedScene& now, const std::string& folder, int s
             continue;
         const NodeParams& params = now.params(node);
         if (params.bark.family != BarkFamily::Plain)
-            if (const auto made = writeMaps(folder, params.bark, size); !made)
-                return fail(made.error());
+            RAMURE_TRY(writeMaps(folder, params.bark, size));
         if (params.leaf.shape != LeafShape::Faithful)
-            if (const auto made = writeMaps(folder, params.leaf.shape, size, params.leaf.season); !made)
-                return fail(made.error());
+            RAMURE_TRY(writeMaps(folder, params.leaf.shape, size, params.leaf.season));
     }
     return {};
 }
@@ -178,8 +176,7 @@ QString placed(const BatchPlan& plan, const BatchRow& row, QString text)
 Expected<Input> inputOf(const BatchRow& row)
 {
     auto input = loadInput(row.input, {});
-    if (!input)
-        return fail(std::move(input.error()));
+    RAMURE_TRY(input);
     Scene* scene = std::get_if<Scene>(&input->content);
     if (!scene) {
         if (row.seed || !row.sets.isEmpty())
@@ -191,8 +188,7 @@ Expected<Input> inputOf(const BatchRow& row)
         for (const Node& listed : scene->nodes())
             if (listed.kind == NodeKind::Tree)
                 scene->find(listed.id)->params = reseeded(listed.params, *row.seed);
-    if (const auto applied = applySettings(*scene, row.sets); !applied)
-        return fail(applied.error());
+    RAMURE_TRY(applySettings(*scene, row.sets));
     linkGrowthSpaces(*scene);
     return input;
 }
@@ -278,8 +274,7 @@ Expected<std::vector<CheckedMesh>> RowMaker::checkWhole(const Input& input, Eval
 Expected<std::vector<CheckedMesh>> RowMaker::checkLevels(EvaluatedScene& now, QJsonObject& line)
 {
     auto collected = collectExport(now, optionsFor(QStringLiteral(".glb")));
-    if (!collected)
-        return fail(std::move(collected.error()));
+    RAMURE_TRY(collected);
     m_levels = std::move(*collected);
     auto checked = checkBarks(*m_levels);
     if (checked)
@@ -348,11 +343,9 @@ Expected<void> RowMaker::draw(EvaluatedScene& now, const QString& path)
         if (auto begun = m_painter->begin(); !begun)
             return begun;
     const auto scene = renderSceneOf(now, DisplayMode::Mesh);
-    if (!scene)
-        return fail(scene.error());
+    RAMURE_TRY(scene);
     const auto image = m_painter->draw(*scene, cameraFor(*scene, m_plan.picture), m_plan.picture, {});
-    if (!image)
-        return fail(image.error());
+    RAMURE_TRY(image);
     return savePicture(*image, systemPath(path));
 }
 

@@ -40,8 +40,7 @@ QByteArray lineText(const QJsonObject& line)
 Expected<ManifestLines> readManifest(const QString& path)
 {
     QFile file;
-    if (auto opened = openToRead(file, path); !opened)
-        return fail(std::move(opened.error()));
+    RAMURE_TRY(openToRead(file, path));
     ManifestLines lines;
     for (int number = 1; !file.atEnd(); ++number) {
         QJsonParseError problem;
@@ -138,8 +137,7 @@ Expected<void> ManifestWriter::add(const QJsonObject& line)
 Expected<void> ManifestWriter::commit(const std::vector<std::int64_t>& rows)
 {
     auto file = FileWriter::open(systemPath(m_path));
-    if (!file)
-        return fail(std::move(file.error()));
+    RAMURE_TRY(file);
     for (const std::int64_t row : rows)
         if (const auto found = m_lines.find(row); found != m_lines.end())
             file->append(lineText(found->second).toStdString());

@@ -81,17 +81,13 @@ Expected<BatchRequest> batchRequestOf(const CommandLine& line)
     if (folder.isEmpty())
         return fail(ErrorCode::Invalid, "missing -o FOLDER: `ramure-cli batch --help` shows what it takes");
     const auto shard = line.has("shard") ? shardFrom(line.value("shard")) : Expected<Shard>(Shard());
-    if (!shard)
-        return fail(shard.error());
+    RAMURE_TRY(shard);
     const auto pool = poolOptionsOf(line);
-    if (!pool)
-        return fail(pool.error());
+    RAMURE_TRY(pool);
     const auto dialect = dialectFrom(line.value("progress"));
-    if (!dialect)
-        return fail(dialect.error());
+    RAMURE_TRY(dialect);
     auto plan = planOf(line, *shard);
-    if (!plan)
-        return fail(std::move(plan.error()));
+    RAMURE_TRY(plan);
     out.plan = std::move(*plan);
     out.plan.folder = folder;
     out.pool = *pool;
@@ -133,8 +129,7 @@ public:
         std::vector<std::int64_t> rows;
         for (const BatchRow& row : m_request.plan.rows)
             rows.push_back(row.number);
-        if (auto written = m_manifest.commit(rows); !written)
-            return fail(std::move(written.error()));
+        RAMURE_TRY(m_manifest.commit(rows));
         if (m_problem)
             return fail(*m_problem);
         if (m_isDiskFull) {
@@ -267,20 +262,16 @@ void addBatchOptions(CommandLine& line)
 Expected<int> runBatch(const CommandLine& line)
 {
     const auto request = batchRequestOf(line);
-    if (!request)
-        return fail(request.error());
-    if (auto made = makeFolder(systemPath(request->plan.folder)); !made)
-        return fail(std::move(made.error()));
+    RAMURE_TRY(request);
+    RAMURE_TRY(makeFolder(systemPath(request->plan.folder)));
     VirtualDisplay display; // one for all processes
     const auto isPicture = [](const QString& file) { return file.endsWith(QLatin1String(".png")); };
     const auto& rows = request->plan.rows;
     if (std::ranges::any_of(rows,
                             [&](const BatchRow& row) { return std::ranges::any_of(row.files, isPicture); }))
-        if (const auto ensured = display.ensure(); !ensured)
-            return fail(ensured.error());
+        RAMURE_TRY(display.ensure());
     auto manifest = ManifestWriter::open(request->manifest, request->resume);
-    if (!manifest)
-        return fail(std::move(manifest.error()));
+    RAMURE_TRY(manifest);
     return Batch(*request, *manifest).run();
 }
 

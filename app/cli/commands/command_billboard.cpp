@@ -83,10 +83,8 @@ Expected<BillboardRequest> billboardRequestOf(const CommandLine& line)
     if (kind != QLatin1String("cards") && kind != QLatin1String("atlas"))
         return fail(ErrorCode::Unknown, "--kind \"%1\": cards or atlas expected", {kind.toStdString()});
     out.isAtlas = kind == QLatin1String("atlas");
-    if (auto checked = checkKind(line, out.isAtlas); !checked)
-        return fail(std::move(checked.error()));
-    if (auto taken = takeOutput(line, out); !taken)
-        return fail(std::move(taken.error()));
+    RAMURE_TRY(checkKind(line, out.isAtlas));
+    RAMURE_TRY(takeOutput(line, out));
     const auto size = numberFrom(line, "size", leastBillboardSize, mostBillboardSize, " pixels");
     const auto cards = numberFrom(line, "cards", leastCards, mostCards, "");
     const auto views = numberFrom(line, "views", leastViews, mostViews, "");
@@ -103,8 +101,7 @@ Expected<BillboardRequest> billboardRequestOf(const CommandLine& line)
                     {std::to_string(out.size), std::to_string(out.views), std::to_string(leastViewSize)});
     if (line.has("compare")) {
         const auto directions = numberFrom(line, "compare", 1, mostDirections, " directions");
-        if (!directions)
-            return fail(directions.error());
+        RAMURE_TRY(directions);
         out.compare = *directions;
     }
     return out;
@@ -117,8 +114,7 @@ Expected<RenderScene> sceneOf(const Input& input, const Moments& moments, const 
     TreePipeline pipeline;
     Evaluator evaluator(pipelineSource(pipeline), moments.timeline);
     EvaluatedScene now = evaluator.at(*input.scene(), moments.timeSeconds);
-    if (auto posed = now.poseArms(progress); !posed)
-        return fail(std::move(posed.error()));
+    RAMURE_TRY(now.poseArms(progress));
     return renderSceneOf(now, DisplayMode::Mesh);
 }
 
@@ -133,8 +129,7 @@ Expected<QJsonObject> compared(const DrawSurfaces& draw, const BillboardAtlas& a
     for (const glm::dvec3& direction : hemisphereDirections(count)) {
         const auto tree =
             bakeView(draw, viewFrame(direction), atlas.middle, seen, QSize(side, side), atlas.radius, false);
-        if (!tree)
-            return fail(tree.error());
+        RAMURE_TRY(tree);
         const Likeness now =
             likenessOf(coverageOf(*tree), atlasCoverage(atlas.picture, atlas.views, direction));
         mean.soft += now.soft / count;
@@ -159,27 +154,22 @@ Expected<QJsonObject> bake(const DrawSurfaces& draw, const SceneBall& ball, cons
     };
     if (!request.isAtlas) {
         const auto cards = bakeCards(draw, ball, request.size, request.cards, request.lying, progress);
-        if (!cards)
-            return fail(cards.error());
+        RAMURE_TRY(cards);
         const auto names = writeCards(*cards, request.output);
-        if (!names)
-            return fail(names.error());
+        RAMURE_TRY(names);
         QJsonObject said = listed(*names);
         said.insert(QStringLiteral("triangles"), int(cards->mesh.faceCount()));
         return said;
     }
     const double baked = request.compare > 0 ? 0.5 : 1.0;
     const auto atlas = bakeAtlas(draw, ball, request.size, request.views, progress.part(0.0, baked));
-    if (!atlas)
-        return fail(atlas.error());
+    RAMURE_TRY(atlas);
     const auto names = writeAtlas(*atlas, request.output);
-    if (!names)
-        return fail(names.error());
+    RAMURE_TRY(names);
     QJsonObject said = listed(*names);
     if (request.compare > 0) {
         const auto likeness = compared(draw, *atlas, request.compare, progress.part(baked, 1.0));
-        if (!likeness)
-            return fail(likeness.error());
+        RAMURE_TRY(likeness);
         said.insert(QStringLiteral("likeness"), *likeness);
     }
     return said;
@@ -225,34 +215,25 @@ void addBillboardOptions(CommandLine& line)
 Expected<int> runBillboard(const CommandLine& line)
 {
     const auto request = billboardRequestOf(line);
-    if (!request)
-        return fail(request.error());
+    RAMURE_TRY(request);
     auto input = loadInput(line);
-    if (!input)
-        return fail(input.error());
-    if (const auto kept = keepNodes(*input, line.values("node")); !kept)
-        return fail(kept.error());
+    RAMURE_TRY(input);
+    RAMURE_TRY(keepNodes(*input, line.values("node")));
     const auto moments = momentsOf(line, *input);
-    if (!moments)
-        return fail(moments.error());
+    RAMURE_TRY(moments);
     const Work work("billboard");
     const auto scene = sceneOf(*input, *moments, work.progress());
-    if (!scene)
-        return fail(scene.error());
-    if (auto made = !request->isFile() ? makeFolder(systemPath(request->output)) : Expected<void>(); !made)
-        return fail(std::move(made.error()));
+    RAMURE_TRY(scene);
+    RAMURE_TRY(!request->isFile() ? makeFolder(systemPath(request->output)) : Expected<void>());
     Painter painter;
-    if (auto begun = painter.begin(); !begun)
-        return fail(std::move(begun.error()));
+    RAMURE_TRY(painter.begin());
     const DrawSurfaces draw = [&](const Camera& camera, QSize size, double reach, bool sparing) {
         return painter.drawSurfaces(*scene, camera, size, reach, sparing);
     };
     const auto said = bake(draw, ballOf(*scene), *request, work.progress());
-    if (!said)
-        return fail(said.error());
+    RAMURE_TRY(said);
     if (line.has("json") || request->compare > 0)
-        if (const auto printed = printJson(*said); !printed)
-            return fail(printed.error());
+        RAMURE_TRY(printJson(*said));
     return exitGood;
 }
 

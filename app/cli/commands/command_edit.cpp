@@ -54,8 +54,7 @@ Expected<QByteArray> readScript(const QString& path)
 Expected<NodeId> treeOf(const Scene& scene, const QString& name)
 {
     const auto trees = treesOf(scene);
-    if (!trees)
-        return fail(trees.error());
+    RAMURE_TRY(trees);
     if (name.isEmpty() && trees->size() > 1)
         return fail(ErrorCode::Invalid, "the project holds several trees: --node names one");
     for (const Node* tree : *trees)
@@ -80,8 +79,7 @@ Expected<int> runEdit(const CommandLine& line)
     if (QFileInfo(line.value("output")).suffix().toLower() != QLatin1String("ramure"))
         return fail(ErrorCode::Invalid, "missing -o FILE.ramure");
     auto input = loadInput(line);
-    if (!input)
-        return fail(std::move(input.error()));
+    RAMURE_TRY(input);
     auto* const scene = std::get_if<Scene>(&input->content);
     if (!scene)
         return fail(ErrorCode::Invalid, "\"%1\" is a mesh: only trees can be shaped",
@@ -89,12 +87,9 @@ Expected<int> runEdit(const CommandLine& line)
     const auto tree = treeOf(*scene, line.value("node"));
     const auto script = readScript(line.value("script"));
     auto extras = extrasOf(line.arguments().front());
-    if (!tree)
-        return fail(tree.error());
-    if (!script)
-        return fail(script.error());
-    if (!extras)
-        return fail(std::move(extras.error()));
+    RAMURE_TRY(tree);
+    RAMURE_TRY(script);
+    RAMURE_TRY(extras);
     Document document;
     document.reset(std::move(*scene), {}, std::move(*extras));
     if (auto replayed = replayEdits(document, *tree, *script); !replayed) {
@@ -103,8 +98,7 @@ Expected<int> runEdit(const CommandLine& line)
             error.file = systemPath(line.value("script"));
         return fail(std::move(error));
     }
-    if (auto saved = saveProjectFile(document.project(), line.value("output")); !saved)
-        return fail(std::move(saved.error()));
+    RAMURE_TRY(saveProjectFile(document.project(), line.value("output")));
     return exitGood;
 }
 

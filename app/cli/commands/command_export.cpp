@@ -103,20 +103,16 @@ Expected<int> jointsFrom(const CommandLine& line)
 Expected<void> takeNumbers(const CommandLine& line, ExportRequest& out)
 {
     const auto mapSize = mapSizeFrom(line);
-    if (!mapSize)
-        return fail(mapSize.error());
+    RAMURE_TRY(mapSize);
     out.mapSize = *mapSize;
     const auto joints = jointsFrom(line);
-    if (!joints)
-        return fail(joints.error());
+    RAMURE_TRY(joints);
     out.joints = *joints;
     const auto levels = levelsFrom(line);
-    if (!levels)
-        return fail(levels.error());
+    RAMURE_TRY(levels);
     out.levels = *levels;
     const auto wind = windFrom(line);
-    if (!wind)
-        return fail(wind.error());
+    RAMURE_TRY(wind);
     out.wind = *wind;
     out.needsTree = out.needsTree || out.levels.isWanted() || out.wind != WindProfile::None;
     if (out.wind != WindProfile::None && line.has("print"))
@@ -128,8 +124,7 @@ Expected<void> takeNumbers(const CommandLine& line, ExportRequest& out)
 Expected<void> takeCompression(const CommandLine& line, ExportRequest& out)
 {
     const auto wanted = compressionFrom(line);
-    if (!wanted)
-        return fail(wanted.error());
+    RAMURE_TRY(wanted);
     out.compressed = *wanted;
     for (const QString& file : out.files)
         if (const auto known = findFormat(systemPath(file), FormatUse::Write, out.ascii); !known)
@@ -151,16 +146,13 @@ Expected<ExportRequest> exportRequestOf(const CommandLine& line)
         return fail(ErrorCode::Invalid, "--texture and --no-texture exclude each other");
     out.texture = !line.has("no-texture");
     out.needsTree = line.has("part") || line.has("model") || line.has("leaves") || line.has("texture");
-    if (auto taken = takeNumbers(line, out); !taken)
-        return fail(std::move(taken.error()));
+    RAMURE_TRY(takeNumbers(line, out));
     const auto space = fileSpaceFrom(line);
-    if (!space)
-        return fail(space.error());
+    RAMURE_TRY(space);
     out.space = space->value_or(FileSpace());
     if (out.files.isEmpty())
         return fail(ErrorCode::Invalid, "missing -o FILE: `ramure-cli export --help` shows what it takes");
-    if (auto taken = takeCompression(line, out); !taken)
-        return fail(std::move(taken.error()));
+    RAMURE_TRY(takeCompression(line, out));
     out.requireValid = line.has("require-valid");
     out.report = line.value("report");
     if (line.has("report") && !out.report.endsWith(QLatin1String(".json"), Qt::CaseInsensitive))
@@ -169,19 +161,16 @@ Expected<ExportRequest> exportRequestOf(const CommandLine& line)
         const bool isOldName = line.value("part") == QLatin1String("apples");
         const auto parts =
             choose(partChoices, "part", isOldName ? QStringLiteral("fruit") : line.value("part"));
-        if (!parts)
-            return fail(parts.error());
+        RAMURE_TRY(parts);
         out.parts = *parts;
     }
     if (line.has("model")) {
         const auto model = choose(modelChoices, "model", line.value("model"));
-        if (!model)
-            return fail(model.error());
+        RAMURE_TRY(model);
         out.model = *model;
     }
     const auto instances = choose(leafChoices, "leaves", line.value("leaves"));
-    if (!instances)
-        return fail(instances.error());
+    RAMURE_TRY(instances);
     out.instances = *instances;
     if (out.instances && out.model == ExportModel::Skeleton)
         return fail(ErrorCode::Invalid, "--leaves instances and --model skeleton exclude each other: a "
@@ -373,8 +362,7 @@ Expected<int> checkAndWrite(const Input& input, const QString& name, const Expor
     MeshChecks checks{moments.timeSeconds, !request.report.isEmpty()};
     checks.placed = true;
     const auto checked = checkMeshes(input, evaluator, checks, progress.part(0.0, 0.6));
-    if (!checked)
-        return fail(checked.error());
+    RAMURE_TRY(checked);
     if (request.requireValid)
         for (const CheckedMesh& one : *checked)
             if (!one.report.valid) {
@@ -385,17 +373,14 @@ Expected<int> checkAndWrite(const Input& input, const QString& name, const Expor
     std::optional<FileWriter> report; // opened first: what cannot be written is told before a mesh is
     if (!request.report.isEmpty()) {
         auto opened = FileWriter::open(systemPath(request.report));
-        if (!opened)
-            return fail(opened.error());
+        RAMURE_TRY(opened);
         report.emplace(std::move(*opened));
     }
     const auto written = writeFiles(input, request, moments, evaluator, progress.part(0.6, 1.0));
-    if (!written)
-        return fail(written.error());
+    RAMURE_TRY(written);
     if (report) {
         report->append(reportText(request, name, *checked).toStdString());
-        if (const auto reported = report->commit(); !reported)
-            return fail(reported.error());
+        RAMURE_TRY(report->commit());
     }
     return exitGood;
 }
@@ -467,21 +452,16 @@ void addExportOptions(CommandLine& line)
 Expected<int> runExport(const CommandLine& line)
 {
     const auto request = exportRequestOf(line);
-    if (!request)
-        return fail(request.error());
+    RAMURE_TRY(request);
     const auto print = printFrom(line);
-    if (!print)
-        return fail(print.error());
+    RAMURE_TRY(print);
     const Work work("export");
     const Progress progress = work.progress();
     auto input = loadInput(line, progress.part(0.0, 0.0));
-    if (!input)
-        return fail(input.error());
-    if (const auto kept = keepNodes(*input, line.values("node")); !kept)
-        return fail(kept.error());
+    RAMURE_TRY(input);
+    RAMURE_TRY(keepNodes(*input, line.values("node")));
     const auto moments = momentsOf(line, *input);
-    if (!moments)
-        return fail(moments.error());
+    RAMURE_TRY(moments);
     const auto isStill = [&](const QString& file) { return !(formatOf(*request, file).holds & holdsClip); };
     if (const auto still = std::ranges::find_if(request->files, isStill);
         moments->closes && still != request->files.end())
@@ -494,8 +474,7 @@ Expected<int> runExport(const CommandLine& line)
     TreePipeline pipeline; // its cache serves the second file
     double begun = 0.0;
     if (line.has("separate")) {
-        if (const auto separated = separateTrees(*input, pipeline, progress.part(0.0, 0.5)); !separated)
-            return fail(separated.error());
+        RAMURE_TRY(separateTrees(*input, pipeline, progress.part(0.0, 0.5)));
         begun = 0.5;
     }
     if (*print) {

@@ -99,28 +99,22 @@ QString textOf(const ArmSolver& solver)
 Expected<int> solveInput(const CommandLine& line)
 {
     const auto target = parseTarget(line.value("target"));
-    if (!target)
-        return fail(target.error());
+    RAMURE_TRY(target);
     const auto steps = parseSteps(line);
-    if (!steps)
-        return fail(steps.error());
+    RAMURE_TRY(steps);
     const auto input = loadInput(line);
-    if (!input)
-        return fail(input.error());
+    RAMURE_TRY(input);
     if (!input->scene())
         return fail(ErrorCode::Invalid, "a mesh has no arm");
     const auto arm = armOf(*input->scene(), line.value("node"));
-    if (!arm)
-        return fail(arm.error());
+    RAMURE_TRY(arm);
     const auto params = parseSolver(line, (*arm)->params.ik);
-    if (!params)
-        return fail(params.error());
+    RAMURE_TRY(params);
     ArmSolver solver((*arm)->params.joints, *params);
     solver.setTarget(*target);
     solver.solve(*steps);
     const auto shown = line.has("json") ? printJson(jsonOf(solver)) : print(textOf(solver));
-    if (!shown)
-        return fail(shown.error());
+    RAMURE_TRY(shown);
     return solver.figures().status == ArmStatus::Reached ? exitGood : exitCheckFailed;
 }
 

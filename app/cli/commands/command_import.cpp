@@ -60,18 +60,14 @@ Expected<void> importTo(const CommandLine& line, const QString& input, const QSt
                         const Progress& progress)
 {
     const auto cubic = cubicOf(line);
-    if (!cubic)
-        return fail(cubic.error());
+    RAMURE_TRY(cubic);
     const auto space = fileSpaceFrom(line);
-    if (!space)
-        return fail(space.error());
+    RAMURE_TRY(space);
     auto imported = importObjects(systemPath(input), {*cubic, *space}, progress);
-    if (!imported)
-        return fail(std::move(imported.error()));
+    RAMURE_TRY(imported);
     const auto count = static_cast<qint64>(imported->nodes.size());
     auto scene = Scene::fromNodes(std::move(imported->nodes));
-    if (!scene)
-        return fail(std::move(scene.error()));
+    RAMURE_TRY(scene);
     scene->setTimeline(imported->timeline);
     if (auto saved = saveProjectFile({std::move(*scene), {}}, output); !saved)
         return saved;
@@ -84,8 +80,7 @@ Expected<void> exportTo(const CommandLine& line, const Scene& scene, const QStri
                         const Progress& progress)
 {
     const auto written = exportBlender(scene, systemPath(folder), progress);
-    if (!written)
-        return fail(written.error());
+    RAMURE_TRY(written);
     QJsonArray files;
     for (const std::string& file : written->files)
         files.append(QFileInfo(fromText(file)).fileName());
@@ -114,20 +109,17 @@ Expected<int> runImport(const CommandLine& line)
     const Work work("import");
     if (std::filesystem::is_directory(systemPath(output))) {
         const auto scene = loadInput(input, {});
-        if (!scene)
-            return fail(scene.error());
+        RAMURE_TRY(scene);
         if (!scene->scene())
             return fail(ErrorCode::Invalid, "\"%1\" is a mesh: only scenes are written into a folder",
                         {input.toStdString()});
-        if (const auto written = exportTo(line, *scene->scene(), output, work.progress()); !written)
-            return fail(written.error());
+        RAMURE_TRY(exportTo(line, *scene->scene(), output, work.progress()));
         return exitGood;
     }
     if (QFileInfo(output).suffix().toLower() != QLatin1String("ramure"))
         return fail(ErrorCode::Unknown, "%1: a project is written as .ramure, or into a folder that exists",
                     {output.toStdString()});
-    if (const auto imported = importTo(line, input, output, work.progress()); !imported)
-        return fail(imported.error());
+    RAMURE_TRY(importTo(line, input, output, work.progress()));
     return exitGood;
 }
 

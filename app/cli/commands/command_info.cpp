@@ -209,8 +209,7 @@ Expected<std::vector<TreeFacts>> factsOfTrees(EvaluatedScene& scene, const std::
         Node now = *node;
         now.params = scene.params(*node);
         const auto result = evaluateTree(pipeline, now, trees.size() > 1, Stage::Simplified);
-        if (!result)
-            return fail(result.error());
+        RAMURE_TRY(result);
         const Skeleton& simplified = result->simplified->skeleton;
         const auto foliage = placeFoliage(simplified, now.params.foliage, now.params.leaf, now.params.fruit,
                                           trunkRadius(now.params));
@@ -239,8 +238,7 @@ QJsonArray jsonMatrix(const glm::dmat4& matrix)
 Expected<void> addShapeFacts(QJsonObject& entry, const Node& node, EvaluatedScene& scene)
 {
     const auto mesh = scene.solid(node);
-    if (!mesh)
-        return fail(mesh.error());
+    RAMURE_TRY(mesh);
     if (node.kind == NodeKind::Arm) {
         const ArmChain chain(scene.params(node).joints);
         entry.insert(QStringLiteral("joints"), qint64(chain.jointCount()));
@@ -270,8 +268,7 @@ Expected<QJsonArray> jsonNodes(EvaluatedScene& now)
         if (node.kind != NodeKind::Group)
             entry.insert(QStringLiteral("geometry"), jsonMatrix(transforms[i].geometry));
         if (isShape(node.kind))
-            if (auto added = addShapeFacts(entry, node, now); !added)
-                return fail(std::move(added.error()));
+            RAMURE_TRY(addShapeFacts(entry, node, now));
         list.append(entry);
     }
     return list;
@@ -350,11 +347,9 @@ Expected<void> showScene(EvaluatedScene now, const Checked& checked, bool json, 
         return posed;
     const Scene& scene = now.scene();
     const auto nodes = treesOrShapes(scene);
-    if (!nodes)
-        return fail(nodes.error());
+    RAMURE_TRY(nodes);
     const auto trees = factsOfTrees(now, *nodes, axes);
-    if (!trees)
-        return fail(trees.error());
+    RAMURE_TRY(trees);
     TreeFacts sum;
     for (std::size_t i = 0; i < trees->size(); ++i) {
         const TreeFacts& tree = (*trees)[i];
@@ -377,8 +372,7 @@ Expected<void> showScene(EvaluatedScene now, const Checked& checked, bool json, 
                      verdictRow(checked));
     QJsonObject all = trees->empty() ? QJsonObject() : jsonTrees(sum, *trees);
     const auto list = jsonNodes(now);
-    if (!list)
-        return fail(list.error());
+    RAMURE_TRY(list);
     all.insert(QStringLiteral("nodes"), *list);
     if (const QJsonArray pictures = jsonPictures(scene); !pictures.isEmpty())
         all.insert(QStringLiteral("badPictures"), pictures);
@@ -454,25 +448,21 @@ void addInfoOptions(CommandLine& line)
 Expected<int> runInfo(const CommandLine& line)
 {
     const auto input = loadInput(line);
-    if (!input)
-        return fail(input.error());
+    RAMURE_TRY(input);
     const auto moments = momentsOf(line, *input);
-    if (!moments)
-        return fail(moments.error());
+    RAMURE_TRY(moments);
     Checked checked;
     TreePipeline pipeline;
     Evaluator evaluator(pipelineSource(pipeline), moments->timeline);
     if (line.has("verdict")) {
         auto found = checkMeshes(*input, evaluator, {moments->timeSeconds, true, true}, {});
-        if (!found)
-            return fail(found.error());
+        RAMURE_TRY(found);
         checked = std::move(*found);
     }
     const auto shown = input->scene() ? showScene(evaluator.at(*input->scene(), moments->timeSeconds),
                                                   checked, line.has("json"), line.has("axes"))
                                       : showMesh(*input->mesh(), checked, line.has("json"));
-    if (!shown)
-        return fail(shown.error());
+    RAMURE_TRY(shown);
     return exitGood;
 }
 

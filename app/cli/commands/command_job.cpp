@@ -81,28 +81,23 @@ void addJobOptions(CommandLine& line)
 Expected<int> runJob(const CommandLine& line)
 {
     const auto kind = kindOf(line);
-    if (!kind)
-        return fail(kind.error());
+    RAMURE_TRY(kind);
     const QString folder = line.value("output");
     if (folder.isEmpty())
         return fail(ErrorCode::Invalid, "missing -o FOLDER: `ramure-cli job --help` shows what it takes");
     auto pool = poolOptionsOf(line);
-    if (!pool)
-        return fail(pool.error());
+    RAMURE_TRY(pool);
     if (!line.has("jobs")) // of another machine: how many cores this one has says nothing
         pool->processes = 1;
     const auto plan = planOf(line, Shard());
-    if (!plan)
-        return fail(plan.error());
+    RAMURE_TRY(plan);
     const auto shards = shardsOf(line, plan->whole);
-    if (!shards)
-        return fail(shards.error());
+    RAMURE_TRY(shards);
     for (const QString& name : {folder, line.arguments().front()})
         if (!isUtf8(systemPath(name)))
             return fail(ErrorCode::Invalid, "\"%1\": the name is no UTF-8, and a script cannot hold it",
                         {name.toStdString()});
-    if (auto made = makeFolder(systemPath(folder)); !made)
-        return fail(std::move(made.error()));
+    RAMURE_TRY(makeFolder(systemPath(folder)));
     const QString table = QFileInfo(line.arguments().front()).absoluteFilePath();
     const JobRequest request{QDir(folder).relativeFilePath(table),
                              passedOn(line, *pool),
@@ -111,11 +106,9 @@ Expected<int> runJob(const CommandLine& line)
                              pool->memoryBytes,
                              pool->processes};
     auto file = FileWriter::open(systemPath(folder + QLatin1Char('/') + QLatin1String((*kind)->file)));
-    if (!file)
-        return fail(std::move(file.error()));
+    RAMURE_TRY(file);
     file->append((*kind)->write(request).toStdString());
-    if (const auto written = file->commit(); !written)
-        return fail(written.error());
+    RAMURE_TRY(file->commit());
     return exitGood;
 }
 

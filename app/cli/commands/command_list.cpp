@@ -115,8 +115,7 @@ Expected<TreeMeasures> meanMeasures(TreePipeline& pipeline, const Preset& preset
     TreeMeasures sum;
     for (const std::int64_t seed : *namedSeeds(preset.name)) {
         const auto tree = pipeline.evaluate(reseeded(preset.params, seed), Stage::Skeleton, progress);
-        if (!tree)
-            return fail(tree.error());
+        RAMURE_TRY(tree);
         const TreeMeasures one = measuresOf(*tree->skeleton);
         sum.height += one.height / namedSeedCount;
         sum.stemDiameter += one.stemDiameter / namedSeedCount;
@@ -133,8 +132,7 @@ Expected<void> addSpecies(QJsonObject& entry, TreePipeline& pipeline, const Pres
     for (std::size_t i = 0; i < namedSeedCount; ++i)
         seeds.insert(QLatin1String(seedNames[i]), qint64((*namedSeeds(preset.name))[i]));
     const auto ours = meanMeasures(pipeline, preset, progress);
-    if (!ours)
-        return fail(ours.error());
+    RAMURE_TRY(ours);
     entry.insert(QStringLiteral("seeds"), seeds);
     entry.insert(QStringLiteral("ours"), jsonMeasures(*ours));
     const PublishedMeasures* published = publishedMeasures(preset.latin);
@@ -156,8 +154,7 @@ Expected<QJsonArray> presetsJson()
                           {QStringLiteral("group"), QString::fromUtf8(preset.group)},
                           {QStringLiteral("description"), QString::fromUtf8(preset.description)}};
         if (namedSeeds(preset.name))
-            if (auto added = addSpecies(entry, pipeline, preset, work.progress()); !added)
-                return fail(std::move(added.error()));
+            RAMURE_TRY(addSpecies(entry, pipeline, preset, work.progress()));
         out.append(entry);
     }
     return out;
@@ -270,8 +267,7 @@ Expected<int> runList(const CommandLine& line)
                          : line.has("json")     ? printJson(paramsJson())
                          : line.has("markdown") ? print(paramsMarkdown())
                                                 : print(isPresets ? presetsText() : paramsText());
-    if (!printed)
-        return fail(printed.error());
+    RAMURE_TRY(printed);
     return exitGood;
 }
 

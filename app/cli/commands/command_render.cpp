@@ -54,8 +54,7 @@ Expected<RenderRequest> renderRequestOf(const CommandLine& line)
         return fail(ErrorCode::Unknown, "%1: unknown file ending: pictures are written as .png",
                     {out.file.toStdString()});
     const auto size = pictureSizeFrom(line.value("size"));
-    if (!size)
-        return fail(size.error());
+    RAMURE_TRY(size);
     out.size = *size;
     const auto mode = displayModeFromName(line.value("mode").toStdString());
     if (!mode)
@@ -63,8 +62,7 @@ Expected<RenderRequest> renderRequestOf(const CommandLine& line)
                     {line.value("mode").toStdString(), commaList(modeNames()).toStdString()});
     out.mode = *mode;
     auto picture = pictureOptionsOf(line);
-    if (!picture)
-        return fail(picture.error());
+    RAMURE_TRY(picture);
     out.picture = std::move(*picture);
     if (line.has("turntable")) {
         bool whole = false;
@@ -110,11 +108,9 @@ Expected<Sight> sceneOf(const Input& input, const CommandLine& line, const Rende
 {
     if (input.scene()) {
         EvaluatedScene now = evaluator.at(*input.scene(), timeSeconds);
-        if (auto posed = now.poseArms(progress); !posed)
-            return fail(std::move(posed.error()));
+        RAMURE_TRY(now.poseArms(progress));
         auto scene = renderSceneOf(now, request.mode);
-        if (!scene)
-            return fail(std::move(scene.error()));
+        RAMURE_TRY(scene);
         return Sight{std::move(*scene), viewThrough(now, camera)};
     }
     if (line.has("mode") && request.mode != DisplayMode::Mesh)
@@ -127,8 +123,7 @@ Expected<void> draw(Painter& painter, const RenderScene& scene, const NodeView& 
 {
     const auto image =
         painter.draw(scene, view.camera, request.size, optionsFor(request.picture, view), progress);
-    if (!image)
-        return fail(image.error());
+    RAMURE_TRY(image);
     return savePicture(*image, systemPath(file));
 }
 
@@ -161,15 +156,13 @@ Expected<void> drawAll(const Input& input, const CommandLine& line, const Render
     Painter painter;
     std::optional<Camera> camera;
     const auto node = cameraNode(input, request.picture.cameraNode);
-    if (!node)
-        return fail(node.error());
+    RAMURE_TRY(node);
     const std::vector<std::int64_t> frames =
         moments.isSequence() ? moments.frames : std::vector<std::int64_t>{0};
     for (std::size_t i = 0; i < frames.size(); ++i) {
         const double time = moments.isSequence() ? moments.timeOf(frames[i]) : moments.timeSeconds;
         const auto shown = sceneOf(input, line, request, *node, evaluator, time, progress);
-        if (!shown)
-            return fail(shown.error());
+        RAMURE_TRY(shown);
         if (!camera) {
             if (auto begun = painter.begin(); !begun)
                 return begun;
@@ -218,27 +211,21 @@ void addRenderOptions(CommandLine& line)
 Expected<int> runRender(const CommandLine& line)
 {
     const auto request = renderRequestOf(line);
-    if (!request)
-        return fail(request.error());
+    RAMURE_TRY(request);
     const DisplayModeRow& mode = rowOf(request->mode);
     if (mode.shown == Shown::Texture && (line.has("time") || line.has("frames")))
         return fail(ErrorCode::Invalid, "--mode %1 needs the tree at rest: without --time and --frames",
                     {mode.name()});
     auto input = loadInput(line);
-    if (!input)
-        return fail(input.error());
-    if (const auto kept = keepNodes(*input, line.values("node")); !kept)
-        return fail(kept.error());
+    RAMURE_TRY(input);
+    RAMURE_TRY(keepNodes(*input, line.values("node")));
     const auto moments = momentsOf(line, *input);
-    if (!moments)
-        return fail(moments.error());
+    RAMURE_TRY(moments);
     if (const auto& sky = request->picture.skyFile; !sky.isEmpty()) {
-        if (auto saved = saveSkyPicture(request->picture.options.light, skyWidth, systemPath(sky)); !saved)
-            return fail(saved.error());
+        RAMURE_TRY(saveSkyPicture(request->picture.options.light, skyWidth, systemPath(sky)));
     }
     const Work work("render");
-    if (const auto drawn = drawAll(*input, line, *request, *moments, work.progress()); !drawn)
-        return fail(drawn.error());
+    RAMURE_TRY(drawAll(*input, line, *request, *moments, work.progress()));
     return exitGood;
 }
 

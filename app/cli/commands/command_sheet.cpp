@@ -152,18 +152,14 @@ Expected<int> runSheet(const CommandLine& line)
         return fail(ErrorCode::Invalid,
                     "missing -o FILE.html: `ramure-cli sheet --help` shows what it takes");
     const auto side = sideFrom(line);
-    if (!side)
-        return fail(side.error());
+    RAMURE_TRY(side);
     const auto pool = poolOptionsOf(line);
-    if (!pool)
-        return fail(pool.error());
+    RAMURE_TRY(pool);
     const auto lines = readManifest(manifest);
-    if (!lines)
-        return fail(lines.error());
+    RAMURE_TRY(lines);
     const QString trees = QFileInfo(manifest).path();
     VirtualDisplay display; // one for all processes
-    if (const auto ensured = display.ensure(); !ensured)
-        return fail(ensured.error());
+    RAMURE_TRY(display.ensure());
     std::vector<ManifestLines::const_iterator> rows;
     for (auto row = lines->begin(); row != lines->end(); ++row)
         rows.push_back(row);
@@ -183,11 +179,9 @@ Expected<int> runSheet(const CommandLine& line)
     if (signal != 0)
         return 128 + signal;
     auto file = FileWriter::open(systemPath(page));
-    if (!file)
-        return fail(std::move(file.error()));
+    RAMURE_TRY(file);
     file->append(sheetPage(*lines, pictures).toStdString());
-    if (const auto written = file->commit(); !written)
-        return fail(written.error());
+    RAMURE_TRY(file->commit());
     return exitGood;
 }
 

@@ -48,8 +48,7 @@ Expected<const Node*> treeOf(const Input& input, const CommandLine& line)
         return fail(ErrorCode::Invalid, "\"%1\" is a mesh: only trees move",
                     {line.arguments().front().toStdString()});
     const auto trees = treesOf(*input.scene());
-    if (!trees)
-        return fail(trees.error());
+    RAMURE_TRY(trees);
     std::vector<const Node*> chosen;
     QStringList names;
     for (const Node* tree : *trees) {
@@ -72,8 +71,7 @@ public:
     Expected<void> open(const QString& path)
     {
         auto file = FileWriter::open(systemPath(path));
-        if (!file)
-            return fail(file.error());
+        RAMURE_TRY(file);
         m_file.emplace(std::move(*file));
         m_file->append("step,time,lengthError,kineticEnergy,tipX,tipY,tipZ\n");
         return {};
@@ -173,34 +171,26 @@ void addSimulateOptions(CommandLine& line)
 Expected<int> runSimulate(const CommandLine& line)
 {
     const auto steps = stepsOf(line);
-    if (!steps)
-        return fail(steps.error());
+    RAMURE_TRY(steps);
     const auto input = loadInput(line);
-    if (!input)
-        return fail(input.error());
+    RAMURE_TRY(input);
     const auto node = treeOf(*input, line);
-    if (!node)
-        return fail(node.error());
+    RAMURE_TRY(node);
     Table table; // before the long work: a folder that is missing
     if (line.has("csv"))
-        if (const auto opened = table.open(line.value("csv")); !opened)
-            return fail(opened.error());
+        RAMURE_TRY(table.open(line.value("csv")));
     const Work work("simulate");
     const Progress progress = work.progress();
     TreePipeline pipeline;
     const NodeParams& params = (*node)->params;
     const auto tree = evaluateTree(pipeline, **node, false, Stage::Foliage, progress.part(0.0, 0.1));
-    if (!tree)
-        return fail(tree.error());
+    RAMURE_TRY(tree);
     const auto body = makeTreeBody(tree->simplified->skeleton, tree->foliage.get(), trunkRadius(params));
     TreePhysics physics(body, params.physics);
     const auto run = simulate(physics, *steps, table, progress.part(0.1, 1.0));
-    if (!run)
-        return fail(run.error());
-    if (const auto written = table.close(); !written)
-        return fail(written.error());
-    if (const auto shown = show(*run, *body, *steps, line.has("json")); !shown)
-        return fail(shown.error());
+    RAMURE_TRY(run);
+    RAMURE_TRY(table.close());
+    RAMURE_TRY(show(*run, *body, *steps, line.has("json")));
     return exitGood;
 }
 

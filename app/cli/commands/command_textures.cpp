@@ -33,8 +33,7 @@ struct Surfaces
 Expected<Surfaces> surfacesOf(const Scene& scene, const Moments& moments)
 {
     const auto trees = treesOf(scene);
-    if (!trees)
-        return fail(trees.error());
+    RAMURE_TRY(trees);
     TreePipeline pipeline;
     Evaluator evaluator(pipelineSource(pipeline), moments.timeline);
     EvaluatedScene now = evaluator.at(scene, moments.timeSeconds);
@@ -91,24 +90,18 @@ Expected<int> runTextures(const CommandLine& line)
         return fail(ErrorCode::Invalid,
                     "missing -o FOLDER: `ramure-cli textures --help` shows what it takes");
     const auto size = sizeFrom(line);
-    if (!size)
-        return fail(size.error());
+    RAMURE_TRY(size);
     auto input = loadInput(line);
-    if (!input)
-        return fail(input.error());
-    if (const auto kept = keepNodes(*input, line.values("node")); !kept)
-        return fail(kept.error());
+    RAMURE_TRY(input);
+    RAMURE_TRY(keepNodes(*input, line.values("node")));
     if (!input->scene())
         return fail(ErrorCode::Invalid, "\"%1\" is a mesh: only trees have a bark",
                     {line.arguments().front().toStdString()});
     const auto moments = momentsOf(line, *input);
-    if (!moments)
-        return fail(moments.error());
+    RAMURE_TRY(moments);
     const auto surfaces = surfacesOf(*input->scene(), *moments);
-    if (!surfaces)
-        return fail(surfaces.error());
-    if (auto made = makeFolder(systemPath(folder)); !made)
-        return fail(std::move(made.error()));
+    RAMURE_TRY(surfaces);
+    RAMURE_TRY(makeFolder(systemPath(folder)));
     const Work work("textures");
     QJsonArray all, written;
     const auto note = [&written](const Expected<std::vector<std::string>>& names) {
@@ -134,10 +127,8 @@ Expected<int> runTextures(const CommandLine& line)
                 all.append(name);
     }
     if (line.has("json"))
-        if (const auto printed =
-                printJson(QJsonObject{{QStringLiteral("files"), all}, {QStringLiteral("written"), written}});
-            !printed)
-            return fail(printed.error());
+        RAMURE_TRY(
+            printJson(QJsonObject{{QStringLiteral("files"), all}, {QStringLiteral("written"), written}}));
     return exitGood;
 }
 

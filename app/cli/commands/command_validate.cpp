@@ -173,32 +173,24 @@ Expected<int> runValidate(const CommandLine& line)
         const Work work("validate");
         const Progress progress = work.progress();
         auto input = loadInput(line, progress.part(0.0, 0.1));
-        if (!input)
-            return fail(input.error());
-        if (const auto kept = keepNodes(*input, line.values("node")); !kept)
-            return fail(kept.error());
+        RAMURE_TRY(input);
+        RAMURE_TRY(keepNodes(*input, line.values("node")));
         if (input->scene())
             warnings = jsonWarnings(*input->scene());
         const auto moments = momentsOf(line, *input);
-        if (!moments)
-            return fail(moments.error());
+        RAMURE_TRY(moments);
         TreePipeline pipeline;
         double begun = 0.1;
         if (line.has("separate")) {
-            if (const auto separated = separateTrees(*input, pipeline, progress.part(0.1, 0.6)); !separated)
-                return fail(separated.error());
+            RAMURE_TRY(separateTrees(*input, pipeline, progress.part(0.1, 0.6)));
             begun = 0.6;
         }
         Evaluator evaluator(pipelineSource(pipeline), moments->timeline);
         const MeshChecks checks{moments->timeSeconds, crossings, !line.has("node"), line.has("texture")};
         return checkMeshes(*input, evaluator, checks, progress.part(begun, 1.0));
     }();
-    if (!checked)
-        return fail(checked.error());
-    if (const auto shown =
-            line.has("json") ? showJson(*checked, crossings, warnings) : show(*checked, crossings);
-        !shown)
-        return fail(shown.error());
+    RAMURE_TRY(checked);
+    RAMURE_TRY(line.has("json") ? showJson(*checked, crossings, warnings) : show(*checked, crossings));
     return sumOf(*checked).valid ? exitGood : exitCheckFailed;
 }
 

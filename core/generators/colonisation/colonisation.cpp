@@ -163,11 +163,9 @@ Expected<Skeleton> growColonisation(const ColonisationParams& params, std::uint6
                                     const Progress& progress)
 {
     const auto points = crownPoints(params, seed, progress.part(0.0, 0.2));
-    if (!points)
-        return fail(points.error());
+    RAMURE_TRY(points);
     auto nodes = colonise(params, *points, progress.part(0.2, 1.0));
-    if (!nodes)
-        return fail(std::move(nodes.error()));
+    RAMURE_TRY(nodes);
     return AxisMaker(params, std::move(*nodes)).run();
 }
 

@@ -54,11 +54,9 @@ Expected<std::vector<glm::dvec2>> parseProfile(std::string_view text)
     while (true) {
         const TextPlace place = scanner.place();
         const auto height = takeShare(scanner);
-        if (!height)
-            return fail(height.error());
+        RAMURE_TRY(height);
         const auto radius = takeShare(scanner);
-        if (!radius)
-            return fail(radius.error());
+        RAMURE_TRY(radius);
         if (!pairs.empty() && *height <= pairs.back().x)
             return failAt(place, ErrorCode::Invalid,
                           RAMURE_NOOP("each height must be greater than the one before"));
@@ -155,8 +153,7 @@ namespace {
 Expected<std::vector<glm::dvec3>> revolvedPoints(const ColonisationParams& params, std::uint64_t seed)
 {
     const auto outline = CrownOutline::of(params);
-    if (!outline)
-        return fail(outline.error());
+    RAMURE_TRY(outline);
     std::vector<glm::dvec3> points;
     points.reserve(static_cast<std::size_t>(params.points));
     for (std::int64_t i = 0; i < params.points; ++i) {
@@ -182,8 +179,7 @@ Expected<std::vector<glm::dvec3>> solidPoints(const ColonisationParams& params, 
 {
     const GrowthSpace nothing({});
     const GrowthSpace& space = params.space.space ? *params.space.space : nothing;
-    if (auto checked = space.checkEnvelope(); !checked)
-        return fail(std::move(checked.error()));
+    RAMURE_TRY(space.checkEnvelope());
     return space.points(params.points, params.surface, seed, progress);
 }
 

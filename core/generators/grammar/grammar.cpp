@@ -274,8 +274,7 @@ public:
         const bool hasChoices =
             std::ranges::any_of(right, [](const Glyph& g) { return g.isMark('|') || g.isMark(':'); });
         const Expected<void> done = hasChoices ? parseChoices() : takeText(right, m_rule.defaultText);
-        if (!done)
-            return fail(done.error());
+        RAMURE_TRY(done);
         return std::move(m_rule);
     }
 
@@ -434,13 +433,11 @@ Expected<std::vector<Rule>> readRules(std::string_view text, bool brackets, Gram
         RuleParser parser(glyphs, static_cast<int>(line.size()) + 1, brackets);
         auto rule = parser.parse();
         remarks.read(parser.rightSide());
-        if (!rule)
-            return fail(rule.error());
+        RAMURE_TRY(rule);
         rules.push_back(std::move(*rule));
         return claimSymbol(ruleLines, rules.back().symbol, {number, glyphs.front().column});
     });
-    if (!done)
-        return fail(done.error());
+    RAMURE_TRY(done);
     return rules;
 }
 
@@ -452,8 +449,7 @@ Expected<std::string> readAxiom(std::string_view text, bool brackets, GrammarNot
     SymbolNotes(notes, axiomPath).read(glyphs);
     if (done && brackets)
         done = checkBrackets(glyphs);
-    if (!done)
-        return fail(done.error());
+    RAMURE_TRY(done);
     return textOf(glyphs);
 }
 

@@ -249,8 +249,7 @@ Expected<std::string> rewrite(const Grammar& grammar, const RewriteOptions& give
 {
     RewriteOptions options = given;
     options.limit = std::min(options.limit, hardLimit);
-    if (auto ok = checkGrammar(grammar); !ok)
-        return fail(ok.error());
+    RAMURE_TRY(checkGrammar(grammar));
     if (grammar.axiom.size() > options.limit)
         return tooLong(0, options);
     const Rewriter rewriter(grammar, options.stochastic);
@@ -260,8 +259,7 @@ Expected<std::string> rewrite(const Grammar& grammar, const RewriteOptions& give
     std::size_t largest = grammar.axiom.size();
     if (!rewriter.hasChoices()) {
         const auto predicted = predictLargest(rewriter, grammar.axiom, options);
-        if (!predicted)
-            return fail(predicted.error());
+        RAMURE_TRY(predicted);
         largest = *predicted;
     }
     Buffer current, next;
@@ -270,8 +268,7 @@ Expected<std::string> rewrite(const Grammar& grammar, const RewriteOptions& give
     std::copy(grammar.axiom.begin(), grammar.axiom.end(), current.data.get());
     current.size = grammar.axiom.size();
     for (int iteration = 1; iteration <= options.iterations; ++iteration) {
-        if (auto done = rewriteOnce(rewriter, current, next, iteration, options, progress); !done)
-            return fail(done.error());
+        RAMURE_TRY(rewriteOnce(rewriter, current, next, iteration, options, progress));
         std::swap(current, next);
         progress.report(static_cast<double>(iteration) / options.iterations);
     }

@@ -260,8 +260,7 @@ template <bool byChance>
 Expected<Skeleton> draw(std::string_view symbols, const TurtleParams& params, const TurtleChance& chance,
                         const Progress& progress)
 {
-    if (auto ok = checkTurtle(params); !ok)
-        return fail(ok.error());
+    RAMURE_TRY(checkTurtle(params));
     const std::size_t branches = countBranches(symbols);
     if (branches > maxBranches)
         return fail(ErrorCode::Limit, RAMURE_NOOP("the string draws %1 branches, more than the limit of %2"),
@@ -271,8 +270,7 @@ Expected<Skeleton> draw(std::string_view symbols, const TurtleParams& params, co
     for (std::size_t from = 0; from < symbols.size(); from += stride) {
         if (progress.cancelled())
             return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
-        if (auto done = turtle.read(symbols.substr(from, stride), from); !done)
-            return fail(done.error());
+        RAMURE_TRY(turtle.read(symbols.substr(from, stride), from));
         progress.report(static_cast<double>(from) / static_cast<double>(symbols.size()));
     }
     auto skeleton = turtle.finish();
@@ -291,8 +289,7 @@ Expected<Skeleton> runTurtle(std::string_view symbols, const TurtleParams& param
 Expected<Skeleton> runTurtle(std::string_view symbols, const TurtleParams& params, const TurtleChance& chance,
                              const Progress& progress)
 {
-    if (auto ok = checkPart(&NodeParams::variation, chance.variation); !ok)
-        return fail(ok.error());
+    RAMURE_TRY(checkPart(&NodeParams::variation, chance.variation));
     return chance.variation == VariationParams{0.0, 0.0, 0.0} ? draw<false>(symbols, params, {}, progress)
                                                               : draw<true>(symbols, params, chance, progress);
 }

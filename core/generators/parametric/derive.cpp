@@ -301,10 +301,8 @@ Expected<ModuleWord> derive(const ParametricGrammar& grammar, const DeriveOption
         if (progress.cancelled())
             return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
         const double all = options.iterations;
-        if (auto done = Round(grammar, options, number)
-                            .run(*word, next, progress.part((number - 1) / all, number / all));
-            !done)
-            return fail(done.error());
+        RAMURE_TRY(Round(grammar, options, number)
+                       .run(*word, next, progress.part((number - 1) / all, number / all)));
         std::swap(*word, next);
     }
     return word;

@@ -172,8 +172,7 @@ public:
 
     Expected<Expression> parse()
     {
-        if (auto done = whole(); !done)
-            return fail(done.error());
+        RAMURE_TRY(whole());
         const auto& steps = m_made.m_steps;
         m_made.m_isProduct = steps.size() == 3 && steps[0].op == Op::Parameter &&
                              steps[1].op == Op::Constant && steps[2].op == Op::Multiply;
@@ -184,8 +183,7 @@ public:
     Expected<double> parseQuantity()
     {
         const TextPlace start = m_text.place();
-        if (auto done = whole(); !done)
-            return fail(done.error());
+        RAMURE_TRY(whole());
         if (!m_text.atEnd())
             return failAt(m_text.place(), ErrorCode::Syntax, RAMURE_NOOP("this cannot be read as a number"));
         const double value = inUnit(m_made.m_steps.back());

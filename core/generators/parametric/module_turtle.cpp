@@ -292,8 +292,7 @@ Expected<Skeleton> runModuleTurtle(const ModuleWord& word, const TurtleParams& p
     for (std::size_t from = 0; from < word.modules.size(); from += stride) {
         if (progress.cancelled())
             return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
-        if (auto done = turtle.read(std::min(from + stride, word.modules.size())); !done)
-            return fail(done.error());
+        RAMURE_TRY(turtle.read(std::min(from + stride, word.modules.size())));
         progress.report(static_cast<double>(from) / static_cast<double>(word.modules.size()));
     }
     Skeleton skeleton = turtle.finish();

@@ -89,8 +89,7 @@ private:
         ExpressionNames names;
         names.constants = &m_constants;
         const auto expression = parseExpression(text, names);
-        if (!expression)
-            return fail(expression.error());
+        RAMURE_TRY(expression);
         if (!text.atEnd())
             return failAt(text.place(), ErrorCode::Syntax,
                           RAMURE_NOOP("an operator or the end of the line is expected here"));
@@ -140,28 +139,23 @@ public:
     Expected<ParametricGrammar> parse()
     {
         auto constants = parseConstants(m_params);
-        if (!constants)
-            return fail(constants.error());
+        RAMURE_TRY(constants);
         m_made.constants = std::move(*constants);
         m_names.constants = &m_made.constants;
         const auto axiomText = readableText(m_params.axiom, axiomPath);
-        if (!axiomText)
-            return fail(axiomText.error());
+        RAMURE_TRY(axiomText);
         TextScanner axiom(*axiomText, axiomPath, 1, true);
         skipLabel(axiom, 1);
-        if (auto done = readModules(axiom, m_made.axiom); !done)
-            return fail(done.error());
+        RAMURE_TRY(readModules(axiom, m_made.axiom));
         if (!axiom.atEnd())
             return moduleExpected(axiom);
         const auto rulesText = readableText(m_params.rules, rulesPath);
-        if (!rulesText)
-            return fail(rulesText.error());
+        RAMURE_TRY(rulesText);
         const auto done = forEachLine(*rulesText, [this](std::string_view line, int number) -> Done {
             TextScanner text(line, rulesPath, number, false);
             return text.atEnd() || text.startsWith("#define") ? Done() : readLine(text);
         });
-        if (!done)
-            return fail(done.error());
+        RAMURE_TRY(done);
         for (const ParametricRule& rule : m_made.rules)
             m_made.of[static_cast<unsigned char>(rule.module.name)].push_back(&rule);
         m_made.usesOrder = m_names.usesOrder;
@@ -245,8 +239,7 @@ private:
         const bool hasCondition = text.take(":");
         if (hasCondition && !text.take("*")) {
             auto condition = parseExpression(text, m_names);
-            if (!condition)
-                return fail(condition.error());
+            RAMURE_TRY(condition);
             rule.condition = std::move(*condition);
         }
         if (!text.takeArrow())
@@ -349,8 +342,7 @@ private:
                 return failAt(text.place(), ErrorCode::Syntax,
                               RAMURE_NOOP("each outcome needs a weight and a colon: \"0.5: F\""));
             const auto weight = text.takeNumber();
-            if (!weight)
-                return fail(weight.error());
+            RAMURE_TRY(weight);
             outcome.weight = *weight;
             rule.weights += *weight;
             if (!text.take(":"))
@@ -458,8 +450,7 @@ private:
     Done readNumber(TextScanner& text, Production& out)
     {
         auto expression = parseExpression(text, m_names);
-        if (!expression)
-            return fail(expression.error());
+        RAMURE_TRY(expression);
         const auto at = static_cast<std::uint32_t>(out.numbers.size());
         const bool isConstant = expression->isConstant();
         out.numbers.push_back(isConstant ? expression->value({}) : 0.0);
@@ -497,8 +488,7 @@ Expected<Constants> parseConstants(const GrammarParams& params)
     const auto done = read(params.constants, constantsPath, false).and_then([&] {
         return read(params.rules, rulesPath, true);
     });
-    if (!done)
-        return fail(done.error());
+    RAMURE_TRY(done);
     return reader.take();
 }
 

@@ -44,8 +44,7 @@ public:
 
     Expected<Skeleton> run()
     {
-        if (auto ok = checkSize(); !ok)
-            return fail(std::move(ok.error()));
+        RAMURE_TRY(checkSize());
         plantTrunks();
         for (std::size_t grown = 0; !m_waiting.empty(); ++grown) {
             if (grown % 256 == 0) {

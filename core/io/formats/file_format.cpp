@@ -65,8 +65,7 @@ Expected<const FileFormat*> findFormat(const std::string& path, FormatUse use, b
 Expected<ReadMesh> readMeshFile(const std::string& path, const Progress& progress)
 {
     const auto format = findFormat(path, FormatUse::Read);
-    if (!format)
-        return fail(format.error());
+    RAMURE_TRY(format);
     auto mesh = (*format)->read(path, progress);
     if (const auto space = mesh ? fileSpaceOf(path) : std::nullopt) {
         const glm::dmat4 back = glm::inverse(space->matrix());

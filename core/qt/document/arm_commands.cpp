@@ -99,8 +99,7 @@ struct ArmMeshTarget
 Expected<void> edit::setArmMesh(Document& document, NodeId arm, SharedValue<TriangleMesh> mesh,
                                 const QString& text)
 {
-    if (auto checked = editableArm(document.scene(), arm); !checked)
-        return fail(checked.error());
+    RAMURE_TRY(editableArm(document.scene(), arm));
     if (mesh)
         if (auto checked = checkArmMesh(*mesh); !checked)
             return checked;
@@ -110,8 +109,7 @@ Expected<void> edit::setArmMesh(Document& document, NodeId arm, SharedValue<Tria
 
 Expected<const Node*> editableArm(const Scene& scene, NodeId id)
 {
-    if (auto allowed = checkEditable(scene, id); !allowed)
-        return fail(std::move(allowed.error()));
+    RAMURE_TRY(checkEditable(scene, id));
     const Node* arm = scene.find(id);
     if (arm->kind != NodeKind::Arm)
         return fail(ErrorCode::Invalid, RAMURE_NOOP("\"%1\" is no arm"), {arm->name});
@@ -126,8 +124,7 @@ ArmState armState(const Node& arm)
 Expected<void> edit::setArm(Document& document, NodeId node, ArmState state, const QString& text,
                             GestureId gesture)
 {
-    if (const auto arm = editableArm(document.scene(), node); !arm)
-        return fail(arm.error());
+    RAMURE_TRY(editableArm(document.scene(), node));
     if (auto checked = checkArm(state.joints); !checked)
         return checked;
     if (auto checked = checkValue(*findParam("arm.target"), state.target); !checked)
@@ -143,8 +140,7 @@ Expected<void> edit::setArm(Document& document, NodeId node, ArmState state, con
 Expected<void> edit::addJoint(Document& document, NodeId node, std::size_t at)
 {
     const auto arm = editableArm(document.scene(), node);
-    if (!arm)
-        return fail(arm.error());
+    RAMURE_TRY(arm);
     ArmState state = armState(**arm);
     if (at >= state.joints.size())
         return noJoint(**arm, at);
@@ -157,8 +153,7 @@ Expected<void> edit::addJoint(Document& document, NodeId node, std::size_t at)
 Expected<void> edit::removeJoint(Document& document, NodeId node, std::size_t at)
 {
     const auto arm = editableArm(document.scene(), node);
-    if (!arm)
-        return fail(arm.error());
+    RAMURE_TRY(arm);
     ArmState state = armState(**arm);
     if (at >= state.joints.size())
         return noJoint(**arm, at);
@@ -170,8 +165,7 @@ Expected<void> edit::removeJoint(Document& document, NodeId node, std::size_t at
 Expected<void> edit::setJoints(Document& document, NodeId node, std::vector<ArmJoint> joints,
                                const QString& text, GestureId gesture)
 {
-    if (const auto arm = editableArm(document.scene(), node); !arm)
-        return fail(arm.error());
+    RAMURE_TRY(editableArm(document.scene(), node));
     if (auto checked = checkArm(joints); !checked)
         return checked;
     pushSet<JointsTarget>(document, {{{node}, std::move(joints)}}, text, gesture);

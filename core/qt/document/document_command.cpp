@@ -29,8 +29,7 @@ Expected<std::vector<NodeId>> editable(const Scene& scene, const std::vector<Nod
 {
     std::vector<NodeId> once;
     for (const NodeId id : ids) {
-        if (const auto allowed = checkEditable(scene, id); !allowed)
-            return fail(allowed.error());
+        RAMURE_TRY(checkEditable(scene, id));
         addOnce(once, id);
     }
     return once;

@@ -116,8 +116,7 @@ using Ids = std::vector<std::uint64_t>;
 
 Expected<const Node*> editableTree(const Document& document, NodeId id)
 {
-    if (auto allowed = checkEditable(document.scene(), id); !allowed)
-        return fail(std::move(allowed.error()));
+    RAMURE_TRY(checkEditable(document.scene(), id));
     const Node* const tree = document.scene().find(id);
     if (tree->kind != NodeKind::Tree)
         return fail(ErrorCode::Invalid, RAMURE_NOOP("\"%1\" has no branches"), {tree->name});
@@ -128,8 +127,7 @@ Expected<const Node*> editableTree(const Document& document, NodeId id)
 Expected<std::vector<TreeEdit>> editsWith(const Document& document, NodeId id, const Ids& ids)
 {
     const auto tree = editableTree(document, id);
-    if (!tree)
-        return fail(tree.error());
+    RAMURE_TRY(tree);
     const std::vector<TreeEdit>& edits = (*tree)->params.edits;
     for (const std::uint64_t wanted : ids)
         if (std::ranges::find(edits, wanted, &TreeEdit::id) == edits.end())
@@ -165,8 +163,7 @@ Expected<std::vector<std::uint64_t>> edit::putTreeEdits(Document& document, Node
                                                         std::vector<TreeEdit> edits, GestureId gesture)
 {
     const auto tree = editableTree(document, id);
-    if (!tree)
-        return fail(tree.error());
+    RAMURE_TRY(tree);
     std::vector<TreeEdit> list = (*tree)->params.edits;
     Ids ids;
     for (std::size_t i = 0; i < edits.size(); ++i) {
@@ -186,8 +183,7 @@ Expected<std::vector<std::uint64_t>> edit::putTreeEdits(Document& document, Node
 Expected<void> edit::removeTreeEdits(Document& document, NodeId id, const Ids& ids, GestureId gesture)
 {
     auto list = editsWith(document, id, ids);
-    if (!list)
-        return fail(std::move(list.error()));
+    RAMURE_TRY(list);
     std::erase_if(*list, [&ids](const TreeEdit& edit) { return std::ranges::count(ids, edit.id) > 0; });
     pushLists(document, {{id, std::move(*list)}},
               DocumentCommand::tr("Delete %n edit(s) of the tree", nullptr, static_cast<int>(ids.size())),
@@ -198,8 +194,7 @@ Expected<void> edit::removeTreeEdits(Document& document, NodeId id, const Ids& i
 Expected<void> edit::setTreeEditsEnabled(Document& document, NodeId id, const Ids& ids, bool enabled)
 {
     auto list = editsWith(document, id, ids);
-    if (!list)
-        return fail(std::move(list.error()));
+    RAMURE_TRY(list);
     for (TreeEdit& edit : *list)
         if (std::ranges::count(ids, edit.id) > 0)
             edit.enabled = enabled;
@@ -213,8 +208,7 @@ Expected<void> edit::setTreeEditsEnabled(Document& document, NodeId id, const Id
 Expected<void> edit::renameTreeEdit(Document& document, NodeId id, std::uint64_t wanted, const QString& name)
 {
     auto list = editsWith(document, id, {wanted});
-    if (!list)
-        return fail(std::move(list.error()));
+    RAMURE_TRY(list);
     std::ranges::find(*list, wanted, &TreeEdit::id)->name = name.toStdString();
     pushLists(document, {{id, std::move(*list)}}, DocumentCommand::tr("Rename edit"), 0, Stage::Placement);
     return {};
@@ -223,8 +217,7 @@ Expected<void> edit::renameTreeEdit(Document& document, NodeId id, std::uint64_t
 Expected<void> edit::moveTreeEdit(Document& document, NodeId id, std::uint64_t wanted, int row)
 {
     auto list = editsWith(document, id, {wanted});
-    if (!list)
-        return fail(std::move(list.error()));
+    RAMURE_TRY(list);
     const auto at = std::ranges::find(*list, wanted, &TreeEdit::id);
     TreeEdit moved = std::move(*at);
     list->erase(at);
@@ -249,8 +242,7 @@ Expected<void> edit::copyTreeEdits(Document& document, NodeId from, const Ids& i
     Lists lists;
     for (const NodeId id : to) {
         const auto tree = editableTree(document, id);
-        if (!tree)
-            return fail(tree.error());
+        RAMURE_TRY(tree);
         std::vector<TreeEdit>& list = lists[id] = (*tree)->params.edits;
         for (const TreeEdit& edit : copied)
             put(list, edit);

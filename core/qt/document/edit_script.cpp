@@ -47,8 +47,7 @@ Expected<void> addLine(const json::ScriptEdits& script, EditContext& context, st
 {
     for (const TreeEdit& wanted : script.edits) {
         auto edit = context.prepared(wanted, script.inTreeSpace);
-        if (!edit)
-            return fail(std::move(edit.error()));
+        RAMURE_TRY(edit);
         if (std::ranges::find(list, edit->id, &TreeEdit::id) != list.end()) {
             auto error = fail(ErrorCode::Invalid, RAMURE_NOOP("every edit needs a name of its own"));
             error.value().path = "id";
@@ -76,8 +75,7 @@ Expected<void> replayEdits(Document& document, NodeId id, const QByteArray& scri
         return fail(ErrorCode::Unknown, RAMURE_NOOP("there is no such tree"));
     TreePipeline pipeline;
     const auto grown = pipeline.evaluate(tree->params, Stage::Skeleton);
-    if (!grown)
-        return fail(grown.error());
+    RAMURE_TRY(grown);
     EditContext context(*grown->grown, tree->params.edits);
     std::vector<TreeEdit> list = tree->params.edits, added;
     int number = 0;

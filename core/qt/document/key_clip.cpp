@@ -40,8 +40,7 @@ Expected<void> pasteInto(const Scene& scene, const TrackRef& ref, const TrackTyp
     for (auto& key : added)
         key.time += offset;
     auto made = keys::withAdded(present ? std::get<TrackType>(*present) : TrackType(), added);
-    if (!made)
-        return fail(std::move(made.error()));
+    RAMURE_TRY(made);
     pasted[ref] = keys::timesOf(added);
     edits.push_back(keys::editOf(ref, std::move(*made)));
     return {};
@@ -73,14 +72,11 @@ Expected<KeySelection> keys::paste(Document& document, const KeyClip& clip,
                     return pasteInto(document.scene(), ref, held, offset, edits, pasted);
                 },
                 track);
-            if (!done)
-                return fail(std::move(done.error()));
+            RAMURE_TRY(done);
         }
     if (edits.empty())
         return fail(ErrorCode::Invalid, RAMURE_NOOP("no selected node has tracks for these keys"));
-    if (auto done = edit::setTracks(document, edits, keys::stepText(QT_TRANSLATE_NOOP("keys", "Paste Keys")));
-        !done)
-        return fail(std::move(done.error()));
+    RAMURE_TRY(edit::setTracks(document, edits, keys::stepText(QT_TRANSLATE_NOOP("keys", "Paste Keys"))));
     return pasted;
 }
 

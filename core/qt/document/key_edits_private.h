@@ -104,8 +104,7 @@ Expected<KeySelection> changeKeys(Document& document, const KeySelection& select
             edits.push_back(editOf(ref, std::move(track)));
             return {};
         });
-    if (!done)
-        return fail(std::move(done.error()));
+    RAMURE_TRY(done);
     return moved;
 }
 
@@ -124,8 +123,7 @@ std::vector<typename TrackType::KeyKind> keysAt(const TrackType& track,
 /// An edit that moves no key has no selection to tell of.
 inline Expected<void> withoutTimes(Expected<KeySelection> moved)
 {
-    if (!moved)
-        return fail(std::move(moved.error()));
+    RAMURE_TRY(moved);
     return {};
 }
 

@@ -128,14 +128,12 @@ Expected<KeySelection> keys::duplicate(Document& document, const KeySelection& s
         [&](const TrackRef& ref, const auto& held, const auto& indices, auto& edits) -> Expected<void> {
             const auto added = retimed(held.keys(), indices, retiming);
             auto made = withAdded(held, added);
-            if (!made)
-                return fail(std::move(made.error()));
+            RAMURE_TRY(made);
             copies[ref] = timesOf(added);
             edits.push_back(editOf(ref, std::move(*made)));
             return {};
         });
-    if (!done)
-        return fail(std::move(done.error()));
+    RAMURE_TRY(done);
     return copies;
 }
 

@@ -60,8 +60,7 @@ void pushState(Document& document, const std::vector<NodeId>& nodes, Member memb
 Expected<void> edit::setNodeName(Document& document, NodeId node, const QString& name)
 {
     const auto ids = editable(document.scene(), {node});
-    if (!ids)
-        return fail(ids.error());
+    RAMURE_TRY(ids);
     pushState(document, *ids, &NodeState::name, name.toStdString(), DocumentCommand::tr("Rename"));
     return {};
 }
@@ -70,8 +69,7 @@ Expected<void> edit::setNodeOrigin(Document& document, NodeId node, const std::s
                                    const std::string& preset, const QString& text)
 {
     const auto ids = editable(document.scene(), {node});
-    if (!ids)
-        return fail(ids.error());
+    RAMURE_TRY(ids);
     NodeState state = StateTarget{node}.get(*document.scene().find(node));
     state.name = name;
     state.preset = preset;
@@ -82,8 +80,7 @@ Expected<void> edit::setNodeOrigin(Document& document, NodeId node, const std::s
 Expected<void> edit::setNodeVisible(Document& document, const std::vector<NodeId>& nodes, bool visible)
 {
     const auto ids = editable(document.scene(), nodes);
-    if (!ids)
-        return fail(ids.error());
+    RAMURE_TRY(ids);
     pushState(document, *ids, &NodeState::visible, visible,
               visible ? DocumentCommand::tr("Show") : DocumentCommand::tr("Hide"));
     return {};

@@ -126,8 +126,7 @@ Expected<void> edit::setParams(Document& document, const std::vector<NodeId>& no
                                const QString& text, GestureId gesture)
 {
     const auto ids = editable(document.scene(), nodes);
-    if (!ids)
-        return fail(ids.error());
+    RAMURE_TRY(ids);
     std::vector<ParamEntry> entries;
     for (const NodeId id : *ids)
         for (const auto& [def, value] : values) {
@@ -145,8 +144,7 @@ Expected<void> edit::resetParams(Document& document, const std::vector<NodeId>& 
                                  const std::vector<const ParamDef*>& params, const QString& text)
 {
     const auto ids = editable(document.scene(), nodes);
-    if (!ids)
-        return fail(ids.error());
+    RAMURE_TRY(ids);
     std::vector<ParamEntry> entries;
     for (const NodeId id : *ids)
         for (const ParamDef* def : params) {
@@ -163,8 +161,7 @@ Expected<void> edit::setComponent(Document& document, const std::vector<NodeId>&
                                   int axis, double value, GestureId gesture)
 {
     const auto ids = editable(document.scene(), nodes);
-    if (!ids)
-        return fail(ids.error());
+    RAMURE_TRY(ids);
     std::vector<ParamEntry> entries;
     for (const NodeId id : *ids) {
         auto vector = std::get<glm::dvec3>(def.get(document.scene().find(id)->params));
@@ -194,8 +191,7 @@ void addSeed(std::vector<ParamEntry>& entries, const Node& tree, std::int64_t se
 Expected<void> edit::reseedTree(Document& document, NodeId tree, std::int64_t seed)
 {
     const auto ids = editable(document.scene(), {tree});
-    if (!ids)
-        return fail(ids.error());
+    RAMURE_TRY(ids);
     if (ids->empty() || document.scene().find(tree)->kind != NodeKind::Tree)
         return fail(ErrorCode::Invalid, RAMURE_NOOP("there is no tree that could be drawn anew"));
     std::vector<ParamEntry> entries;
@@ -211,8 +207,7 @@ Expected<void> edit::newTree(Document& document, const std::vector<NodeId>& node
         if (const Node* node = document.scene().find(id); node && node->kind == NodeKind::Tree)
             trees.push_back(id);
     const auto ids = editable(document.scene(), trees);
-    if (!ids)
-        return fail(ids.error());
+    RAMURE_TRY(ids);
     if (ids->empty())
         return fail(ErrorCode::Invalid, RAMURE_NOOP("there is no tree that could be drawn anew"));
     std::vector<NodeId> varied = *ids;

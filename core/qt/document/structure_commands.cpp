@@ -244,10 +244,8 @@ Expected<PlacementParams> keptPlacement(const Scene& scene, const Node& node, No
 
 Expected<NodeId> edit::insertNodes(Document& document, std::vector<Node> subtree, NodeId parent, int row)
 {
-    if (const auto allowed = checkParent(document.scene(), parent); !allowed)
-        return fail(allowed.error());
-    if (const auto good = checkSubtree(subtree); !good)
-        return fail(good.error());
+    RAMURE_TRY(checkParent(document.scene(), parent));
+    RAMURE_TRY(checkSubtree(subtree));
     renumber(document, subtree);
     const NodeId top = subtree.front().id;
     Block block{idsOf(subtree), parent, row, {}};
@@ -264,8 +262,7 @@ Expected<void> edit::removeNodes(Document& document, const std::vector<NodeId>& 
 {
     const Scene& scene = document.scene();
     const auto ids = editable(scene, nodes);
-    if (!ids)
-        return fail(ids.error());
+    RAMURE_TRY(ids);
     std::vector<Block> blocks;
     for (const NodeId top : topsOf(scene, *ids)) {
         const std::vector<Node> below = scene.subtree(top);
@@ -295,8 +292,7 @@ Expected<std::vector<NodeId>> edit::duplicateNodes(Document& document, const std
     for (const NodeId original : topsOf(scene, nodes)) {
         std::vector<Node> copy = scene.subtree(original);
         const NodeId parent = copy.front().parent;
-        if (const auto allowed = checkParent(scene, parent); !allowed)
-            return fail(allowed.error());
+        RAMURE_TRY(checkParent(scene, parent));
         renumber(document, copy);
         copy.front().name = names.next(copy.front().name);
         tops.push_back(copy.front().id);
@@ -326,8 +322,7 @@ Expected<void> edit::moveNode(Document& document, NodeId node, NodeId newParent,
     MoveCommand::Place place = MoveCommand::placeOf(trial, node);
     if (keepWorld) {
         const auto kept = keptPlacement(scene, *scene.find(node), newParent, timeSeconds);
-        if (!kept)
-            return fail(kept.error());
+        RAMURE_TRY(kept);
         place.placement = *kept;
     }
     if (place != MoveCommand::placeOf(scene, node))

@@ -77,8 +77,7 @@ Expected<AnyTrack> withKey(TrackType track, Ticks time, KeyMode mode, const Valu
     key.time = time;
     key.value = value;
     takeShape(key, track.keys(), mode);
-    if (auto done = track.insert(key); !done)
-        return fail(std::move(done.error()));
+    RAMURE_TRY(track.insert(key));
     return AnyTrack(std::move(track));
 }
 
@@ -100,8 +99,7 @@ Expected<NodeAnimation::TrackPtr> keyed(const Node& node, const Channel& channel
         made = withKey(track, time, mode,
                        track.empty() ? restValue(node.params, channel) : valueAt(track, secondsOf(time)));
     }
-    if (!made)
-        return fail(std::move(made.error()));
+    RAMURE_TRY(made);
     return std::make_shared<const AnyTrack>(std::move(*made));
 }
 
@@ -138,8 +136,7 @@ Expected<void> insertPlacementKeys(Document& document, const std::vector<NodeId>
         NodePlacing place{id, {node.params.tree, globalTracks(node.animation)}, true, true};
         for (const PlacementPart part : parts) {
             auto made = withPlacementKeys(place.values, time, part, mode);
-            if (!made)
-                return fail(std::move(made.error()));
+            RAMURE_TRY(made);
             place.values = std::move(*made);
         }
         places.push_back(std::move(place));
@@ -172,8 +169,7 @@ Expected<void> edit::insertKeys(Document& document, const std::vector<NodeId>& n
                                 const std::vector<Channel>& channels, Ticks time, KeyMode mode)
 {
     const auto ids = editable(document.scene(), nodes);
-    if (!ids)
-        return fail(ids.error());
+    RAMURE_TRY(ids);
     if (const auto parts = wholeParts(channels); !parts.empty())
         return insertPlacementKeys(document, *ids, parts, time, mode);
     std::vector<TrackEdit> edits;
@@ -183,8 +179,7 @@ Expected<void> edit::insertKeys(Document& document, const std::vector<NodeId>& n
             if (!hasChannel(node.kind, channel))
                 continue;
             auto track = keyed(node, channel, time, mode);
-            if (!track)
-                return fail(std::move(track.error()));
+            RAMURE_TRY(track);
             if (*track)
                 edits.push_back({id, channel, std::move(*track)});
         }

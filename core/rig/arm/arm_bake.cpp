@@ -36,8 +36,7 @@ Expected<Samples> sampled(const NodeParams& params, const NodeAnimation& animati
     for (std::int64_t frame = range.firstFrame;;) {
         const double seconds = timeline.timeOf(frame);
         const auto moment = driver.momentAt(seconds, {progress.stop, {}});
-        if (!moment)
-            return fail(moment.error());
+        RAMURE_TRY(moment);
         samples.ticks.push_back(ticksOf(seconds));
         samples.seconds.push_back(seconds);
         for (std::size_t i = 0; i < samples.angles.size(); ++i) {
@@ -131,18 +130,15 @@ Expected<NodeAnimation> bakeArm(const NodeParams& params, const NodeAnimation& a
                                 const TimelineSettings& timeline, const ArmBakeOptions& options,
                                 const Progress& progress)
 {
-    if (auto checked = checkArm(params.joints); !checked)
-        return fail(std::move(checked.error()));
+    RAMURE_TRY(checkArm(params.joints));
     if (!params.arm.follows)
         return fail(ErrorCode::Invalid, RAMURE_NOOP("the arm follows no target: there is no motion to bake"));
     if (!std::isfinite(options.toleranceRad) || options.toleranceRad < 0.0)
         return fail(ErrorCode::Invalid, RAMURE_NOOP("a tolerance must not be negative"));
     const auto range = checkedRange(options, timeline);
-    if (!range)
-        return fail(range.error());
+    RAMURE_TRY(range);
     const auto samples = sampled(params, animation, timeline, *range, progress.part(0.0, 0.95));
-    if (!samples)
-        return fail(samples.error());
+    RAMURE_TRY(samples);
     NodeAnimation baked = animation;
     for (std::size_t i = 0; i < samples->angles.size(); ++i) {
         const Channel channel{ChannelPart::Joint, static_cast<std::uint8_t>(i / 2),

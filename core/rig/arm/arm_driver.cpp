@@ -107,8 +107,7 @@ Expected<ArmMoment> ArmDriver::momentAt(double timeSeconds, const Progress& prog
         const double ticks = seconds / armTickSeconds;
         // A frame that falls on a tick must not need the one after it because of a rounding error.
         const auto last = static_cast<std::int64_t>(std::ceil(ticks - 1e-9));
-        if (const auto gone = goTo(last, progress); !gone)
-            return fail(gone.error());
+        RAMURE_TRY(goTo(last, progress));
         const std::vector<double> between =
             m_motion.anglesBetween(last > 0 ? std::min(ticks - double(last - 1), 1.0) : 1.0);
         for (std::size_t i = 0; i < between.size(); ++i)

@@ -44,24 +44,21 @@ ArmShape rigidShape(TriangleMesh mesh, const NodeParams& params)
 
 Expected<ArmShape> made(const NodeParams& params, const TriangleMesh* bound, ArmPart part, bool solid)
 {
-    if (const auto checked = checkArm(params.joints); !checked)
-        return fail(checked.error());
+    RAMURE_TRY(checkArm(params.joints));
     if (part == ArmPart::Rods) {
         const double radius = params.arm.jointRadius;
         return rigidShape(solid ? armRodSolids(params.joints, radius) : armRods(params.joints, radius),
                           params);
     }
     if (bound) {
-        if (auto checked = checkArmMesh(*bound); !checked)
-            return fail(std::move(checked.error()));
+        RAMURE_TRY(checkArmMesh(*bound));
         ArmShape shape{*bound, skinOf(*bound, params)};
         if (!solid && shape.mesh.normals.size() != shape.mesh.positions.size())
             computeNormals(shape.mesh);
         return shape;
     }
     auto cylinder = armCylinder(params.joints, params.armSkin);
-    if (!cylinder)
-        return fail(std::move(cylinder.error()));
+    RAMURE_TRY(cylinder);
     ArmShape shape{solid ? welded(*cylinder) : std::move(*cylinder), {}};
     shape.mesh.branch.clear();
     shape.skin = skinOf(shape.mesh, params);

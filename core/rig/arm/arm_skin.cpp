@@ -117,10 +117,8 @@ SkinRun runAt(std::span<const ArmJoint> joints, const std::vector<double>& heigh
 
 Expected<TriangleMesh> armCylinder(std::span<const ArmJoint> joints, const ArmSkinParams& params)
 {
-    if (const auto checked = checkArm(joints); !checked)
-        return fail(checked.error());
-    if (auto checked = checkPart(&NodeParams::armSkin, params); !checked)
-        return fail(std::move(checked.error()));
+    RAMURE_TRY(checkArm(joints));
+    RAMURE_TRY(checkPart(&NodeParams::armSkin, params));
     const std::vector<double> heights = heightsOf(joints);
     return Roll(params, heights).made();
 }

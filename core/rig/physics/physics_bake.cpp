@@ -327,8 +327,7 @@ Expected<Baked> readBake(const std::string& path, const TreeBody& body, const Ph
                          const Progress& progress)
 {
     const auto file = readWords(path);
-    if (!file)
-        return fail(file.error());
+    RAMURE_TRY(file);
     WordReader in(file->words, file->version);
     const bool isThisTree = in.word() == body.key && in.word() == body.size();
     if (!isThisTree)
@@ -373,8 +372,7 @@ Expected<void> saveBake(PhysicsCache& cache, std::int64_t lastStep, const std::s
 {
     // Before the long work: a folder that is missing.
     auto file = FileWriter::open(path);
-    if (!file)
-        return fail(file.error());
+    RAMURE_TRY(file);
     if (auto done = cache.seek(lastStep, progress.part(0.0, 0.9)); !done)
         return done;
     std::vector<const PhysicsState*> states;
@@ -417,8 +415,7 @@ static Expected<void> load(PhysicsCache& cache, const PhysicsParams* wanted, con
                            const Progress& progress)
 {
     auto baked = readBake(path, cache.physics().body(), wanted, progress);
-    if (!baked)
-        return fail(baked.error());
+    RAMURE_TRY(baked);
     cache.setScript(baked->script);
     cache.takeStates(std::move(baked->states), baked->checkpointSteps);
     return {};

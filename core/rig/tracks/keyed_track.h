@@ -22,8 +22,7 @@ Expected<NodeAnimation::TrackPtr> withKey(const NodeAnimation::TrackPtr& present
     }
     key.time = time;
     key.value = value;
-    if (auto good = track.insert(key); !good)
-        return fail(std::move(good.error()));
+    RAMURE_TRY(track.insert(key));
     return std::make_shared<const AnyTrack>(std::move(track));
 }
 

@@ -279,8 +279,7 @@ template <class KeyType> void KeyTrack<KeyType>::settle(std::vector<KeyType> key
 
 template <class KeyType> Expected<KeyTrack<KeyType>> KeyTrack<KeyType>::fromKeys(std::vector<KeyType> keys)
 {
-    if (auto good = checkKeys(std::span<const KeyType>(keys)); !good)
-        return fail(std::move(good.error()));
+    RAMURE_TRY(checkKeys(std::span<const KeyType>(keys)));
     KeyTrack track;
     track.settle(std::move(keys));
     return track;

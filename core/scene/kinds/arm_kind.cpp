@@ -19,8 +19,7 @@ static void beginArm(NodeParams& params)
 static Expected<SharedMesh> armSolid(const NodeParams& params, const SharedMesh& own)
 {
     const auto shape = armSolid(params, own.get(), shownArmPart(params));
-    if (!shape)
-        return fail(shape.error());
+    RAMURE_TRY(shape);
     return std::make_shared<const TriangleMesh>(posedArm(*shape, params));
 }
 

@@ -18,8 +18,7 @@ static void beginTerrain(NodeParams& params)
 static Expected<SharedMesh> terrainSolid(const NodeParams& params, const SharedMesh& /*own*/)
 {
     auto terrain = buildTerrain(params.terrain);
-    if (!terrain)
-        return fail(std::move(terrain.error()));
+    RAMURE_TRY(terrain);
     return std::make_shared<const TriangleMesh>(std::move(*terrain));
 }
 

@@ -105,15 +105,12 @@ std::optional<Frame> EditContext::frameBelow(std::uint64_t address) const
 
 Expected<TreeEdit> EditContext::prepared(TreeEdit edit, bool inTreeSpace) const
 {
-    if (auto ok = checkTreeEdit(edit); !ok)
-        return fail(std::move(ok.error()));
+    RAMURE_TRY(checkTreeEdit(edit));
     const EditOperationInfo& info = infoOf(edit.operation);
     auto target = named(edit.target.address, info.targetKey);
     auto other = named(edit.other.address, info.otherKey);
-    if (!target)
-        return fail(std::move(target.error()));
-    if (!other)
-        return fail(std::move(other.error()));
+    RAMURE_TRY(target);
+    RAMURE_TRY(other);
     edit.target = std::move(*target);
     edit.other = std::move(*other);
     if (!inTreeSpace || (info.fields & editTreeSpace))

@@ -11,12 +11,10 @@ Expected<MeshAnalysis> analyse(const TriangleMesh& mesh, const std::vector<Index
     MeshAnalysis analysis;
     analysis.hash = meshHash(mesh);
     auto quality = measureQuality(mesh, threads, progress.part(0.0, 0.05));
-    if (!quality)
-        return fail(std::move(quality.error()));
+    RAMURE_TRY(quality);
     analysis.quality = std::move(*quality);
     auto crossings = findSelfIntersections(mesh, parent, threads, progress.part(0.05, 0.98));
-    if (!crossings)
-        return fail(std::move(crossings.error()));
+    RAMURE_TRY(crossings);
     analysis.crossings = std::move(*crossings);
     return analysis;
 }

@@ -67,8 +67,7 @@ public:
     Expected<SelfIntersections> run(unsigned threads, const Progress& progress)
     {
         const auto boxes = faceBoxes(threads, progress.part(0.0, 0.05));
-        if (!boxes)
-            return fail(boxes.error());
+        RAMURE_TRY(boxes);
         const BoxPairs pairs(*boxes);
         progress.report(0.15);
         std::vector<Found> found(pairs.chunkCount());
@@ -269,11 +268,9 @@ Expected<SelfIntersections> findSelfIntersections(const TriangleMesh& mesh, cons
 {
     static const std::vector<Index> none;
     const std::vector<Index>& known = mesh.branch.empty() ? none : parent;
-    if (const auto good = checkInput(mesh, known); !good)
-        return fail(good.error());
+    RAMURE_TRY(checkInput(mesh, known));
     auto depths = depthsOf(known);
-    if (!depths)
-        return fail(depths.error());
+    RAMURE_TRY(depths);
     return Finder(mesh, known, std::move(*depths)).run(threads, progress);
 }
 

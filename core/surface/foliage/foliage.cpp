@@ -208,18 +208,15 @@ Expected<Foliage> placeFoliage(const Skeleton& skeleton, const FoliageParams& pa
     auto leaves = leaf.shape == LeafShape::Faithful ? placeFaithfully(placing, density, progress)
                   : density == 0                    ? Expected<std::vector<FoliageItem>>()
                                                     : placeLeaves(placing, leaf, progress);
-    if (!leaves)
-        return fail(std::move(leaves.error()));
+    RAMURE_TRY(leaves);
     if (progress.cancelled())
         return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
     const FruitForm hung = fruitForm(fruit);
     auto apples = fruit.kind == FruitKind::Faithful ? placeApples(placing, params.applesProbability)
                                                     : placeFruit(placing, hung, params.applesProbability);
-    if (!apples)
-        return fail(std::move(apples.error()));
+    RAMURE_TRY(apples);
     Foliage made{std::move(*leaves), std::move(*apples), leafForm(leaf), hung};
-    if (auto done = placeOrgans(skeleton, leaf, alpha, made); !done)
-        return fail(std::move(done.error()));
+    RAMURE_TRY(placeOrgans(skeleton, leaf, alpha, made));
     if (made.form.turns && made.form.shape != LeafShape::Faithful)
         turnLeaves(skeleton, leaf.season, made);
     if (leaf.shape != LeafShape::Faithful)

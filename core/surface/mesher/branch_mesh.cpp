@@ -80,8 +80,7 @@ Expected<Built> Builder::build(const MeshDivisions& divisions, const Progress& p
 {
     Built built{m_normal, {}, {}};
     BranchMesher mesher(built.skeleton, m_options, divisions, m_scratch);
-    if (auto done = mesher.run(progress); !done)
-        return fail(done.error());
+    RAMURE_TRY(mesher.run(progress));
     built.small = mesher.assemble(built.mesh);
     return built;
 }
@@ -203,16 +202,13 @@ struct Shaped
 Expected<Shaped> shape(const Skeleton& skeleton, const BranchMeshOptions& options, const Progress& progress,
                        MeshScratch* scratch)
 {
-    if (auto checked = checkOptions(skeleton, options); !checked)
-        return fail(checked.error());
+    RAMURE_TRY(checkOptions(skeleton, options));
     const auto normal = normaliseSkeleton(skeleton, options, progress);
-    if (!normal)
-        return fail(normal.error());
+    RAMURE_TRY(normal);
     MeshScratch own;
     Builder builder(*normal, options, scratch ? *scratch : own);
     auto built = options.targetTriangles > 0 ? builder.byBudget(progress) : builder.byDivisions(progress);
-    if (!built)
-        return fail(built.error());
+    RAMURE_TRY(built);
     finish(*built, skeleton);
     // Moved away from the origin, positions were rounded again: then every triangle is looked at.
     return Shaped{std::move(*built), normal->origin != glm::dvec3(0.0)};
@@ -224,8 +220,7 @@ Expected<BranchMesh> buildBranchMesh(const Skeleton& skeleton, const BranchMeshO
                                      const Progress& progress, MeshScratch* scratch)
 {
     auto shaped = shape(skeleton, options, progress.part(0.0, 0.85), scratch);
-    if (!shaped)
-        return fail(std::move(shaped.error()));
+    RAMURE_TRY(shaped);
     TriangleMesh& mesh = shaped->built.mesh.mesh;
     mesh.normals.resize(options.withNormals ? mesh.normals.size() : 0);
     polish(mesh, shaped->suspects(), options.withNormals, progress);
@@ -239,8 +234,7 @@ Expected<CheckedBranchMesh> buildCheckedBranchMesh(const Skeleton& skeleton, con
                                                    const Progress& progress, MeshScratch* scratch)
 {
     auto shaped = shape(skeleton, options, progress.part(0.0, 0.8), scratch);
-    if (!shaped)
-        return fail(std::move(shaped.error()));
+    RAMURE_TRY(shaped);
     TriangleMesh& mesh = shaped->built.mesh.mesh;
     const auto check = [&] {
         return validateMesh(mesh, progress.part(0.8, 1.0), [&] { computeNormals(mesh); });
@@ -251,8 +245,7 @@ Expected<CheckedBranchMesh> buildCheckedBranchMesh(const Skeleton& skeleton, con
         separateVertices(mesh.positions, mesh.triangles, progress, shaped->suspects());
         report = check();
     }
-    if (!report)
-        return fail(std::move(report.error()));
+    RAMURE_TRY(report);
     return CheckedBranchMesh{std::move(shaped->built.mesh), std::move(*report)};
 }
 

@@ -556,12 +556,10 @@ Expected<NormalSkeleton> normaliseSkeleton(const Skeleton& skeleton, const Branc
 {
     if (skeleton.empty())
         return fail(ErrorCode::Invalid, RAMURE_NOOP("The skeleton has no branch"));
-    if (auto checked = checkNumbers(skeleton); !checked)
-        return fail(checked.error());
+    RAMURE_TRY(checkNumbers(skeleton));
     NormalSkeleton result;
     Normaliser normaliser(skeleton, options, result);
-    if (auto done = normaliser.run(progress); !done)
-        return fail(done.error());
+    RAMURE_TRY(normaliser.run(progress));
     return result;
 }
 

@@ -66,8 +66,7 @@ private:
 
 Expected<TriangleMesh> buildTerrain(const TerrainParams& params)
 {
-    if (auto checked = checkPart(&NodeParams::terrain, params); !checked)
-        return fail(std::move(checked.error()));
+    RAMURE_TRY(checkPart(&NodeParams::terrain, params));
     TriangleMesh mesh;
     const auto cells = static_cast<Index>(params.divisions);
     std::vector<Octave> all;

@@ -109,8 +109,7 @@ Index MeshReport::count(DefectKind kind) const
 Expected<MeshReport> validateMesh(const TriangleMesh& mesh, const Progress& progress,
                                   const std::function<void()>& alongside)
 {
-    if (const auto size = validation::checkSize(mesh); !size)
-        return fail(size.error());
+    RAMURE_TRY(validation::checkSize(mesh));
     // Things that know nothing of each other. A second thread takes what the first has not begun; the longest
     // comes first.
     Expected<Corners> corners = Corners();
@@ -135,10 +134,8 @@ Expected<MeshReport> validateMesh(const TriangleMesh& mesh, const Progress& prog
     // Waking a thread costs as much as checking a few thousand faces.
     const ThreadLimit limit(mesh.triangles.size() < 10'000 ? 1 : parallelThreads());
     parallelFor(tasks.size(), 1, [&](std::size_t begin, std::size_t) { tasks[begin](); });
-    if (!corners)
-        return fail(corners.error());
-    if (!fans)
-        return fail(fans.error());
+    RAMURE_TRY(corners);
+    RAMURE_TRY(fans);
     if (progress.cancelled())
         return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
     if (fans->components.count > 1)

@@ -399,8 +399,7 @@ Expected<void> check(const BranchMesh& mesh, const TextureParams& params)
 Expected<TextureCoordinates> textureCoordinates(const BranchMesh& mesh, const TextureParams& params,
                                                 const Progress& progress)
 {
-    if (auto checked = check(mesh, params); !checked)
-        return fail(checked.error());
+    RAMURE_TRY(check(mesh, params));
     if (progress.cancelled())
         return fail(ErrorCode::Cancelled, RAMURE_NOOP("Cancelled"));
     const double tileSize = tileFor(mesh, params.tileSize), triangles = double(mesh.mesh.faceCount());

@@ -81,8 +81,7 @@ void ExportDialog::preparePrint()
             const Progress& progress) -> Expected<std::shared_ptr<const ScenePrint>> {
             Evaluator evaluator(source, scene.timeline());
             auto made = printScene(evaluator.at(scene), which, print, progress);
-            if (!made)
-                return fail(std::move(made.error()));
+            RAMURE_TRY(made);
             return std::make_shared<const ScenePrint>(std::move(*made));
         },
         [this](Expected<std::shared_ptr<const ScenePrint>>&& made) { takePrepared(made); });

@@ -33,8 +33,7 @@ Expected<Shown> sceneAt(const Pictures& pictures, double timeSeconds, Evaluator&
 {
     EvaluatedScene now = evaluator.at(pictures.scene, timeSeconds);
     auto scene = renderSceneAt(now, pictures.look.view, progress);
-    if (!scene)
-        return fail(std::move(scene.error()));
+    RAMURE_TRY(scene);
     return Shown{std::move(*scene), viewThrough(now, pictures.look.through)};
 }
 
@@ -49,8 +48,7 @@ Expected<void> drawAll(const Pictures& pictures, OffscreenRenderer& renderer, co
         if (!shown || shot.timeSeconds != pictures.shots[i - 1].timeSeconds) {
             auto built =
                 sceneAt(pictures, shot.timeSeconds, evaluator, progress.part(from, from + 0.5 / count));
-            if (!built)
-                return fail(std::move(built.error()));
+            RAMURE_TRY(built);
             shown = std::move(*built);
         }
         if (progress.cancelled())
@@ -67,8 +65,7 @@ Expected<void> drawAll(const Pictures& pictures, OffscreenRenderer& renderer, co
         camera.yawRad += shot.turnRad;
         const auto image = renderer.draw(shown->scene, camera, pictures.look.size, options,
                                          progress.part(from + 0.5 / count, from + 1.0 / count));
-        if (!image)
-            return fail(image.error());
+        RAMURE_TRY(image);
         if (auto saved = savePicture(*image, shot.file); !saved)
             return saved;
         progress.report(static_cast<double>(i + 1) / count);

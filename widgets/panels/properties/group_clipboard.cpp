@@ -72,8 +72,7 @@ Expected<ParamList> readParamList(const QString& text)
         if (!def)
             continue;
         auto value = parseValue(*def, it.value().toString().toStdString(), false);
-        if (!value)
-            return fail(value.error());
+        RAMURE_TRY(value);
         values.emplace_back(def, std::move(*value));
     }
     return values;

@@ -32,8 +32,7 @@ struct LeafView::Drawer
     Expected<QImage> draw(const NodeParams& wanted, const Camera& angles, double nearness, QSize size)
     {
         if (!hasBegun)
-            if (auto begun = renderer.begin(); !begun)
-                return fail(std::move(begun.error()));
+            RAMURE_TRY(renderer.begin());
         hasBegun = true;
         if (params != wanted)
             scene = leafScene(wanted);

@@ -6,16 +6,14 @@ namespace ramure {
 
 Expected<RenderScene> renderSceneAt(EvaluatedScene& now, const SceneView& view, const Progress& progress)
 {
-    if (auto posed = now.poseArms(progress); !posed)
-        return fail(std::move(posed.error()));
+    RAMURE_TRY(now.poseArms(progress));
     const Scene& scene = now.scene();
     std::map<NodeId, TreeResult> results;
     for (const Node& node : scene.nodes()) {
         if (node.kind != NodeKind::Tree || !scene.isShown(node.id))
             continue;
         auto result = now.tree(node, Stage::Foliage, progress);
-        if (!result)
-            return fail(std::move(result.error()));
+        RAMURE_TRY(result);
         results.emplace(node.id, std::move(*result));
     }
     const auto resultOf = [&](NodeId id) {

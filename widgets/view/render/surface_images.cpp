@@ -188,8 +188,7 @@ Expected<QImage> readPicture(const std::string& path, int most)
     QFile file(QFile::decodeName(path.c_str()));
     QImageReader reader;
     const auto size = openPicture(reader, file, path);
-    if (!size)
-        return fail(size.error());
+    RAMURE_TRY(size);
     if (most > 0 && std::max(size->width(), size->height()) > most)
         reader.setScaledSize(size->scaled(most, most, Qt::KeepAspectRatio).expandedTo({1, 1}));
     QImage image = reader.read();

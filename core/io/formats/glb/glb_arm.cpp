@@ -193,8 +193,7 @@ Expected<ChainArm> armOf(const Chain& chain, ReadGlbMesh& mesh, const std::strin
         straighten[chain.order[j]] = pose[j].inverse().matrix() * atFoot;
     }
     poseArm(out, chain, chain.transforms, out.joints);
-    if (auto done = applySkin(mesh, straighten, place); !done)
-        return fail(std::move(done.error()));
+    RAMURE_TRY(applySkin(mesh, straighten, place));
     out.window = windowOf(mesh, bound);
     return out;
 }

@@ -131,8 +131,7 @@ Expected<void> Buffer::write(const std::string& path, Json root, const Progress&
         return error;
     }
     auto out = FileWriter::open(path);
-    if (!out)
-        return fail(std::move(out.error()));
+    RAMURE_TRY(out);
     append(*out, 0x46546C67U); // "glTF"
     append(*out, 2);
     append(*out, static_cast<std::uint32_t>(size));

@@ -134,8 +134,7 @@ Expected<void> addChannel(File& file, const Json& animation, const Json& channel
         return {}; // of something that extensions name
     const auto sampler =
         samplerOf(file, animation, numberOf(channel, "sampler").value_or(SIZE_MAX), isTurn ? 4 : 3, place);
-    if (!sampler)
-        return fail(sampler.error());
+    RAMURE_TRY(sampler);
     if (sampler->seconds.empty())
         return {};
     NodeAnimation& moves = out.moves[static_cast<Index>(*node)];
@@ -161,10 +160,8 @@ Expected<Clip> readClip(File& file, const FileNodes& nodes)
         return out;
     const Json* channels = member(animations[0], "channels");
     for (std::size_t i = 0; channels && channels->is_array() && i < channels->size(); ++i)
-        if (auto added = addChannel(file, animations[0], (*channels)[i], nodes.all.size(), out,
-                                    "animations[0]." + placeOf("channels", i));
-            !added)
-            return fail(std::move(added.error()));
+        RAMURE_TRY(addChannel(file, animations[0], (*channels)[i], nodes.all.size(), out,
+                              "animations[0]." + placeOf("channels", i)));
     for (auto& [number, moves] : out.moves)
         fillUp(moves, nodes.all[number].pose);
     if (animations.size() > 1)

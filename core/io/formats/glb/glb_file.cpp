@@ -177,14 +177,12 @@ Expected<File> File::open(const std::string& path, const Progress& progress)
         return fail(std::move(error));
     };
     auto input = reading::InputFile::open(path);
-    if (!input)
-        return fail(input.error());
+    RAMURE_TRY(input);
     // What is too large or none at all is not read to its end.
     std::array<char, 20> head{};
     if (input->isRegular()) {
         const auto got = input->read(head.data(), head.size());
-        if (!got)
-            return fail(got.error());
+        RAMURE_TRY(got);
         const std::string_view bytes(head.data(), *got);
         if (bytes.size() == head.size() && bytes.starts_with("glTF") && word(bytes, 12) > mostJson)
             return named(wrong({}, RAMURE_NOOP("the JSON of the file has more than %1 MiB"),
@@ -193,8 +191,7 @@ Expected<File> File::open(const std::string& path, const Progress& progress)
         input->rewind();
     }
     auto bytes = reading::loadFile(*input, path);
-    if (!bytes)
-        return fail(bytes.error());
+    RAMURE_TRY(bytes);
     if (progress.cancelled())
         return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
     File out;
@@ -289,8 +286,7 @@ Expected<const Json*> File::element(const char* listName, std::optional<std::siz
 Expected<std::string_view> File::buffer(std::optional<std::size_t> number, const std::string& place)
 {
     const auto json = element("buffers", number, place);
-    if (!json)
-        return fail(json.error());
+    RAMURE_TRY(json);
     const std::string inside = placeOf("buffers", *number);
     const std::size_t size = numberOf(**json, "byteLength").value_or(0);
     if (!member(**json, "uri")) {
@@ -313,8 +309,7 @@ Expected<std::string_view> File::buffer(std::optional<std::size_t> number, const
 Expected<std::string_view> File::view(std::optional<std::size_t> number, const std::string& place)
 {
     const auto json = element("bufferViews", number, place);
-    if (!json)
-        return fail(json.error());
+    RAMURE_TRY(json);
     const Json* extensions = member(**json, "extensions");
     const Json* packed = extensions ? member(*extensions, "EXT_meshopt_compression") : nullptr;
     if (packed)
@@ -367,8 +362,7 @@ Expected<File::Accessor> File::accessor(std::optional<std::size_t> number, std::
                                         const std::string& place)
 {
     const auto json = element("accessors", number, place);
-    if (!json)
-        return fail(json.error());
+    RAMURE_TRY(json);
     Accessor out;
     out.json = *json;
     out.place = placeOf("accessors", *number);
@@ -388,8 +382,7 @@ Expected<File::Accessor> File::accessor(std::optional<std::size_t> number, std::
     }
     const auto viewNumber = numberOf(**json, "bufferView");
     const auto bytes = view(viewNumber, out.place);
-    if (!bytes)
-        return fail(bytes.error());
+    RAMURE_TRY(bytes);
     out.stride = numberOf(list("bufferViews")[*viewNumber], "byteStride").value_or(size);
     const std::size_t offset = numberOf(**json, "byteOffset").value_or(0);
     if (out.stride < size || offset > bytes->size() ||
@@ -442,8 +435,7 @@ Expected<std::vector<T>> File::values(std::optional<std::size_t> number, std::si
                                       const std::string& place)
 {
     const auto from = accessor(number, components, place);
-    if (!from)
-        return fail(from.error());
+    RAMURE_TRY(from);
     constexpr bool isWhole = std::is_integral_v<T>;
     if (isWhole && (from->type == 5126 || from->type == 5120 || from->type == 5122))
         return wrong(from->place, RAMURE_NOOP("whole numbers from 0 on expected"));
@@ -455,8 +447,7 @@ Expected<std::vector<T>> File::values(std::optional<std::size_t> number, std::si
             out[i * components + c] = static_cast<T>(
                 std::max(numberAt(from->bytes.data() + i * from->stride + c * size, from->type) / unit,
                          from->isNormalised ? -1.0 : std::numeric_limits<double>::lowest()));
-    if (auto added = addSparse(out, *from, components, from->place); !added)
-        return fail(std::move(added.error()));
+    RAMURE_TRY(addSparse(out, *from, components, from->place));
     return out;
 }
 

@@ -221,8 +221,7 @@ private:
             places, [&](const glm::dmat4& place) { return isNear(place, places.front()); });
         const std::size_t number = m_nodes.size() - 1;
         if (!isStill) {
-            if (auto placed = m_animation.place(node, number, places); !placed)
-                return fail(std::move(placed.error()));
+            RAMURE_TRY(m_animation.place(node, number, places));
         } else if (places.front() != glm::dmat4(1.0)) {
             const double* numbers = glm::value_ptr(places.front());
             node["matrix"] = std::vector<double>(numbers, numbers + 16);
@@ -310,8 +309,7 @@ private:
         // Colours that shaders move it by are not to be seen.
         const bool coloured = !mesh->colours.empty() && !(from.wind && !from.wind->colours.empty());
         const auto number = m_materials.add(material, pictured, coloured, progress);
-        if (!number)
-            return fail(number.error());
+        RAMURE_TRY(number);
         // Second texture coordinates stand beside first ones.
         const bool textured = pictured || (from.wind && !from.wind->uv.empty());
         if (hasSkin)
@@ -324,8 +322,7 @@ private:
                              std::ranges::all_of(m_scene.frames, isInPlace);
         const auto holder = isAlone ? nodeOf(from.node)
                                     : holderOf(from.node, from.name, glm::dmat4(1.0), from.finest != noIndex);
-        if (!holder)
-            return fail(holder.error());
+        RAMURE_TRY(holder);
         m_meshNode.push_back(*holder);
         m_nodes[*holder]["mesh"] = m_meshes.size();
         return addMesh(from.name, *mesh, textured, *number, nullptr, from.wind.get());
@@ -335,8 +332,7 @@ private:
     Expected<void> addSkinned(const ExportMesh& from, bool textured, std::size_t material)
     {
         const auto skin = skinOf(from.node);
-        if (!skin)
-            return fail(skin.error());
+        RAMURE_TRY(skin);
         if (from.finest == noIndex)
             m_roots.push_back(m_nodes.size());
         m_meshNode.push_back(m_nodes.size());
@@ -463,8 +459,7 @@ private:
         const Material& material = m_scene.materials[from.material];
         const bool textured = m_materials.isPictured(material) && !from.shape->uv.empty();
         const auto number = m_materials.add(material, textured, !from.shape->colours.empty(), progress);
-        if (!number)
-            return fail(number.error());
+        RAMURE_TRY(number);
         std::vector<glm::vec3> places, sizes, tints;
         std::vector<glm::vec4> turns;
         for (const ExportCopy& copy : from.copies) {
@@ -479,8 +474,7 @@ private:
             return m_buffer.addFloats(all, bits, "VEC3", Target::None);
         };
         const auto holder = holderOf(from.node, from.name, glm::dmat4(1.0));
-        if (!holder)
-            return fail(holder.error());
+        RAMURE_TRY(holder);
         m_nodes[*holder]["extensions"][instancing]["attributes"] = {{"TRANSLATION", values(places, fineBits)},
                                                                     {"ROTATION", m_buffer.addTurns(turns)},
                                                                     {"SCALE", values(sizes, coarseBits)},

@@ -66,8 +66,7 @@ Expected<std::size_t> Materials::add(const Material& material, bool textured, bo
                                           {"diffuseTransmissionColorFactor", linearColour(material.colour)}};
     }
     if (textured)
-        if (auto done = addPictures(out, material, progress); !done)
-            return fail(std::move(done.error()));
+        RAMURE_TRY(addPictures(out, material, progress));
     Json& made = out["pbrMetallicRoughness"];
     // Colours that are no tones are all that is to be seen; pictures stand for the colour of the material.
     const bool isWhite = made.contains("baseColorTexture") || (coloured && !material.tones);
@@ -89,8 +88,7 @@ Expected<void> Materials::addPictures(Json& out, const Material& material, const
     if (isMade(material)) {
         const auto maps = isLeaf ? makeMaps(material.leaf, m_mapSize, leafKinds)
                                  : makeMaps(material.bark, m_mapSize, barkKinds, progress);
-        if (!maps)
-            return fail(maps.error());
+        RAMURE_TRY(maps);
         for (const auto& [map, png] : *maps) {
             const std::string name = isLeaf ? mapFileName(material.leaf, m_mapSize, map)
                                             : mapFileName(material.bark, m_mapSize, map);
@@ -146,8 +144,7 @@ Expected<void> Materials::addOwnPictures(Json& out, const Material& material)
 Expected<void> Materials::addOwn(Json& place, const std::string& path)
 {
     const auto bytes = pictureBytes(path);
-    if (!bytes)
-        return fail(bytes.error());
+    RAMURE_TRY(bytes);
     const char* type = typeOf(*bytes);
     if (!type)
         return fail(inFile(

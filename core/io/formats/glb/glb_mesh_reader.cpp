@@ -70,14 +70,11 @@ public:
             notes.push_back(m_place + ": shapes to blend to are left out");
         m_out.material = numberOf(m_json, "material");
         auto positions = attribute("POSITION", 3);
-        if (!positions)
-            return fail(std::move(positions.error()));
+        RAMURE_TRY(positions);
         m_out.positions = vectorsOf<glm::vec3>(*positions);
         readLook(notes);
-        if (auto done = readSkin(); !done)
-            return fail(std::move(done.error()));
-        if (auto done = readCorners(mode); !done)
-            return fail(std::move(done.error()));
+        RAMURE_TRY(readSkin());
+        RAMURE_TRY(readCorners(mode));
         if (!std::ranges::all_of(m_out.normals, &isDirection))
             mendNormals(notes);
         for (glm::vec3& n : m_out.normals)
@@ -169,8 +166,7 @@ private:
         std::vector<Index> corners(m_out.positions.size());
         if (member(m_json, "indices")) {
             auto read = m_file.indices(numberOf(m_json, "indices"), 1, m_place + ".indices");
-            if (!read)
-                return fail(std::move(read.error()));
+            RAMURE_TRY(read);
             corners = std::move(*read);
         } else
             for (std::size_t i = 0; i < corners.size(); ++i)
@@ -365,21 +361,18 @@ Expected<ReadGlbMesh> readGlbMesh(File& file, std::size_t number)
 {
     const std::string place = placeOf("meshes", number);
     const auto json = file.element("meshes", number, place);
-    if (!json)
-        return fail(json.error());
+    RAMURE_TRY(json);
     const Json* primitives = member(**json, "primitives");
     ReadGlbMesh out;
     out.name = textOf(**json, "name");
     for (std::size_t i = 0; primitives && primitives->is_array() && i < primitives->size(); ++i) {
         auto read =
             PrimitiveReader(file, (*primitives)[i], place + "." + placeOf("primitives", i)).read(out.notes);
-        if (!read)
-            return fail(std::move(read.error()));
+        RAMURE_TRY(read);
         if (*read)
             out.primitives.push_back(std::move(**read));
     }
-    if (auto closed = readClosed(file, **json, place, out); !closed)
-        return fail(std::move(closed.error()));
+    RAMURE_TRY(readClosed(file, **json, place, out));
     return out;
 }
 

@@ -143,8 +143,7 @@ Expected<void> Animation::place(Json& node, std::size_t number, std::span<const 
     std::vector<glm::vec4> turns;
     for (const glm::dmat4& matrix : places) {
         const auto parts = decomposePlacement(matrix);
-        if (!parts)
-            return fail(parts.error());
+        RAMURE_TRY(parts);
         moved.emplace_back(parts->translation);
         const glm::dvec3& turn = parts->rotation;
         turns.push_back(turnOf(maths::angleAxis(turn.z, {0, 0, 1}) * maths::angleAxis(turn.y, {0, 1, 0}) *

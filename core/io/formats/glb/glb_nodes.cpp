@@ -83,8 +83,7 @@ Expected<std::vector<Index>> topsOf(const File& file, const FileNodes& nodes)
         return tops;
     }
     const auto scene = file.element("scenes", shown, "scene");
-    if (!scene)
-        return fail(scene.error());
+    RAMURE_TRY(scene);
     const std::string place = placeOf("scenes", shown) + ".nodes";
     if (const Json* list = member(**scene, "nodes"))
         for (const Json& top : *list) {
@@ -123,28 +122,24 @@ Expected<FileNodes> nodesOf(const File& file)
     const Json& list = file.list("nodes");
     for (std::size_t i = 0; i < list.size(); ++i) {
         const auto json = file.element("nodes", i, "nodes");
-        if (!json)
-            return fail(json.error());
+        RAMURE_TRY(json);
         FileNode& node = out.all.emplace_back();
         node.json = *json;
         node.mesh = numberOf(**json, "mesh");
         node.skin = numberOf(**json, "skin");
         node.camera = numberOf(**json, "camera");
         node.name = nameOf(file, node, i);
-        if (auto placed = readPlace(node, placeOf("nodes", i)); !placed)
-            return fail(std::move(placed.error()));
+        RAMURE_TRY(readPlace(node, placeOf("nodes", i)));
     }
     std::vector<Index> all;
     for (std::size_t i = 0; i < list.size(); ++i)
-        if (auto hung = hang(out, i, placeOf("nodes", i)); !hung)
-            return fail(std::move(hung.error()));
+        RAMURE_TRY(hang(out, i, placeOf("nodes", i)));
     for (std::size_t i = 0; i < list.size(); ++i)
         if (out.all[i].parent == noIndex)
             all.push_back(static_cast<Index>(i));
     walk(out, all); // joints may stand outside of the scene
     const auto tops = topsOf(file, out);
-    if (!tops)
-        return fail(tops.error());
+    RAMURE_TRY(tops);
     out.inScene = walk(out, *tops);
     return out;
 }
@@ -164,8 +159,7 @@ Expected<std::vector<FileCopy>> copiesOf(File& file, const FileNode& node, const
         if (!member(*attributes, name))
             continue;
         auto read = file.floats(numberOf(*attributes, name), size, place);
-        if (!read)
-            return fail(std::move(read.error()));
+        RAMURE_TRY(read);
         *to = std::move(*read);
     }
     const std::size_t count = std::max({places.size() / 3, turns.size() / 4, sizes.size() / 3});
@@ -192,8 +186,7 @@ Expected<std::vector<Index>> jointsOf(const File& file, const FileNodes& nodes, 
 {
     const std::string place = placeOf("skins", skin);
     const auto json = file.element("skins", skin, place);
-    if (!json)
-        return fail(json.error());
+    RAMURE_TRY(json);
     std::vector<Index> out;
     if (const Json* joints = member(**json, "joints"); joints && joints->is_array())
         for (const Json& joint : *joints) {
@@ -210,14 +203,12 @@ Expected<std::vector<glm::dmat4>> inverseBinds(File& file, std::size_t skin, std
 {
     const std::string place = placeOf("skins", skin);
     const auto json = file.element("skins", skin, place);
-    if (!json)
-        return fail(json.error());
+    RAMURE_TRY(json);
     std::vector<glm::dmat4> out(joints, glm::dmat4(1.0));
     if (!member(**json, "inverseBindMatrices"))
         return out;
     const auto numbers = file.floats(numberOf(**json, "inverseBindMatrices"), 16, place);
-    if (!numbers)
-        return fail(numbers.error());
+    RAMURE_TRY(numbers);
     if (numbers->size() < 16 * joints)
         return wrong(place, RAMURE_NOOP("fewer bind matrices than joints"));
     for (std::size_t i = 0; i < joints; ++i)
@@ -228,8 +219,7 @@ Expected<std::vector<glm::dmat4>> inverseBinds(File& file, std::size_t skin, std
 Expected<std::vector<glm::dmat4>> jointMatrices(File& file, const FileNodes& nodes, std::size_t skin)
 {
     const auto joints = jointsOf(file, nodes, skin);
-    if (!joints)
-        return fail(joints.error());
+    RAMURE_TRY(joints);
     auto out = inverseBinds(file, skin, joints->size());
     for (std::size_t i = 0; out && i < joints->size(); ++i)
         (*out)[i] = nodes.all[(*joints)[i]].world * (*out)[i];

@@ -58,12 +58,10 @@ public:
     static Expected<GlbScene> open(const std::string& path, const Progress& progress)
     {
         auto file = glb::File::open(path, progress.part(0.0, 0.3));
-        if (!file)
-            return fail(std::move(file.error()));
+        RAMURE_TRY(file);
         GlbScene out(std::move(*file));
         auto nodes = glb::nodesOf(out.file);
-        if (!nodes)
-            return fail(std::move(nodes.error()));
+        RAMURE_TRY(nodes);
         out.nodes = std::move(*nodes);
         return out;
     }
@@ -73,8 +71,7 @@ public:
         auto found = m_meshes.find(number);
         if (found == m_meshes.end()) {
             auto read = glb::readGlbMesh(file, number);
-            if (!read)
-                return fail(std::move(read.error()));
+            RAMURE_TRY(read);
             found = m_meshes.emplace(number, std::move(*read)).first;
         }
         return &found->second;
@@ -85,8 +82,7 @@ public:
         std::vector<glb::Surface> out;
         for (const glb::Primitive& primitive : mesh.primitives) {
             auto surface = glb::surfaceOf(file, primitive.material);
-            if (!surface)
-                return fail(std::move(surface.error()));
+            RAMURE_TRY(surface);
             out.push_back(*surface);
         }
         return out;
@@ -95,16 +91,13 @@ public:
     Expected<ReadGlbMesh> posed(const FileNode& node)
     {
         const auto own = mesh(*node.mesh);
-        if (!own)
-            return fail(own.error());
+        RAMURE_TRY(own);
         ReadGlbMesh out = **own;
         if (!node.skin)
             return out;
         const auto joints = glb::jointMatrices(file, nodes, *node.skin);
-        if (!joints)
-            return fail(joints.error());
-        if (auto done = glb::applySkin(out, *joints, glb::placeOf("skins", *node.skin)); !done)
-            return fail(std::move(done.error()));
+        RAMURE_TRY(joints);
+        RAMURE_TRY(glb::applySkin(out, *joints, glb::placeOf("skins", *node.skin)));
         return out;
     }
     /// Some of a mesh's primitives, once for each of the node's copies.
@@ -112,15 +105,13 @@ public:
                                   std::size_t count)
     {
         const auto colours = surfaces(mesh);
-        if (!colours)
-            return fail(colours.error());
+        RAMURE_TRY(colours);
         std::vector<glm::vec3> linear;
         for (const glb::Surface& surface : *colours)
             linear.push_back(surface.colour);
         const std::string place = glb::placeOf("nodes", static_cast<std::size_t>(&node - nodes.all.data()));
         const auto copies = glb::copiesOf(file, node, place);
-        if (!copies)
-            return fail(copies.error());
+        RAMURE_TRY(copies);
         TriangleMesh one = glb::joinedMesh(mesh, first, count, linear);
         if (one.colours.empty()) // all of one colour
             one.colours.assign(one.triangles.size(), glb::srgb(linear[first]));
@@ -168,24 +159,20 @@ public:
     Expected<BlenderImport> run()
     {
         auto clip = glb::readClip(m_scene.file, m_scene.nodes);
-        if (!clip)
-            return fail(std::move(clip.error()));
+        RAMURE_TRY(clip);
         m_clip = std::move(*clip);
-        if (auto found = findJoints(); !found)
-            return fail(std::move(found.error()));
+        RAMURE_TRY(findJoints());
         double done = 0.0;
         for (const Index number : m_scene.nodes.inScene) {
             m_progress.report(0.3 + 0.7 * done++ / double(m_scene.nodes.inScene.size()));
             if (m_progress.cancelled())
                 return cancelled();
-            if (auto added = add(number); !added)
-                return fail(std::move(added.error()));
+            RAMURE_TRY(add(number));
         }
         // Where they stand is known when their joints are.
         for (const Index number : m_scene.nodes.inScene)
             if (m_scene.nodes.all[number].mesh && m_scene.nodes.all[number].skin)
-                if (auto added = addSkinned(number); !added)
-                    return fail(std::move(added.error()));
+                RAMURE_TRY(addSkinned(number));
         if (m_out.nodes.empty())
             return fail(ErrorCode::Invalid, RAMURE_NOOP("the file shows no mesh, no camera and no node"));
         const auto isGroup = [](const Node& node) { return node.kind == NodeKind::Group; };
@@ -219,8 +206,7 @@ private:
         const std::vector<FileNode>& all = m_scene.nodes.all;
         for (std::size_t skin = 0; skin < m_scene.file.list("skins").size(); ++skin) {
             const auto joints = glb::jointsOf(m_scene.file, m_scene.nodes, skin);
-            if (!joints)
-                return fail(joints.error());
+            RAMURE_TRY(joints);
             for (const Index joint : *joints)
                 m_own[joint].isJoint = true;
         }
@@ -300,8 +286,7 @@ private:
         const FileNode& from = m_scene.nodes.all[number];
         const std::string inside = glb::placeOf("cameras", *from.camera);
         const auto json = m_scene.file.element("cameras", from.camera, inside);
-        if (!json)
-            return fail(json.error());
+        RAMURE_TRY(json);
         if (m_out.nodes[at].kind != NodeKind::Camera)
             at = addNode(NodeKind::Camera, from.name + " camera", m_out.nodes[at].id).id - 1;
         const glb::Json* lens = glb::member(**json, "perspective");
@@ -329,8 +314,7 @@ private:
     Expected<void> fill(Index number, const ReadGlbMesh& mesh, std::size_t at)
     {
         const auto surfaces = m_scene.surfaces(mesh);
-        if (!surfaces)
-            return fail(surfaces.error());
+        RAMURE_TRY(surfaces);
         tellOf(mesh);
         const std::size_t count = mesh.primitives.size();
         m_hasBareMesh = m_hasBareMesh || count == 0;
@@ -339,11 +323,9 @@ private:
         for (std::size_t p = 0; p < (isOne ? std::min<std::size_t>(count, 1) : count); ++p) {
             const FileNode& from = m_scene.nodes.all[number];
             auto joined = m_scene.copied(from, mesh, p, isOne ? count : 1);
-            if (!joined)
-                return fail(std::move(joined.error()));
+            RAMURE_TRY(joined);
             joined = placed(*joined, m_own[number].rest, from.name);
-            if (!joined)
-                return fail(std::move(joined.error()));
+            RAMURE_TRY(joined);
             if (joined->empty()) // of no copies
                 continue;
             Node& node =
@@ -390,16 +372,13 @@ private:
     {
         const FileNode& from = m_scene.nodes.all[number];
         const auto own = m_scene.mesh(*from.mesh);
-        if (!own)
-            return fail(own.error());
+        RAMURE_TRY(own);
         const auto asArm = addArm(number, **own);
-        if (!asArm)
-            return fail(asArm.error());
+        RAMURE_TRY(asArm);
         if (*asArm)
             return {};
         auto posed = m_scene.posed(from);
-        if (!posed)
-            return fail(std::move(posed.error()));
+        RAMURE_TRY(posed);
         addNode(NodeKind::Mesh, from.name, noNode);
         note(RAMURE_NOOP("the joints of %1 make no arm: it stays a mesh, in the pose of the first frame"),
              {from.name});
@@ -414,11 +393,9 @@ private:
     {
         const FileNode& from = m_scene.nodes.all[number];
         const auto joints = glb::jointsOf(m_scene.file, m_scene.nodes, *from.skin);
-        if (!joints)
-            return fail(joints.error());
+        RAMURE_TRY(joints);
         auto binds = glb::inverseBinds(m_scene.file, *from.skin, joints->size());
-        if (!binds)
-            return fail(std::move(binds.error()));
+        RAMURE_TRY(binds);
         glb::Chain chain;
         chain.order = glb::chainOf(parentsOf(*joints));
         const bool isSkinned = std::ranges::all_of(
@@ -463,8 +440,7 @@ private:
     Expected<bool> wear(Node& node, const ReadGlbMesh& mesh)
     {
         const auto surfaces = m_scene.surfaces(mesh);
-        if (!surfaces)
-            return fail(surfaces.error());
+        RAMURE_TRY(surfaces);
         std::vector<glm::vec3> colours;
         for (const glb::Surface& surface : *surfaces)
             colours.push_back(surface.colour);
@@ -472,8 +448,7 @@ private:
         if (worn.colours.empty())
             worn.colours.assign(worn.triangles.size(), glb::srgb(colours.front()));
         auto finite = placed(worn, glm::dmat4(1.0), node.name);
-        if (!finite)
-            return fail(std::move(finite.error()));
+        RAMURE_TRY(finite);
         dress(node, std::move(*finite), mesh.primitives.front().material, false);
         return true;
     }
@@ -576,20 +551,17 @@ Expected<ReadMesh> allMeshes(GlbScene& scene, const std::string& path, const Pro
         if (!node.mesh)
             continue;
         const auto posed = scene.posed(node);
-        if (!posed)
-            return fail(posed.error());
+        RAMURE_TRY(posed);
         out.notes.insert(out.notes.end(), posed->notes.begin(), posed->notes.end());
         if (posed->primitives.empty())
             continue;
         auto mesh = scene.copied(node, *posed, 0, posed->primitives.size());
-        if (!mesh)
-            return fail(std::move(mesh.error()));
+        RAMURE_TRY(mesh);
         const glm::dmat4 world = node.skin ? glm::dmat4(1.0) : node.world;
         if (std::exchange(isFirst, false))
             out.origin = originOf(*mesh, world);
         mesh = placed(*mesh, glm::translate(glm::dmat4(1.0), -out.origin) * world, node.name);
-        if (!mesh)
-            return fail(std::move(mesh.error()));
+        RAMURE_TRY(mesh);
         if (!mesh->empty()) // of no copies
             out.objects.push_back({node.name, std::move(*mesh), {}});
     }

@@ -97,12 +97,9 @@ Expected<Surface> surfaceOf(const File& file, std::optional<std::size_t> materia
         return out;
     const std::string place = placeOf("materials", *material);
     const auto json = file.element("materials", material, place);
-    if (!json)
-        return fail(json.error());
+    RAMURE_TRY(json);
     double colour[4] = {1.0, 1.0, 1.0, 1.0};
-    if (auto read = numbersOf(memberOr(**json, "pbrMetallicRoughness"), "baseColorFactor", colour, place);
-        !read)
-        return fail(std::move(read.error()));
+    RAMURE_TRY(numbersOf(memberOr(**json, "pbrMetallicRoughness"), "baseColorFactor", colour, place));
     out.colour = {static_cast<float>(colour[0]), static_cast<float>(colour[1]),
                   static_cast<float>(colour[2])};
     for (const Place& picture : placesOf(**json))
@@ -148,12 +145,10 @@ PictureParams PictureFolder::write(std::size_t material, std::vector<Note>& note
 Expected<std::string_view> PictureFolder::bytesOf(const Json& texture, const std::string& place)
 {
     const auto sampled = m_file.element("textures", numberOf(texture, "index"), place);
-    if (!sampled)
-        return fail(sampled.error());
+    RAMURE_TRY(sampled);
     const auto number = sourceOf(**sampled);
     const auto image = m_file.element("images", number, place);
-    if (!image)
-        return fail(image.error());
+    RAMURE_TRY(image);
     const std::string name = pictureName(**image, *number);
     Expected<std::string_view> bytes = std::string_view();
     if (member(**image, "bufferView"))

@@ -78,8 +78,7 @@ Expected<void> exportStl(const std::string& path, const ExportScene& scene, cons
     if (count > std::numeric_limits<std::uint32_t>::max())
         return refuse(path, ErrorCode::Limit, RAMURE_NOOP("an STL holds up to 4294967295 triangles"));
     auto out = FileWriter::open(path);
-    if (!out)
-        return fail(out.error());
+    RAMURE_TRY(out);
     const auto number = static_cast<std::uint32_t>(count);
     out->append(header(options.comment));
     out->append({reinterpret_cast<const char*>(&number), sizeof number});
@@ -148,8 +147,7 @@ public:
     Expected<StlCorners> run(const Progress& progress)
     {
         while (m_lines.next()) {
-            if (auto taken = take(m_lines.line()); !taken)
-                return fail(std::move(taken.error()));
+            RAMURE_TRY(take(m_lines.line()));
             if (m_lines.number() % 65536 == 0 && progress.cancelled())
                 return refuse(m_file, ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
         }
@@ -263,14 +261,11 @@ TriangleMesh welded(std::vector<glm::vec3>&& corners)
 Expected<ReadMesh> importStl(const std::string& path, const Progress& progress)
 {
     auto input = reading::InputFile::open(path);
-    if (!input)
-        return fail(input.error());
+    RAMURE_TRY(input);
     const auto bytes = reading::loadFile(*input, path);
-    if (!bytes)
-        return fail(bytes.error());
+    RAMURE_TRY(bytes);
     auto corners = cornersIn(bytes->view(), path, progress);
-    if (!corners)
-        return fail(std::move(corners.error()));
+    RAMURE_TRY(corners);
     if (corners->positions.size() >= noIndex)
         return refuse(path, ErrorCode::Limit,
                       RAMURE_NOOP("the file holds more triangles than can be counted"));

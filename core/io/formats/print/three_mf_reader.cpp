@@ -362,14 +362,12 @@ std::string modelName(const ZipReader& archive)
 Expected<ReadMesh> readThreeMf(const std::string& path, const Progress& progress)
 {
     const auto archive = ZipReader::open(path);
-    if (!archive)
-        return fail(archive.error());
+    RAMURE_TRY(archive);
     ModelReader model(path);
     const auto read = archive->read(
         modelName(*archive), mostBytes, [&model](std::string_view piece) { return model.take(piece); },
         progress);
-    if (!read)
-        return fail(read.error());
+    RAMURE_TRY(read);
     FileSpace space;
     space.up = UpAxis::Z;
     const bool isOther = !fileSpaceOf(path); // our own say theirs, and are turned by it

@@ -52,11 +52,9 @@ public:
         const PlainText plain(text);
         for (TextLines lines(plain.view()); lines.next();) {
             m_line = lines.number();
-            if (auto read = readLine(lines.line()); !read)
-                return fail(std::move(read.error()));
+            RAMURE_TRY(readLine(lines.line()));
         }
-        if (auto made = makeTracks(); !made)
-            return fail(std::move(made.error()));
+        RAMURE_TRY(makeTracks());
         return std::move(m_out);
     }
 
@@ -96,8 +94,7 @@ private:
     Expected<void> setNumber(std::string_view text, double& into)
     {
         const auto read = number(text);
-        if (!read)
-            return fail(read.error());
+        RAMURE_TRY(read);
         if (*read < 0.0 || *read > 1e6)
             return bad(ErrorCode::Invalid, RAMURE_NOOP("must be between %1 and %2, not %3"),
                        {"0", "1000000", numberText(*read)});
@@ -136,15 +133,13 @@ private:
         KeyRow row;
         row.line = m_line;
         const auto time = number(cells[0]);
-        if (!time)
-            return fail(time.error());
+        RAMURE_TRY(time);
         if (std::abs(*time) > 1e6)
             return bad(ErrorCode::Invalid, RAMURE_NOOP("the time lies beyond a million seconds"));
         row.shape.time = ticksOf(*time);
         for (std::size_t i = 0; i < row.values.size(); ++i) {
             const auto value = number(cells[i + 2]);
-            if (!value)
-                return fail(value.error());
+            RAMURE_TRY(value);
             row.values[i] = *value;
         }
         readMode(row.shape, cells[1]);
@@ -189,8 +184,7 @@ private:
         std::vector<double> numbers;
         for (std::size_t i = plainColumns + 1; i < cells.size(); ++i) {
             const auto value = number(cells[i]);
-            if (!value)
-                return fail(value.error());
+            RAMURE_TRY(value);
             numbers.push_back(*value);
         }
         row.shape.back = numbers[0];
@@ -260,8 +254,7 @@ private:
                 keys[i].out = turned(row.out[axis.column], axis.sign);
             }
             auto track = Track::fromKeys(std::move(keys));
-            if (!track)
-                return fail(std::move(track.error()));
+            RAMURE_TRY(track);
             keep({part, c, 0}, std::move(*track));
         }
         return {};
@@ -282,8 +275,7 @@ private:
             keys[i].value = {q[0], q[1], q[2], q[3]};
         }
         auto track = OrientationTrack::fromKeys(std::move(keys));
-        if (!track)
-            return fail(std::move(track.error()));
+        RAMURE_TRY(track);
         track->blend = m_out.ownScript ? OrientationBlend::Components : OrientationBlend::Classic;
         keep({ChannelPart::GlobalOrientation, 0, 0}, std::move(*track));
         return {};

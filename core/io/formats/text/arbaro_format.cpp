@@ -268,14 +268,11 @@ private:
 Expected<BlenderImport> importArbaro(const std::string& path, const ImportOptions& options, const Progress&)
 {
     const auto text = readSheet(path, options);
-    if (!text)
-        return fail(text.error());
+    RAMURE_TRY(text);
     TreeSheet sheet(path);
     ArbaroReader reader(sheet);
-    if (auto read = reader.read(*text); !read)
-        return fail(std::move(read.error()));
-    if (auto taken = ArbaroTree(sheet, reader.params()).run(reader.species()); !taken)
-        return fail(std::move(taken.error()));
+    RAMURE_TRY(reader.read(*text));
+    RAMURE_TRY(ArbaroTree(sheet, reader.params()).run(reader.species()));
     return std::move(sheet).finish(reader.species().empty() ? "Tree" : reader.species());
 }
 

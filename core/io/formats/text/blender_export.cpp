@@ -112,8 +112,7 @@ public:
                 note(node, RAMURE_NOOP("this kind of node has no place in the format: left out"));
                 continue;
             }
-            if (auto written = add(node); !written)
-                return fail(std::move(written.error()));
+            RAMURE_TRY(add(node));
         }
         if (m_out.files.empty())
             return fail(ErrorCode::Invalid, RAMURE_NOOP("there is no object to export"));
@@ -149,8 +148,7 @@ private:
             note(node, RAMURE_NOOP("tracks of the own shape and of parameters have no place in the format"));
         const glm::dmat4 local = placementMatrix(node.params.local);
         auto solid = m_atRest.solid(node);
-        if (!solid)
-            return fail(std::move(solid.error()));
+        RAMURE_TRY(solid);
         std::shared_ptr<const TriangleMesh> mesh = std::move(*solid);
         if (mesh && node.params.local != PlacementParams{})
             mesh = std::make_shared<const TriangleMesh>(transformed(*mesh, local));

@@ -126,8 +126,7 @@ Expected<BlenderObject> parseBlenderObject(std::string_view text, const std::str
     const PlainText plain(text);
     std::string copy(plain.view());
     BlenderObject object;
-    if (auto read = TransformReader(copy, file).read(object); !read)
-        return fail(std::move(read.error()));
+    RAMURE_TRY(TransformReader(copy, file).read(object));
     if (object.transform && !hasLine(copy, "f")) {
         if (hasLine(copy, "v")) {
             object.notes.push_back(
@@ -138,8 +137,7 @@ Expected<BlenderObject> parseBlenderObject(std::string_view text, const std::str
         return object;
     }
     auto mesh = parseObj(copy, file, progress, materials);
-    if (!mesh)
-        return fail(std::move(mesh.error()));
+    RAMURE_TRY(mesh);
     for (std::string& said : mesh->notes) {
         Note note = fail(ErrorCode::Invalid, "%1", {std::move(said)}).value();
         note.file = file;

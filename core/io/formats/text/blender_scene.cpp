@@ -99,8 +99,7 @@ public:
     Expected<BlenderImport> run(const std::string& path)
     {
         const auto pairs = pairsOf(path);
-        if (!pairs)
-            return fail(pairs.error());
+        RAMURE_TRY(pairs);
         std::size_t done = 0;
         for (const auto& [name, pair] : *pairs) {
             const double from = double(done++) / double(pairs->size());
@@ -108,8 +107,7 @@ public:
             part.report(0.0);
             if (part.cancelled())
                 return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
-            if (auto added = add(name, pair, part); !added)
-                return fail(std::move(added.error()));
+            RAMURE_TRY(add(name, pair, part));
         }
         if (m_hasTransform)
             for (const std::string& file : m_withoutTransform)
@@ -155,11 +153,9 @@ private:
     Expected<void> readAnimation(const fs::path& path, Node& node, std::string& parent)
     {
         const auto text = textOf(path);
-        if (!text)
-            return fail(text.error());
+        RAMURE_TRY(text);
         auto read = parseAnimation(*text, path.string(), m_options.cubic);
-        if (!read)
-            return fail(std::move(read.error()));
+        RAMURE_TRY(read);
         node.animation = std::move(read->animation);
         parent = read->parent;
         m_out.keyCount += read->keyCount;
@@ -174,8 +170,7 @@ private:
             return fileError(path.string(), ErrorCode::Invalid,
                              RAMURE_NOOP("an object with keys has Y up and metres: they cannot be chosen"));
         auto object = hasEnding(path, "obj") ? blenderObject(path, progress) : plainObject(path, progress);
-        if (!object)
-            return fail(std::move(object.error()));
+        RAMURE_TRY(object);
         if (!object->parent.empty())
             parent = object->parent;
         take(object->notes);
@@ -195,8 +190,7 @@ private:
     Expected<BlenderObject> blenderObject(const fs::path& path, const Progress& progress)
     {
         const auto text = textOf(path);
-        if (!text)
-            return fail(text.error());
+        RAMURE_TRY(text);
         auto object = parseBlenderObject(*text, path.string(), progress, materialsBeside(path.string()));
         if (object)
             turn(*object, m_options.space.value_or(fileSpaceIn(*text).value_or(FileSpace())).matrix());
@@ -206,8 +200,7 @@ private:
     Expected<BlenderObject> plainObject(const fs::path& path, const Progress& progress)
     {
         auto mesh = readMeshFile(path.string(), progress);
-        if (!mesh)
-            return fail(std::move(mesh.error()));
+        RAMURE_TRY(mesh);
         BlenderObject object;
         object.mesh = mesh->joined();
         object.origin = mesh->origin;

@@ -275,8 +275,7 @@ bool isTooDeep(std::string_view text)
 Expected<BlenderImport> importEzTree(const std::string& path, const ImportOptions& options, const Progress&)
 {
     const auto text = readSheet(path, options);
-    if (!text)
-        return fail(text.error());
+    RAMURE_TRY(text);
     TreeSheet sheet(path);
     if (isTooDeep(*text))
         return sheet.refuse(ErrorCode::Invalid, RAMURE_NOOP("no \"branch\": not a tree of ez-tree"));
@@ -291,8 +290,7 @@ Expected<BlenderImport> importEzTree(const std::string& path, const ImportOption
     const auto branch = root.is_object() ? root.find("branch") : root.end();
     if (branch == root.end() || !branch->is_object())
         return sheet.refuse(ErrorCode::Invalid, RAMURE_NOOP("no \"branch\": not a tree of ez-tree"));
-    if (auto taken = EzTree(sheet, root).run(); !taken)
-        return fail(std::move(taken.error()));
+    RAMURE_TRY(EzTree(sheet, root).run());
     return std::move(sheet).finish(std::filesystem::path(path).stem().string());
 }
 

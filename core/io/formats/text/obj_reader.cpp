@@ -310,10 +310,8 @@ Expected<ReadMesh> meshOf(Scan&& scan, const std::string& file, const MaterialSo
         out.origin = reading::farOrigin(lists->positions);
     if (out.origin != glm::dvec3(0.0))
         lists = scan(out.origin);
-    if (!lists)
-        return fail(lists.error());
-    if (auto checked = reading::checkFaces(lists->positions.size(), lists->triangles.size(), file); !checked)
-        return fail(std::move(checked.error()));
+    RAMURE_TRY(lists);
+    RAMURE_TRY(reading::checkFaces(lists->positions.size(), lists->triangles.size(), file));
     out.notes = std::move(lists->notes);
     if (out.origin != glm::dvec3(0.0))
         out.notes.push_back(reading::farNote(out.origin));
@@ -366,8 +364,7 @@ Expected<ReadMesh> reading::readObjFile(const std::string& path, const Progress&
                                         const MaterialSource& materials, std::size_t blockSize)
 {
     auto input = InputFile::open(path);
-    if (!input)
-        return fail(input.error());
+    RAMURE_TRY(input);
     if (input->isRegular())
         return meshOf(
             [&](const glm::dvec3& origin) {
@@ -376,8 +373,7 @@ Expected<ReadMesh> reading::readObjFile(const std::string& path, const Progress&
             },
             path, materials, progress);
     const auto bytes = loadFile(*input, path);
-    if (!bytes)
-        return fail(bytes.error());
+    RAMURE_TRY(bytes);
     return parseObj(bytes->view(), path, progress, materials);
 }
 

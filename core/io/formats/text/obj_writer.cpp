@@ -317,8 +317,7 @@ Expected<void> writePictures(const std::string& path, std::span<const MeshPart> 
         const Material& material = parts[i].material;
         if (auto copied = copyPictures(folder, material.pictures); !copied)
             return copied;
-        if (const auto made = writeMade(folder, material, options.mapSize, own); !made)
-            return fail(made.error());
+        RAMURE_TRY(writeMade(folder, material, options.mapSize, own));
         own.report(1.0);
     }
     return {};
@@ -348,8 +347,7 @@ Expected<void> writeObj(const std::string& path, std::span<const MeshPart> parts
     if (const auto finite = writing::checkFinite(parts, path); !finite)
         return finite;
     auto out = FileWriter::open(path);
-    if (!out)
-        return fail(out.error());
+    RAMURE_TRY(out);
     const std::string library = materialPath(path);
     out->append(head(options.comment));
     if (out->isRegular()) // a device has nothing beside it
@@ -372,8 +370,7 @@ Expected<void> writeObj(const std::string& path, std::span<const MeshPart> parts
     if (!out->isRegular())
         return out->commit();
     auto materials = FileWriter::open(library);
-    if (!materials)
-        return fail(materials.error());
+    RAMURE_TRY(materials);
     writeMaterials(*materials, parts, options);
     if (auto done = writePictures(path, parts, options, progress.part(text, 1.0)); !done)
         return done;
@@ -386,8 +383,7 @@ Expected<void> writeObjLines(const std::string& path, const LinePart& lines, con
     if (const auto finite = writing::checkFinite(lines, path); !finite)
         return finite;
     auto out = FileWriter::open(path);
-    if (!out)
-        return fail(out.error());
+    RAMURE_TRY(out);
     out->append(head(comment) + "o " + oneLine(lines.name) + "\n");
     Ticker ticker(progress, lines.positions.size() + lines.lines.size());
     if (writeVectors("v ", lines.positions, ticker, *out))

@@ -431,8 +431,7 @@ Expected<ReadMesh> finished(ReadMesh mesh, const PlyHeader& header, const std::s
                             const Progress& progress)
 {
     const TriangleMesh& only = mesh.objects.front().mesh;
-    if (auto checked = reading::checkFaces(only.positions.size(), only.triangles.size(), file); !checked)
-        return fail(std::move(checked.error()));
+    RAMURE_TRY(reading::checkFaces(only.positions.size(), only.triangles.size(), file));
     mesh.objects.front().name = reading::stem(file);
     noteSkippedProperties(header, "vertex", {"x", "y", "z", "nx", "ny", "nz", "branch", "level"}, mesh.notes);
     noteSkippedProperties(header, "face", {"vertex_indices", "vertex_index", "texcoord"}, mesh.notes);
@@ -470,8 +469,7 @@ Expected<ReadMesh> parsePly(std::string_view bytes, const std::string& file, con
         return parsePly(plain.view(), file, progress);
     }
     const auto header = reading::parsePlyHeader(bytes, file, bytes.size());
-    if (!header)
-        return fail(header.error());
+    RAMURE_TRY(header);
     auto result = bodyOf(bytes, *header, file, glm::dvec3(0.0), progress);
     const glm::dvec3 origin =
         result ? reading::farOrigin(result->objects.front().mesh.positions) : glm::dvec3(0.0);
@@ -488,8 +486,7 @@ Expected<ReadMesh> parsePly(std::string_view bytes, const std::string& file, con
 Expected<ReadMesh> reading::readPlyFile(const std::string& path, const Progress& progress)
 {
     auto input = InputFile::open(path);
-    if (!input)
-        return fail(input.error());
+    RAMURE_TRY(input);
     if (input->isRegular()) {
         // Headers are short; what is longer, or not plain, is read as a whole.
         std::string begin(std::min<std::size_t>(input->size(), 1u << 14), '\0');
@@ -503,8 +500,7 @@ Expected<ReadMesh> reading::readPlyFile(const std::string& path, const Progress&
         input->rewind();
     }
     const auto bytes = loadFile(*input, path);
-    if (!bytes)
-        return fail(bytes.error());
+    RAMURE_TRY(bytes);
     return parsePly(bytes->view(), path, progress);
 }
 

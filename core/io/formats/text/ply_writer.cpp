@@ -254,8 +254,7 @@ Expected<void> writePly(const std::string& path, std::span<const MeshPart> parts
     if (const auto finite = writing::checkFinite(parts, path); !finite)
         return finite;
     auto out = FileWriter::open(path);
-    if (!out)
-        return fail(out.error());
+    RAMURE_TRY(out);
     const Layout layout = layoutOf(parts);
     out->append(header(layout, options));
     Ticker ticker(progress, layout.vertices + layout.faces);
@@ -273,8 +272,7 @@ Expected<void> writePlyLines(const std::string& path, const LinePart& lines, con
     if (const auto finite = writing::checkFinite(lines, path); !finite)
         return finite;
     auto out = FileWriter::open(path);
-    if (!out)
-        return fail(out.error());
+    RAMURE_TRY(out);
     out->append(headerBegin(options) + "element vertex " + std::to_string(lines.positions.size()) +
                 "\nproperty float x\nproperty float y\nproperty float z\nelement edge " +
                 std::to_string(lines.lines.size()) +

@@ -88,8 +88,7 @@ Expected<void> OwnPresets::checkFree(const QString& name) const
 Expected<Node> OwnPresets::load(const QString& name) const
 {
     auto project = loadProjectFile(file(name));
-    if (!project)
-        return fail(std::move(project.error()));
+    RAMURE_TRY(project);
     const auto& nodes = project->scene.nodes();
     const auto tree = std::ranges::find(nodes, NodeKind::Tree, &Node::kind);
     if (tree == nodes.end())
@@ -116,8 +115,7 @@ Expected<void> OwnPresets::save(const QString& name, const Node& tree) const
     kept.animation = {};
     kept.params.tree = {};
     auto scene = Scene::fromNodes({std::move(kept)});
-    if (!scene)
-        return fail(std::move(scene.error()));
+    RAMURE_TRY(scene);
     return saveProjectFile({std::move(*scene), {}}, file(name));
 }
 

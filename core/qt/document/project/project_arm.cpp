@@ -73,14 +73,10 @@ Expected<ArmJoint> readJoint(const QJsonValue& value, const std::string& place)
         return failAt(place, ErrorCode::Invalid, RAMURE_NOOP("an object is expected here"));
     QJsonObject object = value.toObject();
     ArmJoint joint;
-    if (auto done = takeNumber(object, "length", place, joint.length); !done)
-        return fail(std::move(done.error()));
-    if (auto done = readAngle(object.take(QLatin1String("phi")), place + ".phi", joint.phi); !done)
-        return fail(std::move(done.error()));
-    if (auto done = readAngle(object.take(QLatin1String("theta")), place + ".theta", joint.theta); !done)
-        return fail(std::move(done.error()));
-    if (auto done = nothingLeft(object, place); !done)
-        return fail(std::move(done.error()));
+    RAMURE_TRY(takeNumber(object, "length", place, joint.length));
+    RAMURE_TRY(readAngle(object.take(QLatin1String("phi")), place + ".phi", joint.phi));
+    RAMURE_TRY(readAngle(object.take(QLatin1String("theta")), place + ".theta", joint.theta));
+    RAMURE_TRY(nothingLeft(object, place));
     return joint;
 }
 
@@ -110,12 +106,10 @@ Expected<std::vector<ArmJoint>> readJoints(const QJsonValue& value)
     const QJsonArray array = value.toArray();
     for (qsizetype i = 0; i < array.size() && i <= qsizetype(mostArmJoints); ++i) {
         auto joint = readJoint(array[i], "joints" + indexPlace(i));
-        if (!joint)
-            return fail(std::move(joint.error()));
+        RAMURE_TRY(joint);
         joints.push_back(*joint);
     }
-    if (auto checked = checkArm(joints); !checked)
-        return fail(std::move(checked.error()));
+    RAMURE_TRY(checkArm(joints));
     return joints;
 }
 

@@ -42,8 +42,7 @@ Expected<ViewBookmark> readBookmark(const QJsonObject& object)
         view.*number.field = value.toDouble();
     }
     view.orthographic = object.value(QLatin1String("orthographic")).toBool();
-    if (auto fine = checkViewBookmark(view); !fine)
-        return fail(std::move(fine.error()));
+    RAMURE_TRY(checkViewBookmark(view));
     return view;
 }
 

@@ -148,13 +148,11 @@ public:
         for (const auto step : {&EditReader::readHead, &EditReader::readTargets, &EditReader::readNumbers,
                                 &EditReader::readVectors, &EditReader::readFlags, &EditReader::readOrgan,
                                 &EditReader::readShape, &EditReader::readPoints, &EditReader::readLimb})
-            if (auto done = (this->*step)(); !done)
-                return fail(std::move(done.error()));
+            RAMURE_TRY((this->*step)());
         if (!m_rest.isEmpty())
             return failAt(m_rest.begin().key().toStdString(), ErrorCode::Unknown,
                           RAMURE_NOOP("\"%1\" has no such value"), {m_info->key});
-        if (auto ok = checkTreeEdit(m_edit); !ok)
-            return fail(std::move(ok.error()));
+        RAMURE_TRY(checkTreeEdit(m_edit));
         return std::move(m_edit);
     }
 
@@ -256,8 +254,7 @@ private:
             if (!(m_info->fields & vector.field) || !m_rest.contains(key))
                 continue;
             const auto row = readRow(m_rest.take(key), vector.key, 3, 3);
-            if (!row)
-                return fail(row.error());
+            RAMURE_TRY(row);
             m_edit.*vector.member = {(*row)[0], (*row)[1], (*row)[2]};
         }
         return {};
@@ -286,8 +283,7 @@ private:
         const std::string path = std::string("shape.") + shape.key;
         const auto row =
             readRow(value, path, count, hasPairs ? count + 2 * qsizetype(mostEditPoints) : count);
-        if (!row)
-            return fail(row.error());
+        RAMURE_TRY(row);
         if ((row->size() - shape.numbers) % 2 != 0)
             return failAt(path, ErrorCode::Invalid,
                           RAMURE_NOOP("pairs of radius and height are expected here"));
@@ -300,14 +296,12 @@ private:
     {
         for (const QJsonValue& point : mesh.value(QLatin1String("points")).toArray()) {
             const auto row = readRow(point, "shape.mesh.points", 3, 3);
-            if (!row)
-                return fail(row.error());
+            RAMURE_TRY(row);
             m_edit.shape.points.emplace_back((*row)[0], (*row)[1], (*row)[2]);
         }
         for (const QJsonValue& triangle : mesh.value(QLatin1String("triangles")).toArray()) {
             const auto row = readRow(triangle, "shape.mesh.triangles", 3, 3);
-            if (!row)
-                return fail(row.error());
+            RAMURE_TRY(row);
             std::array<std::uint32_t, 3>& corners = m_edit.shape.triangles.emplace_back();
             for (std::size_t i = 0; i < 3; ++i) {
                 if (!((*row)[i] >= 0.0 && (*row)[i] < 4e9))
@@ -354,8 +348,7 @@ private:
         const QJsonArray array = m_rest.take(QLatin1String("points")).toArray();
         for (qsizetype i = 0; i < array.size(); ++i) {
             const auto row = readRow(array[i], "points" + indexPlace(i), 3, 4);
-            if (!row)
-                return fail(row.error());
+            RAMURE_TRY(row);
             m_edit.points.push_back({{(*row)[0], (*row)[1], (*row)[2]}, row->size() > 3 ? (*row)[3] : 0.0});
         }
         return {};
@@ -392,8 +385,7 @@ private:
         for (qsizetype i = 0; i < array.size(); ++i) {
             const auto row = readRow(array[i], "limb" + indexPlace(i), limbNumbers,
                                      limbNumbers + 1 + organNumbers * qsizetype(mostEditPoints));
-            if (!row)
-                return fail(row.error());
+            RAMURE_TRY(row);
             const std::vector<double>& n = *row;
             if (!(std::abs(n[0]) < 1e9) || !(std::abs(n[1]) < 1e9) || !areOrgans(n))
                 return failAt("limb" + indexPlace(i), ErrorCode::Invalid,
@@ -474,8 +466,7 @@ Expected<ScriptEdits> readScriptEdits(const QJsonObject& line)
         if (!target.isUndefined() && !target.isNull())
             rest.insert(key, target);
         auto edit = EditReader(rest, true).read();
-        if (!edit)
-            return fail(std::move(edit.error()));
+        RAMURE_TRY(edit);
         script.edits.push_back(std::move(*edit));
     }
     return script;

@@ -103,11 +103,9 @@ template <class T, class Read> static Expected<T> readPart(QJsonObject& root, co
 static Expected<Project> readParsed(QJsonObject root)
 {
     const bool knowsPlaces = root.value(QLatin1String("version")).toInteger(0) >= 3;
-    if (auto done = migrateProject(root); !done)
-        return fail(std::move(done.error()));
+    RAMURE_TRY(migrateProject(root));
     auto nodes = readNodes(root.take(QLatin1String("nodes")));
-    if (!nodes)
-        return fail(std::move(nodes.error()));
+    RAMURE_TRY(nodes);
     for (Node& node : *nodes)
         if (!knowsPlaces)
             json::findOldEdits(node);
@@ -115,12 +113,10 @@ static Expected<Project> readParsed(QJsonObject root)
     if (!scene)
         return failInside("nodes", std::move(scene.error()));
     const auto timeline = readPart<TimelineSettings>(root, "timeline", json::readTimeline);
-    if (!timeline)
-        return fail(timeline.error());
+    RAMURE_TRY(timeline);
     scene->setTimeline(*timeline);
     const auto bookmarks = readPart<ViewBookmarks>(root, "views", json::readBookmarks);
-    if (!bookmarks)
-        return fail(bookmarks.error());
+    RAMURE_TRY(bookmarks);
     scene->setBookmarks(*bookmarks);
     linkGrowthSpaces(*scene);
     root.remove(QLatin1String("format"));
@@ -169,8 +165,7 @@ Expected<Project> loadProjectFile(const QString& path)
     QFile file;
     if (path.isEmpty())
         return ioError(path, RAMURE_NOOP("cannot be opened: %1"), QStringLiteral("the name is empty"));
-    if (auto opened = openToRead(file, path); !opened)
-        return fail(std::move(opened.error()));
+    RAMURE_TRY(openToRead(file, path));
     // One byte more than allowed tells too large a file, also where the system knows no size (a pipe).
     const QByteArray bytes = file.read(projectSizeLimit + 1);
     if (file.error() != QFileDevice::NoError)

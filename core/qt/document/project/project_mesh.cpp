@@ -102,26 +102,19 @@ Expected<TriangleMesh> readMesh(QJsonObject& object)
     auto uv = fromText<glm::vec2>(object, "uv");
     auto uvTriangles = fromText<glm::uvec3>(object, "uvIndices");
     auto colours = fromText<glm::u8vec3>(object, "colours");
-    if (!positions)
-        return fail(std::move(positions.error()));
-    if (!normals)
-        return fail(std::move(normals.error()));
-    if (!triangles)
-        return fail(std::move(triangles.error()));
-    if (!uv)
-        return fail(std::move(uv.error()));
-    if (!uvTriangles)
-        return fail(std::move(uvTriangles.error()));
-    if (!colours)
-        return fail(std::move(colours.error()));
+    RAMURE_TRY(positions);
+    RAMURE_TRY(normals);
+    RAMURE_TRY(triangles);
+    RAMURE_TRY(uv);
+    RAMURE_TRY(uvTriangles);
+    RAMURE_TRY(colours);
     mesh.positions = std::move(*positions);
     mesh.normals = std::move(*normals);
     mesh.triangles = std::move(*triangles);
     mesh.uv = std::move(*uv);
     mesh.uvTriangles = std::move(*uvTriangles);
     mesh.colours = std::move(*colours);
-    if (auto good = checkMesh(mesh); !good)
-        return fail(std::move(good.error()));
+    RAMURE_TRY(checkMesh(mesh));
     return mesh;
 }
 

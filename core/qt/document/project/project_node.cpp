@@ -93,8 +93,7 @@ public:
              {&NodeReader::readIds, &NodeReader::readKind, &NodeReader::readState, &NodeReader::readParams,
               &NodeReader::readBranches, &NodeReader::readTreeEdits, &NodeReader::readArm,
               &NodeReader::readAnimation, &NodeReader::readGeometry})
-            if (auto done = (this->*step)(); !done)
-                return fail(std::move(done.error()));
+            RAMURE_TRY((this->*step)());
         m_node.extras = extrasText(m_rest);
         return std::move(m_node);
     }
@@ -177,8 +176,7 @@ private:
     Expected<void> readParams()
     {
         auto object = takeObject("params");
-        if (!object)
-            return fail(object.error());
+        RAMURE_TRY(object);
         for (const ParamDef& def : paramTable()) {
             const QString key = QLatin1String(def.key);
             if (!hasParam(m_node.kind, def) || !object->contains(key))
@@ -213,8 +211,7 @@ private:
         if (!roll.isDouble() && !roll.isUndefined())
             return failAt(place + ".roll", ErrorCode::Invalid, RAMURE_NOOP("a number is expected here"));
         const auto bend = readBend(object.take(QLatin1String("bend")), place);
-        if (!bend)
-            return fail(bend.error());
+        RAMURE_TRY(bend);
         auto at = readPlace(object.take(QLatin1String("place")));
         if (!at)
             return failInside(place + ".place", std::move(at.error()));
@@ -229,8 +226,7 @@ private:
         if (m_node.kind == NodeKind::Unknown) // it may mean something else there
             return {};
         const auto object = takeObject("branches");
-        if (!object)
-            return fail(object.error());
+        RAMURE_TRY(object);
         QJsonObject unknown;
         for (auto it = object->begin(); it != object->end(); ++it)
             if (auto done = readBranch(it.key(), it.value(), unknown); !done)
@@ -258,16 +254,14 @@ private:
         if (m_node.kind != NodeKind::Arm || !m_rest.contains(QLatin1String("joints")))
             return {};
         auto joints = readJoints(m_rest.take(QLatin1String("joints")));
-        if (!joints)
-            return fail(std::move(joints.error()));
+        RAMURE_TRY(joints);
         m_node.params.joints = std::move(*joints);
         return {};
     }
     Expected<void> readAnimation()
     {
         auto object = takeObject("tracks");
-        if (!object)
-            return fail(object.error());
+        RAMURE_TRY(object);
         auto animation = readTracks(*object, m_node.kind);
         if (!animation)
             return failInside("tracks", std::move(animation.error()));
@@ -282,14 +276,12 @@ private:
         if (m_node.kind != NodeKind::Mesh && !wears)
             return {};
         auto object = takeObject("mesh");
-        if (!object)
-            return fail(object.error());
+        RAMURE_TRY(object);
         auto mesh = readMesh(*object);
         if (!mesh)
             return failInside("mesh", std::move(mesh.error()));
         if (wears)
-            if (auto checked = checkArmMesh(*mesh); !checked)
-                return fail(std::move(checked.error())); // its path is "mesh"
+            RAMURE_TRY(checkArmMesh(*mesh)); // its path is "mesh"
         m_node.mesh = SharedValue<TriangleMesh>(std::move(*mesh));
         if (!object->isEmpty())
             m_rest.insert(QStringLiteral("mesh"), *object);

@@ -54,13 +54,11 @@ Expected<AxisPrint> readPrint(const QJsonObject& object)
 {
     AxisPrint print;
     const auto address = readHex(object, "id");
-    if (!address)
-        return fail(address.error());
+    RAMURE_TRY(address);
     print.address = *address;
     for (const PrintCount& field : printCounts) {
         const auto number = readCount(object, field.key);
-        if (!number)
-            return fail(number.error());
+        RAMURE_TRY(number);
         print.*field.member = *number;
     }
     for (const PrintNumber& field : printNumbers) {
@@ -106,8 +104,7 @@ Expected<BranchPlace> readPlace(const QJsonValue& value)
     const QJsonObject object = value.toObject();
     const auto tree = readHex(object, "tree");
     const auto fork = readCount(object, "fork"), piece = readCount(object, "piece");
-    if (!tree)
-        return fail(tree.error());
+    RAMURE_TRY(tree);
     for (const auto* number : {&fork, &piece})
         if (!*number)
             return fail(number->error());

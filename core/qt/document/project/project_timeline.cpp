@@ -67,16 +67,11 @@ Expected<TimelineSettings> readTimeline(QJsonObject& object)
     if (!rate.isUndefined() && !rate.isDouble())
         return failAt("framesPerSecond", ErrorCode::Invalid, RAMURE_NOOP("a number is expected here"));
     settings.framesPerSecond = rate.toDouble(settings.framesPerSecond);
-    if (auto read = readFrame(object, "firstFrame", settings.firstFrame); !read)
-        return fail(std::move(read.error()));
-    if (auto read = readFrame(object, "lastFrame", settings.lastFrame); !read)
-        return fail(std::move(read.error()));
-    if (auto read = readLoop(object, settings.loop); !read)
-        return fail(std::move(read.error()));
-    if (auto read = readSeamless(object, settings.seamless); !read)
-        return fail(std::move(read.error()));
-    if (auto fine = checkTimeline(settings); !fine)
-        return fail(std::move(fine.error()));
+    RAMURE_TRY(readFrame(object, "firstFrame", settings.firstFrame));
+    RAMURE_TRY(readFrame(object, "lastFrame", settings.lastFrame));
+    RAMURE_TRY(readLoop(object, settings.loop));
+    RAMURE_TRY(readSeamless(object, settings.seamless));
+    RAMURE_TRY(checkTimeline(settings));
     return settings;
 }
 

@@ -214,8 +214,7 @@ template <class KeyType> Expected<KeyType> readKey(const QJsonValue& json)
     then([&] { return taker.number("period", key.period); });
     then([&] { return taker.handle("in", key.in); });
     then([&] { return taker.handle("out", key.out); });
-    if (!done)
-        return fail(std::move(done.error()));
+    RAMURE_TRY(done);
     if (!taker.rest().isEmpty())
         return failAt(taker.rest().begin().key().toStdString(), ErrorCode::Unknown,
                       RAMURE_NOOP("a key has nothing of this name"));
@@ -250,8 +249,7 @@ template <class TrackType> Expected<AnyTrack> readTrack(QJsonObject& object)
 {
     Taker taker(object);
     auto track = readKeys<TrackType>(taker.take(keysKey));
-    if (!track)
-        return fail(std::move(track.error()));
+    RAMURE_TRY(track);
     auto done = taker.name("before", track->before, extrapolationCount, extrapolationName);
     if (done)
         done = taker.name("behind", track->behind, extrapolationCount, extrapolationName);
@@ -261,8 +259,7 @@ template <class TrackType> Expected<AnyTrack> readTrack(QJsonObject& object)
         done = failAt("loop", ErrorCode::Invalid, RAMURE_NOOP("a loop takes time"));
     if (done)
         done = taker.name("blend", track->blend, orientationBlendCount, orientationBlendName);
-    if (!done)
-        return fail(std::move(done.error()));
+    RAMURE_TRY(done);
     object = taker.rest();
     track->settleEnds();
     return AnyTrack(std::move(*track));

@@ -13,8 +13,7 @@ ArmBaker::ArmBaker(Document* document, QObject* parent)
 Expected<void> ArmBaker::start(NodeId arm, const ArmBakeOptions& options)
 {
     const auto editable = editableArm(m_document->scene(), arm);
-    if (!editable)
-        return fail(editable.error());
+    RAMURE_TRY(editable);
     const Node* node = *editable;
     if (!node->params.arm.follows)
         return fail(ErrorCode::Invalid, RAMURE_NOOP("the arm follows no target: there is no motion to bake"));

@@ -69,16 +69,14 @@ Expected<std::shared_ptr<ArmDresser::Work>> ArmDresser::Work::of(const Scene& sc
                                                                  bool fitted, std::optional<MeshAxis> axis)
 {
     const auto node = editableArm(scene, arm);
-    if (!node)
-        return fail(node.error());
+    RAMURE_TRY(node);
     const Node* from = scene.find(mesh);
     if (!from)
         return unknownNode(mesh);
     if (from->kind != NodeKind::Mesh || !from->mesh)
         return fail(ErrorCode::Invalid, RAMURE_NOOP("\"%1\" is no imported mesh"), {from->name});
     const auto way = wayIntoArm(scene, arm, mesh);
-    if (!way)
-        return fail(way.error());
+    RAMURE_TRY(way);
     auto work = std::make_shared<Work>();
     work->arm = arm;
     work->worn = mesh;
@@ -160,8 +158,7 @@ Expected<void> ArmDresser::wear(NodeId arm, NodeId mesh, bool fitted, std::optio
 Expected<void> ArmDresser::fitAgain(NodeId arm)
 {
     const auto node = editableArm(m_document->scene(), arm);
-    if (!node)
-        return fail(node.error());
+    RAMURE_TRY(node);
     if (!(*node)->mesh)
         return fail(ErrorCode::Invalid, RAMURE_NOOP("\"%1\" wears no mesh"), {(*node)->name});
     auto work = std::make_shared<Work>();
@@ -201,8 +198,7 @@ Expected<void> ArmDresser::doOrBegin(const std::shared_ptr<Work>& work)
 Expected<void> edit::wearMesh(Document& document, NodeId arm, NodeId mesh, bool fitted)
 {
     const auto work = ArmDresser::Work::of(document.scene(), arm, mesh, fitted);
-    if (!work)
-        return fail(work.error());
+    RAMURE_TRY(work);
     if (auto made = (*work)->make(); !made)
         return made;
     return (*work)->putOn(document);

@@ -86,8 +86,7 @@ Expected<void> ArmReach::reachFor(NodeId arm, const glm::dvec3& target, GestureI
     ArmState state = node && node->kind == NodeKind::Arm ? armState(*node) : ArmState();
     if (node && m_keys && m_keys->takes({arm}, def)) {
         auto keyed = m_keys->withKeys(*node, def, target);
-        if (!keyed)
-            return fail(std::move(keyed.error()));
+        RAMURE_TRY(keyed);
         state.animation = std::move(*keyed);
     } else {
         state.target = target;

@@ -120,8 +120,7 @@ Expected<TreeMeshes> roughMeshes(const TreeResult& tree, const NodeParams& param
     if (!(parts & (exportLeaves | exportApples)))
         return meshes;
     auto placed = placeFoliage(skeleton, params.foliage, params.leaf, params.fruit, alpha, progress);
-    if (!placed)
-        return fail(placed.error());
+    RAMURE_TRY(placed);
     meshes.foliage = std::make_shared<const Foliage>(std::move(*placed));
     const Foliage& foliage = *meshes.foliage;
     if (parts & exportLeaves)
@@ -139,8 +138,7 @@ Expected<void> addTexture(TreeMeshes& meshes, const TextureStage& texture, const
 {
     if (meshes.branches) {
         const auto made = texture.coordinates(params, progress);
-        if (!made)
-            return fail(made.error());
+        RAMURE_TRY(made);
         const auto branches = std::make_shared<TriangleMesh>(*meshes.branches);
         branches->uv = (*made)->uv;
         branches->uvTriangles = (*made)->corners;
@@ -296,8 +294,7 @@ Expected<void> addShape(ExportScene& out, const Candidate& shape, EvaluatedScene
         return {};
     }
     auto made = shapeMesh(node, scene, progress);
-    if (!made)
-        return fail(std::move(made.error()));
+    RAMURE_TRY(made);
     if (!made->mesh || made->mesh->empty())
         return {};
     made->name = shape.suffix;
@@ -334,8 +331,7 @@ Expected<void> addFineTree(ExportScene& out, const Candidate& tree, EvaluatedSce
                            const ExportOptions& options, const Progress& progress)
 {
     const auto posed = scene.posedTree(*tree.node, lastStage(options), !options.clip.empty(), progress);
-    if (!posed)
-        return fail(posed.error());
+    RAMURE_TRY(posed);
     const NodeParams& params = scene.params(*tree.node);
     TreeMeshes meshes = fineMeshes(posed->rest, options.parts);
     if (options.instances && meshes.foliage)
@@ -358,8 +354,7 @@ Expected<void> addLevels(ExportScene& out, const Candidate& tree, EvaluatedScene
                          const ExportOptions& options, const Progress& progress)
 {
     const auto made = levelsOf(*tree.node, scene, options, progress);
-    if (!made)
-        return fail(made.error());
+    RAMURE_TRY(made);
     out.nodes[tree.number].bones =
         bonesOf(made->tree.rest.simplified->skeleton, made->tree.rest.foliage.get(), made->tree.motion);
     std::map<std::string, Index> finest;
@@ -396,16 +391,14 @@ Expected<void> addTree(ExportScene& out, const Candidate& tree, EvaluatedScene& 
     if (options.model == ExportModel::Mesh)
         return addFineTree(out, tree, scene, options, progress);
     const auto result = scene.tree(*tree.node, lastStage(options), progress);
-    if (!result)
-        return fail(result.error());
+    RAMURE_TRY(result);
     if (options.model == ExportModel::Skeleton) {
         addLines(*out.lines, result->simplified->skeleton, tree.world);
         return {};
     }
     const NodeParams& params = scene.params(*tree.node);
     auto meshes = roughMeshes(*result, params, options.parts, progress);
-    if (!meshes)
-        return fail(meshes.error());
+    RAMURE_TRY(meshes);
     if (options.instances && meshes->foliage)
         takeInstances(
             out, tree, *meshes,
@@ -505,8 +498,7 @@ Expected<ExportScene> collectExport(EvaluatedScene scene, const ExportOptions& o
                                     const Progress& progress)
 {
     const auto nodes = candidates(scene, options);
-    if (!nodes)
-        return fail(nodes.error());
+    RAMURE_TRY(nodes);
     ExportScene out = bareScene(scene, options);
     const auto count = static_cast<double>(nodes->size() + options.clip.size());
     double done = 0.0;
@@ -517,15 +509,13 @@ Expected<ExportScene> collectExport(EvaluatedScene scene, const ExportOptions& o
     for (const Candidate& node : *nodes) {
         if (progress.cancelled())
             return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
-        if (auto added = addNode(out, node, scene, options, next()); !added)
-            return fail(std::move(added.error()));
+        RAMURE_TRY(addNode(out, node, scene, options, next()));
     }
     if (out.meshes.empty() && out.copies.empty() && !(out.lines && !out.lines->lines.empty()))
         return fail(ErrorCode::Invalid,
                     RAMURE_NOOP("the chosen parts are empty: there is nothing to export"));
     for (const double seconds : options.clip)
-        if (auto added = addFrame(out, scene.at(seconds), *nodes, next()); !added)
-            return fail(std::move(added.error()));
+        RAMURE_TRY(addFrame(out, scene.at(seconds), *nodes, next()));
     return out;
 }
 
@@ -538,8 +528,7 @@ Expected<void> exportScene(EvaluatedScene scene, const ExportOptions& options, c
                            const Progress& progress)
 {
     const auto format = findFormat(path, FormatUse::Write, options.write.ascii);
-    if (!format)
-        return fail(format.error());
+    RAMURE_TRY(format);
     if (!options.clip.empty() && options.instances)
         return fail(ErrorCode::Invalid,
                     RAMURE_NOOP("instances of leaves do not move: merge them, or write one moment"));
@@ -548,8 +537,7 @@ Expected<void> exportScene(EvaluatedScene scene, const ExportOptions& options, c
     if (auto fine = checkWindExport(options, **format); !fine)
         return fine;
     const auto collected = collectExport(std::move(scene), options, progress.part(0.0, 0.5));
-    if (!collected)
-        return fail(collected.error());
+    RAMURE_TRY(collected);
     return writeExport(*collected, options, path, progress.part(0.5, 1.0));
 }
 
@@ -557,8 +545,7 @@ Expected<void> writeExport(const ExportScene& scene, const ExportOptions& option
                            const Progress& progress)
 {
     const auto format = findFormat(path, FormatUse::Write, options.write.ascii);
-    if (!format)
-        return fail(format.error());
+    RAMURE_TRY(format);
     WriteOptions head = options.write;
     head.comment = options.space.comment();
     if (!scene.copies.empty() && ((*format)->holds & holdsCopies) == 0)

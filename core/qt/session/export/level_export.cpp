@@ -18,23 +18,20 @@ Expected<LevelledTree> levelsOf(const Node& node, EvaluatedScene& scene, const E
     const bool isClip = !options.clip.empty(), moves = isClip || scene.seconds() > 0.0;
     auto posed = scene.posedTree(node, moves ? Stage::Foliage : stageOfLevels(options.levels), isClip,
                                  progress.part(0.0, 0.4));
-    if (!posed)
-        return fail(std::move(posed.error()));
+    RAMURE_TRY(posed);
     LevelledTree out{std::move(*posed), {}, {}, {}};
     const auto has = [&](ExportPart part) { return (options.parts & part) != 0; };
     const LevelParts parts{has(exportBranches), has(exportLeaves), has(exportApples), options.texture};
     const NodeParams& params = scene.params(node);
     auto levels = treeLevels(out.tree.rest, params, options.levels, parts, progress.part(0.4, 1.0));
-    if (!levels)
-        return fail(std::move(levels.error()));
+    RAMURE_TRY(levels);
     out.levels = std::move(*levels);
     out.switches = switchesOf(out.levels, options.levels, nodeScale(scene, node.id));
     out.skins.resize(out.levels.size());
     for (std::size_t i = 0; moves && i < out.levels.size(); ++i) {
         auto skins = bindLevel(out.levels[i], out.tree.rest.simplified->skeleton, params.skin.method,
                                out.tree.motion.firstLeaf);
-        if (!skins)
-            return fail(std::move(skins.error()));
+        RAMURE_TRY(skins);
         out.skins[i] = std::move(*skins);
     }
     return out;

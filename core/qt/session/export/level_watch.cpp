@@ -57,13 +57,11 @@ Expected<LevelsPointer> madeLevels(const LevelRequest& of, const LevelWatch::Fun
     out->scale = of.scale;
     if (of.moves) {
         auto grown = TreePipeline().evaluate(of.params, Stage::Foliage, progress.part(0.0, 0.3));
-        if (!grown)
-            return fail(std::move(grown.error()));
+        RAMURE_TRY(grown);
         out->whole = std::move(*grown);
     }
     auto levels = make(out->whole, of.params, of.options, progress.part(of.moves ? 0.3 : 0.0, 1.0));
-    if (!levels)
-        return fail(std::move(levels.error()));
+    RAMURE_TRY(levels);
     out->levels = std::move(*levels);
     out->switches = switchesOf(out->levels, of.options, of.scale);
     out->box = boxOf(out->whole);

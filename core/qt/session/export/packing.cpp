@@ -50,8 +50,7 @@ std::vector<Worn> wornOutside(const Scene& scene, const QDir& folder)
 Expected<QString> copied(const QString& from, const QDir& into)
 {
     const auto bytes = bytesOf(from);
-    if (!bytes)
-        return fail(bytes.error());
+    RAMURE_TRY(bytes);
     const QFileInfo info(from);
     for (int number = 1;; ++number) {
         const QString name =
@@ -100,8 +99,7 @@ Expected<std::size_t> edit::packPictures(Document& document)
         if (copies.contains(worn.path))
             continue;
         auto copy = copied(worn.path, folder);
-        if (!copy)
-            return fail(std::move(copy.error()));
+        RAMURE_TRY(copy);
         copies.emplace(worn.path, *copy);
     }
     const OneStep step(document, DocumentCommand::tr("Pack pictures"));
@@ -110,8 +108,7 @@ Expected<std::size_t> edit::packPictures(Document& document)
         if (done)
             done = setParam(document, {worn.node}, *worn.def,
                             QFile::encodeName(copies.at(worn.path)).toStdString());
-    if (!done)
-        return fail(std::move(done.error()));
+    RAMURE_TRY(done);
     return copies.size();
 }
 

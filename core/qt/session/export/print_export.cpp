@@ -8,8 +8,7 @@ namespace ramure {
 Expected<ScenePrint> printScene(EvaluatedScene scene, const ExportOptions& which, const PrintOptions& options,
                                 const Progress& progress)
 {
-    if (auto fine = checkPrint(options); !fine)
-        return fail(std::move(fine.error()));
+    RAMURE_TRY(checkPrint(options));
     const Node* tree = nullptr;
     for (const Node& node : scene.scene().nodes()) {
         if (node.kind != NodeKind::Tree || !isExported(scene.scene(), which, node))
@@ -29,8 +28,7 @@ Expected<ScenePrint> printScene(EvaluatedScene scene, const ExportOptions& which
         return fail(named(*tree, result.error()));
     auto printed = printTree(result->simplified->skeleton, scene.params(*tree), options,
                              progress.part(0.05, 1.0), result->foliage.get());
-    if (!printed)
-        return fail(std::move(printed.error()));
+    RAMURE_TRY(printed);
     return ScenePrint{tree->name, std::move(*printed)};
 }
 
@@ -46,8 +44,7 @@ Expected<void> writePrint(const std::string& path, const ScenePrint& print, cons
                           const WriteOptions& options, const Progress& progress)
 {
     const auto format = findFormat(path, FormatUse::Write, options.ascii);
-    if (!format)
-        return fail(format.error());
+    RAMURE_TRY(format);
     ExportScene scene = sceneOfMeshes({}, barkMaterial());
     scene.nodes.push_back({print.name});
     scene.meshes.push_back({print.name, 0, print.tree.mesh});

@@ -90,8 +90,7 @@ Expected<void> addWind(ExportScene& out, std::size_t first, const std::string& s
     PivotTextures textures;
     if (profile == WindProfile::PivotPainter) {
         const auto elements = elementsOf(tree, meshes, levels);
-        if (!elements)
-            return fail(elements.error());
+        RAMURE_TRY(elements);
         const std::vector<Index> numberOf = numbersOf(levels.front().leafOf);
         for (std::size_t i = 0; i < meshes.size(); ++i)
             takeElements(vertices[i], tree, *elements, meshes[i], levels, numberOf);

@@ -90,8 +90,7 @@ Expected<NodeId> ImportTask::apply(const BlenderImport& result)
 Expected<NodeId> ImportTask::keep(const BlenderImport& result)
 {
     auto scene = Scene::fromNodes(result.nodes);
-    if (!scene)
-        return fail(std::move(scene.error()));
+    RAMURE_TRY(scene);
     if (result.keyCount > 0)
         scene->setTimeline(result.timeline);
     m_scene = std::move(*scene);

@@ -172,8 +172,7 @@ Expected<void> edit::makeTreesLike(Document& document, const std::vector<NodeId>
         if (isOfSpecies(def))
             values.emplace_back(&def, def.get(like.params));
     const auto ids = editable(document.scene(), trees);
-    if (!ids)
-        return fail(ids.error());
+    RAMURE_TRY(ids);
     const OneStep all(document, step);
     auto done = setParams(document, trees, values, step);
     for (const NodeId id : *ids) {

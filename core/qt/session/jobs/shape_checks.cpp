@@ -181,8 +181,7 @@ void ShapeChecks::Private::launch()
         [work = function,
          node = *looked](const Progress& progress) -> Expected<std::shared_ptr<const Outcome>> {
             auto check = work(node, progress);
-            if (!check)
-                return fail(std::move(check.error()));
+            RAMURE_TRY(check);
             return outcomeOf(std::move(*check));
         },
         [this](Expected<std::shared_ptr<const Outcome>>&& made) { take(std::move(made)); });

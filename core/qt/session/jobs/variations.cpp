@@ -148,8 +148,7 @@ Expected<NodeParams> variedParams(const NodeParams& like, const Variation& varia
 {
     NodeParams params = reseeded(like, variation.seed);
     for (const auto& [def, value] : variation.values)
-        if (auto set = setParam(params, *def, value); !set)
-            return fail(std::move(set.error()));
+        RAMURE_TRY(setParam(params, *def, value));
     return params;
 }
 
@@ -186,8 +185,7 @@ Expected<void> saveVariations(const Node& like, const std::vector<Variation>& va
     tree.animation = {};
     tree.params.tree = {};
     auto scene = Scene::fromNodes({std::move(tree)});
-    if (!scene)
-        return fail(std::move(scene.error()));
+    RAMURE_TRY(scene);
     const QString file = freeTreeFile(path);
     if (auto saved = saveProjectFile({std::move(*scene), {}}, file); !saved)
         return saved;

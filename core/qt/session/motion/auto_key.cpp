@@ -61,8 +61,7 @@ double number(const ParamValue& value, std::uint8_t component)
 Expected<TrackEdit> keyed(const Node& node, const Channel& channel, Ticks time, double value)
 {
     auto track = withKey<Track>(node.animation.find(channel), time, value);
-    if (!track)
-        return fail(std::move(track.error()));
+    RAMURE_TRY(track);
     return TrackEdit{node.id, channel, std::move(*track)};
 }
 
@@ -157,8 +156,7 @@ Expected<void> AutoKey::set(const std::vector<NodeId>& nodes, const ParamDef& de
             if (component && *component != channel.component)
                 continue;
             auto edit = keyed(*node, channel, now(), number(value, channel.component));
-            if (!edit)
-                return fail(std::move(edit.error()));
+            RAMURE_TRY(edit);
             edits.push_back(std::move(*edit));
         }
     }
@@ -171,8 +169,7 @@ Expected<NodeAnimation> AutoKey::withKeys(const Node& node, const ParamDef& def,
     NodeAnimation animation = node.animation;
     for (const Channel& channel : channelsOf(def)) {
         auto edit = keyed(node, channel, now(), number(value, channel.component));
-        if (!edit)
-            return fail(std::move(edit.error()));
+        RAMURE_TRY(edit);
         animation.set(channel, std::move(edit->track));
     }
     return animation;
@@ -195,8 +192,7 @@ Expected<void> AutoKey::setPlacement(const std::vector<NodeId>& nodes, const Par
             wanted[*component] = value[*component];
         }
         auto made = withPlacementSet(place.values, now(), part, wanted, component);
-        if (!made)
-            return fail(std::move(made.error()));
+        RAMURE_TRY(made);
         place.values = std::move(*made);
         places.push_back(std::move(place));
     }
@@ -248,8 +244,7 @@ Expected<void> AutoKey::insert(NodeId node, const std::vector<std::pair<Channel,
     std::vector<TrackEdit> edits;
     for (const auto& [channel, value] : values) {
         auto edit = keyed(*found, channel, now(), value);
-        if (!edit)
-            return fail(std::move(edit.error()));
+        RAMURE_TRY(edit);
         edits.push_back(std::move(*edit));
     }
     return edit::setTracks(*m_document, edits, text, gesture);

@@ -37,8 +37,7 @@ Expected<std::vector<BakedTree>> bakedTrees(const Document& document)
         if (node.kind != NodeKind::Tree || !document.scene().isShown(node.id))
             continue;
         auto result = source(node, Stage::Foliage, {});
-        if (!result)
-            return fail(std::move(result.error()));
+        RAMURE_TRY(result);
         BakedTree tree{std::move(*result), trunkRadius(node.params), node.params.physics,
                        systemPath(bakeFile(document.filePath(), node.id))};
         if (QFileInfo::exists(bakeFile(document.filePath(), node.id)) && !isBakeFile(tree.file))
@@ -112,8 +111,7 @@ Expected<void> Baker::start(std::size_t memoryBytes)
     if (m_job.isRunning())
         return {};
     auto trees = bakedTrees(*m_document);
-    if (!trees)
-        return fail(std::move(trees.error()));
+    RAMURE_TRY(trees);
     m_job.start([trees = std::move(*trees), seconds, memoryBytes](const Progress& progress) {
         return bakeAll(trees, seconds, memoryBytes, progress);
     });

@@ -52,8 +52,7 @@ static Expected<void> move(NodeId node, NodeRun& run, const MotionRequest& reque
                            const Progress& progress)
 {
     auto motion = run.motionAt(frame.timeSeconds, request.timeline, progress);
-    if (!motion)
-        return fail(std::move(motion.error()));
+    RAMURE_TRY(motion);
     frame.nodes.insert_or_assign(node, std::move(*motion));
     return {};
 }
@@ -68,8 +67,7 @@ Expected<void> MotionWorker::reshape(MotionTree& tree, EvaluatedScene& now, Moti
     const PhysicsParams physics = tree.params.physics;
     tree.params = now.params(*node);
     auto made = m_pipeline.evaluate(tree.params, Stage::Foliage, progress);
-    if (!made)
-        return fail(std::move(made.error()));
+    RAMURE_TRY(made);
     tree.params.physics = physics;
     tree.tree = *made;
     frame.trees.emplace(tree.node, std::move(*made));

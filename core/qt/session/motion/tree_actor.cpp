@@ -9,8 +9,7 @@ Expected<void> TreeActor::prepare(const MotionTree& wanted, const MotionRequest&
                                   std::size_t memoryBytes)
 {
     const auto isOther = m_run.setTree(wanted.tree, wanted.params);
-    if (!isOther)
-        return fail(isOther.error());
+    RAMURE_TRY(isOther);
     m_lookAtBake = m_lookAtBake || *isOther;
     PhysicsCache& cache = m_run.cache();
     cache.setMemoryLimit(memoryBytes);

@@ -44,8 +44,7 @@ Counts nextCounts(const Grammar& grammar, const Counts& counts)
 Expected<std::vector<Generation>> modulesOf(const GrammarParams& params, int last)
 {
     const auto grammar = parseParametric(params);
-    if (!grammar)
-        return fail(grammar.error());
+    RAMURE_TRY(grammar);
     std::vector<Generation> generations;
     for (int i = 0; i <= last; ++i) {
         auto word = derive(
@@ -71,8 +70,7 @@ Expected<std::vector<Generation>> generationsOf(const GrammarParams& params)
     if (params.dialect == GrammarDialect::Parametric)
         return modulesOf(params, last);
     const auto grammar = parseGrammar(params.axiom, params.rules);
-    if (!grammar)
-        return fail(grammar.error());
+    RAMURE_TRY(grammar);
     const bool byChance = params.stochastic && std::ranges::any_of(grammar->rules, [](const Rule& rule) {
                               return !rule.probabilities.empty();
                           });

@@ -55,8 +55,7 @@ Expected<PlaneRect> seenBy(const DrawSurfaces& draw, const ViewFrame& frame, con
     const double radius = ball.radius * (1.0 + 4.0 / probeSide);
     const auto drawn =
         draw(cameraOf(frame, ball.middle, 2.0 * radius), QSize(probeSide, probeSide), ball.radius, false);
-    if (!drawn)
-        return fail(drawn.error());
+    RAMURE_TRY(drawn);
     const PixelRect covered = coveredRect(pictureOf(*drawn));
     if (covered.width == 0)
         return fail(nothingSeen());
@@ -91,8 +90,7 @@ Expected<BillboardPicture> bakeView(const DrawSurfaces& draw, const ViewFrame& f
     const glm::dvec2 at = seen.centre();
     const auto drawn = draw(cameraOf(frame, middle + at.x * frame.right + at.y * frame.up, seen.size().y),
                             size * each, reach, sparing);
-    if (!drawn)
-        return fail(drawn.error());
+    RAMURE_TRY(drawn);
     return shrunk(pictureOf(*drawn), each);
 }
 
@@ -109,8 +107,7 @@ Expected<BillboardAtlas> bakeAtlas(const DrawSurfaces& draw, const SceneBall& ba
         const AtlasCell cell{i % views, i / views};
         const auto view = bakeView(draw, viewFrame(atlasDirection(cell, views)), out.middle, seen,
                                    QSize(side, side), out.radius, true);
-        if (!view)
-            return fail(view.error());
+        RAMURE_TRY(view);
         const PixelRect place{cell.column * side, cell.row * side, side, side};
         paste(out.picture, *view, place.x, place.y);
         bleed(out.picture, place);
@@ -130,19 +127,16 @@ Expected<BillboardCards> bakeCards(const DrawSurfaces& draw, const SceneBall& ba
     out.picture = BillboardPicture(size, size);
     for (const ViewFrame& frame : cardFrames(standing, lying)) {
         const auto seen = seenBy(draw, frame, ball);
-        if (!seen)
-            return fail(seen.error());
+        RAMURE_TRY(seen);
         out.cards.push_back({frame, *seen, {}});
     }
-    if (auto packed = packCards(out.cards, size, cardGap); !packed)
-        return fail(std::move(packed.error()));
+    RAMURE_TRY(packCards(out.cards, size, cardGap));
     for (std::size_t i = 0; i < out.cards.size(); ++i) {
         const BillboardCard& card = out.cards[i];
         const PixelRect& place = card.picture;
         auto view = bakeView(draw, card.frame, ball.middle, card.seen, QSize(place.width, place.height),
                              ball.radius, true);
-        if (!view)
-            return fail(view.error());
+        RAMURE_TRY(view);
         turnNormals(*view, {0, 0, view->width, view->height}, card.frame);
         paste(out.picture, *view, place.x, place.y);
         progress.report(double(i + 1) / double(out.cards.size()));

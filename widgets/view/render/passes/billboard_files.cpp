@@ -27,8 +27,7 @@ Expected<void> writePng(const QString& file, const BillboardPicture& picture,
                 bytes.push_back(channels == 1 ? pixel.a : pixel[c]);
         }
     const auto png = pngOf({picture.width, picture.height, channels, areColours, bytes});
-    if (!png)
-        return fail(png.error());
+    RAMURE_TRY(png);
     return writeFile(systemPath(file), *png);
 }
 
@@ -66,8 +65,7 @@ Expected<void> writeCardFile(const BillboardCards& cards, const QString& file)
     objects[0].mesh = cards.mesh;
     const std::string path = systemPath(file);
     const auto format = findFormat(path, FormatUse::Write);
-    if (!format)
-        return fail(format.error());
+    RAMURE_TRY(format);
     return (*format)->write(path, sceneOfMeshes(std::move(objects), material), {}, {});
 }
 
@@ -128,13 +126,10 @@ QJsonObject atlasJson(const BillboardAtlas& atlas)
 Expected<QStringList> writeAtlas(const BillboardAtlas& atlas, const QString& folder)
 {
     const BillboardPicture& picture = atlas.picture;
-    if (auto done = writePng(beside(folder, "atlas_colour.png"), picture, picture.colour, 4, true); !done)
-        return fail(std::move(done.error()));
-    if (auto done = writePng(beside(folder, "atlas_normal.png"), picture, picture.normal, 4, false); !done)
-        return fail(std::move(done.error()));
+    RAMURE_TRY(writePng(beside(folder, "atlas_colour.png"), picture, picture.colour, 4, true));
+    RAMURE_TRY(writePng(beside(folder, "atlas_normal.png"), picture, picture.normal, 4, false));
     const std::string json = QJsonDocument(atlasJson(atlas)).toJson().toStdString();
-    if (auto done = writeFile(systemPath(beside(folder, "atlas.json")), json); !done)
-        return fail(std::move(done.error()));
+    RAMURE_TRY(writeFile(systemPath(beside(folder, "atlas.json")), json));
     return billboardFiles(true);
 }
 
@@ -143,12 +138,9 @@ Expected<QStringList> writeCards(const BillboardCards& cards, const QString& pla
     if (isCardFile(place))
         return writeCardFile(cards, place).map([&] { return QStringList{QFileInfo(place).fileName()}; });
     const BillboardPicture& picture = cards.picture;
-    if (auto done = writeCardFile(cards, beside(place, "cards.glb")); !done)
-        return fail(std::move(done.error()));
-    if (auto done = writePng(beside(place, "cards_colour.png"), picture, picture.colour, 4, true); !done)
-        return fail(std::move(done.error()));
-    if (auto done = writePng(beside(place, "cards_normal.png"), picture, picture.normal, 3, false); !done)
-        return fail(std::move(done.error()));
+    RAMURE_TRY(writeCardFile(cards, beside(place, "cards.glb")));
+    RAMURE_TRY(writePng(beside(place, "cards_colour.png"), picture, picture.colour, 4, true));
+    RAMURE_TRY(writePng(beside(place, "cards_normal.png"), picture, picture.normal, 3, false));
     return billboardFiles(false);
 }
 

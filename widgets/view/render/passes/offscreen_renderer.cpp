@@ -157,11 +157,9 @@ Expected<void> OffscreenRenderer::begin()
 Expected<QImage> OffscreenRenderer::draw(const RenderScene& scene, const Camera& camera, QSize size,
                                          const RenderOptions& options, const Progress& progress)
 {
-    if (auto checked = checkSize(size); !checked)
-        return fail(std::move(checked.error()));
+    RAMURE_TRY(checkSize(size));
     QOpenGLFramebufferObject target(size, targetFormat(options.samples));
-    if (auto checked = checkTarget(target, size); !checked)
-        return fail(std::move(checked.error()));
+    RAMURE_TRY(checkTarget(target, size));
     const bool isWatched = progress.onFraction || progress.stop.stop_possible();
     const auto picture = [&](const Camera& seenBy, const Progress& part) {
         d->renderer->setProgress(isWatched ? &part : nullptr);
@@ -194,12 +192,10 @@ Expected<QImage> OffscreenRenderer::draw(const RenderScene& scene, const Camera&
 Expected<SurfacePictures> OffscreenRenderer::drawSurfaces(const RenderScene& scene, const Camera& camera,
                                                           QSize size, double reach, bool sparing)
 {
-    if (auto checked = checkSize(size); !checked)
-        return fail(std::move(checked.error()));
+    RAMURE_TRY(checkSize(size));
     QOpenGLFramebufferObject target(size, targetFormat(0));
     target.addColorAttachment(size, GL_RGBA8);
-    if (auto checked = checkTarget(target, size); !checked)
-        return fail(std::move(checked.error()));
+    RAMURE_TRY(checkTarget(target, size));
     d->renderer->drawSurfaces(scene, camera, size, target.handle(), reach, sparing);
     (void)d->renderer->takeReleased();
     // Qt takes the alpha for what the colours were multiplied by, which it is not.
@@ -230,8 +226,7 @@ Expected<QImage> renderImage(const RenderScene& scene, const Camera& camera, QSi
                              const RenderOptions& options)
 {
     OffscreenRenderer offscreen;
-    if (auto begun = offscreen.begin(); !begun)
-        return fail(std::move(begun.error()));
+    RAMURE_TRY(offscreen.begin());
     auto image = offscreen.draw(scene, camera, size, options);
     offscreen.end();
     return image;

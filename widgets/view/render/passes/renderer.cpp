@@ -67,8 +67,7 @@ Expected<std::unique_ptr<Renderer>> Renderer::make()
         return fail(ErrorCode::Unknown, RAMURE_NOOP("No OpenGL 3.3 context is available here"));
     std::unique_ptr<Renderer> made(new Renderer(*gl));
     made->m_messages = driverMessages(*context);
-    if (auto compiled = made->compile(); !compiled)
-        return fail(std::move(compiled.error()));
+    RAMURE_TRY(made->compile());
     return made;
 }
 
@@ -117,8 +116,7 @@ Expected<void> Renderer::compile()
     m_software = isSoftwareRenderer(reinterpret_cast<const char*>(m_gl.glGetString(GL_RENDERER)));
     for (const auto& [program, sources] : programs()) {
         auto made = ShaderProgram::make(m_gl, sources);
-        if (!made)
-            return fail(std::move(made.error()));
+        RAMURE_TRY(made);
         this->*program = std::move(*made);
     }
     m_gl.glGenVertexArrays(1, &m_emptyArray);
