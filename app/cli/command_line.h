@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/base/error.h"
-#include "core/qt/document/project/system_path.h"
+#include "core/qt/base/system_path.h"
 #include <QCommandLineParser>
 #include <QJsonValue>
 #include <QString>

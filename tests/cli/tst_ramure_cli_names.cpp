@@ -1,4 +1,4 @@
-#include "core/qt/document/project/system_path.h"
+#include "core/qt/base/system_path.h"
 #include "tests/cli/batch_support.h"
 #include <dirent.h>
 

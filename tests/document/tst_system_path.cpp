@@ -1,4 +1,4 @@
-#include "core/qt/document/project/system_path.h"
+#include "core/qt/base/system_path.h"
 
 #include "core/base/file_writer.h"
 #include "core/qt/document/project/project_file.h"

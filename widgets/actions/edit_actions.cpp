@@ -81,6 +81,11 @@ EditActions::EditActions(Document* document, Chooser* chooser, ActionSet* set, Q
         m_addKinds += set->add({row->addId, row->addText, row->icon, {}, row->addTip, "core"});
         connect(m_addKinds.back(), &QAction::triggered, this, [this, row] { addKind(*row); });
     }
+    connectActions();
+}
+
+void EditActions::connectActions()
+{
     connect(m_more, &QAction::triggered, this,
             [this] { emit moreRequested(targetTrees(*m_document).front()); });
     connect(m_variations, &QAction::triggered, this,

@@ -63,6 +63,7 @@ signals:
     void targetNamed(const QString& words);
 
 private:
+    void connectActions();
     void follow(const Change& change);
     void update();
     void updateTexts();

@@ -1,6 +1,6 @@
 #include "app/cli/batch/file_hash.h"
 
-#include "core/qt/document/project/system_path.h"
+#include "core/qt/base/system_path.h"
 #include <QFile>
 #include <nettle/sha2.h>
 

@@ -61,6 +61,11 @@ GalleryPanel::GalleryPanel(Document* document, Preferences* preferences, QWidget
     layout->addLayout(above);
     layout->addWidget(m_problem);
     layout->addWidget(scroll, 1);
+    offerChoices();
+}
+
+void GalleryPanel::offerChoices()
+{
     m_gallery->addChoice(m_add);
     m_gallery->addChoice(m_new);
     m_gallery->addChoice(m_give);

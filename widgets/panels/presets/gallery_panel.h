@@ -52,6 +52,7 @@ protected:
     void showEvent(QShowEvent* event) override;
 
 private:
+    void offerChoices();
     void add(const QString& preset);
     void give(const QString& preset);
     void keep();

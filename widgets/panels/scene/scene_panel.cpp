@@ -64,6 +64,11 @@ ScenePanel::ScenePanel(Document* document, Preferences* preferences, QWidget* pa
     m_list->setDragDropMode(QAbstractItemView::NoDragDrop);
     showColumns();
 
+    connectParts();
+}
+
+void ScenePanel::connectParts()
+{
     connect(m_document, &Document::changed, this, &ScenePanel::follow);
     connect(m_model, &SceneModel::refused, this, &ScenePanel::messageRaised);
     connect(m_view, &SceneTree::dragged, this, [this](bool keepsWorld) {

@@ -65,6 +65,7 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    void connectParts();
     void prepareView(SceneTree* view, const char* name);
     void follow(const Change& change);
     void takeSelection(); ///< from the view to the document

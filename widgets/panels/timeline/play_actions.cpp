@@ -49,6 +49,12 @@ PlayActions::PlayActions(Document* document, Player* player, ActionSet* set, QOb
            QT_TRANSLATE_NOOP("Actions", "Show the wind of the active tree, and of all that have some, as "
                                         "arrows; drag a head to turn and strengthen the wind")}))
 {
+    addLoops(set);
+    connectActions();
+}
+
+void PlayActions::addLoops(ActionSet* set)
+{
     m_loops = {set->add({"play.once",
                          QT_TRANSLATE_NOOP("Actions", "Play &once"),
                          "play-once",
@@ -90,17 +96,21 @@ PlayActions::PlayActions(Document* document, Player* player, ActionSet* set, QOb
             edit::setTimeline(*m_document, settings);
         });
     }
-    connect(m_play, &QAction::triggered, player, &Player::toggle);
-    connect(m_stop, &QAction::triggered, player, &Player::stop);
-    connect(m_forward, &QAction::triggered, player, &Player::stepForward);
-    connect(m_back, &QAction::triggered, player, &Player::stepBack);
-    connect(m_first, &QAction::triggered, player, &Player::toFirst);
-    connect(m_last, &QAction::triggered, player, &Player::toLast);
-    connect(m_everyFrame, &QAction::toggled, player,
-            [player](bool on) { player->setPace(on ? PlayPace::EveryFrame : PlayPace::RealTime); });
-    connect(player, &Player::playingChanged, this, &PlayActions::update);
-    connect(player, &Player::settingsChanged, this, &PlayActions::update);
-    connect(document, &Document::changed, this, [this](const Change& change) {
+}
+
+void PlayActions::connectActions()
+{
+    connect(m_play, &QAction::triggered, m_player, &Player::toggle);
+    connect(m_stop, &QAction::triggered, m_player, &Player::stop);
+    connect(m_forward, &QAction::triggered, m_player, &Player::stepForward);
+    connect(m_back, &QAction::triggered, m_player, &Player::stepBack);
+    connect(m_first, &QAction::triggered, m_player, &Player::toFirst);
+    connect(m_last, &QAction::triggered, m_player, &Player::toLast);
+    connect(m_everyFrame, &QAction::toggled, m_player,
+            [this](bool on) { m_player->setPace(on ? PlayPace::EveryFrame : PlayPace::RealTime); });
+    connect(m_player, &Player::playingChanged, this, &PlayActions::update);
+    connect(m_player, &Player::settingsChanged, this, &PlayActions::update);
+    connect(m_document, &Document::changed, this, [this](const Change& change) {
         if (change.has(changeTimeline | changeReset))
             update();
     });

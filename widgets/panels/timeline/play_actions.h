@@ -37,6 +37,8 @@ public:
     void retranslate();
 
 private:
+    void addLoops(ActionSet* set);
+    void connectActions();
     void update();
     void shake();
 

@@ -73,6 +73,11 @@ AnalysisStrip::AnalysisStrip(Analysis* analysis, QWidget* parent)
     layout->addWidget(m_shape);
     layout->addWidget(m_histogram);
     layout->addWidget(m_hash);
+    connectParts();
+}
+
+void AnalysisStrip::connectParts()
+{
     connect(m_cancel, &QToolButton::clicked, this, [this] {
         if (m_isShape)
             m_shapes->cancel();

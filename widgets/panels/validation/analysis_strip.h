@@ -34,6 +34,7 @@ signals:
     void separateRequested(ramure::NodeId tree);
 
 private:
+    void connectParts();
     void refresh();
     void showFindings(const MeshAnalysis* findings);
     void showWork(Analysis::State state);

@@ -1,12 +1,12 @@
 #include "core/qt/document/project/project_file.h"
 
 #include "core/base/file_writer.h"
+#include "core/qt/base/system_path.h"
 #include "core/qt/document/project/project_bookmarks.h"
 #include "core/qt/document/project/project_json.h"
 #include "core/qt/document/project/project_migrations.h"
 #include "core/qt/document/project/project_places.h"
 #include "core/qt/document/project/project_timeline.h"
-#include "core/qt/document/project/system_path.h"
 #include "core/scene/growth_spaces.h"
 
 #include <QCoreApplication>

@@ -1,6 +1,6 @@
 #include "core/qt/session/motion/baker.h"
 
-#include "core/qt/document/project/system_path.h"
+#include "core/qt/base/system_path.h"
 #include "core/qt/session/export/exporter.h"
 #include "core/rig/physics/physics_bake.h"
 

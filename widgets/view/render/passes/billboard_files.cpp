@@ -4,7 +4,7 @@
 #include "core/io/export_scene.h"
 #include "core/io/formats/file_format.h"
 #include "core/io/picture_file.h"
-#include "core/qt/document/project/system_path.h"
+#include "core/qt/base/system_path.h"
 #include <QDir>
 #include <QFileInfo>
 #include <QJsonArray>
