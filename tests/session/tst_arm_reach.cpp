@@ -238,7 +238,7 @@ void TestArmReach::aKeyedTargetIsReachedToo()
     QVERIFY(desk.reach.shown(1));
     QVERIFY(std::abs(desk.reach.shown(1)->residual - residualOf(player, desk.document)) < 1e-9);
     while (desk.document.undoStack()->canUndo())
-        desk.document.undoStack()->undo();
+        desk.document.undo();
     QVERIFY(desk.document.scene() == before);
     QVERIFY(player.waitForIdle(20'000));
 }

@@ -106,7 +106,7 @@ private slots:
         QCOMPARE(view->accessibleDescription(), emptySceneText());
         view->setEmptyText({});
         QVERIFY(view->grab().toImage() != empty);
-        m_document->undoStack()->undo();
+        m_document->undo();
         view->grab();
         QVERIFY(view->accessibleDescription().isEmpty());
     }

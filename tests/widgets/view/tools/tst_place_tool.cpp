@@ -97,7 +97,7 @@ void TestPlaceTool::itGrowsOnTheSideThatIsClicked()
                                         .arg(side)
                                         .arg(glm::distance(placed->position, hit->point))
                                         .arg(skeleton.a0[b])));
-                bench.document.undoStack()->undo();
+                bench.document.undo();
                 ++tried;
             }
     }
