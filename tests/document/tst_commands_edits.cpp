@@ -51,6 +51,7 @@ private slots:
     void badScripts_data();
     void badScripts();
     void scriptsAreAsByHand();
+    void scriptsOfEverySystem();
     void randomEditsUndoAndRedo();
 };
 
@@ -316,6 +317,26 @@ void TestEditCommands::badScripts()
     QCOMPARE(replayed.error().line, 3);
     QCOMPARE(fileOf(document), file);
     QVERIFY(!replayEdits(document, 9, {}));
+}
+
+void TestEditCommands::scriptsOfEverySystem()
+{
+    const auto axes = axesOf(*grownTree(plainTree(), Stage::Skeleton).grown).axes;
+    QByteArray lines("\n");
+    for (const std::size_t limb : {0U, 1U})
+        lines += R"({"op": "length", "target": ")" + hex(axes[limb].address) + "\", \"factor\": 2}\n";
+    Document plain;
+    withPlainTree(plain);
+    QVERIFY(replayEdits(plain, 2, lines));
+    for (const QByteArray& text :
+         {QByteArray(lines).replace("\n", "\r\n"), QByteArray(lines).replace("\n", "\r"),
+          "\xEF\xBB\xBF" + lines, lines + "\x1A"}) {
+        Document other;
+        withPlainTree(other);
+        const auto replayed = replayEdits(other, 2, text);
+        QVERIFY2(replayed, why(replayed).constData());
+        QCOMPARE(fileOf(other), fileOf(plain));
+    }
 }
 
 void TestEditCommands::scriptsAreAsByHand()

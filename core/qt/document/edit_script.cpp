@@ -1,5 +1,6 @@
 #include "core/qt/document/edit_script.h"
 
+#include "core/base/plain_text.h"
 #include "core/params/tree_edit_table.h"
 #include "core/qt/document/commands.h"
 #include "core/qt/document/project/project_edits.h"
@@ -79,7 +80,9 @@ Expected<void> replayEdits(Document& document, NodeId id, const QByteArray& scri
     EditContext context(*grown->grown, tree->params.edits);
     std::vector<TreeEdit> list = tree->params.edits, added;
     int number = 0;
-    for (const QByteArray& line : script.split('\n')) {
+    const PlainText plain({script.constData(), static_cast<std::size_t>(script.size())});
+    const QByteArray text(plain.view().data(), static_cast<qsizetype>(plain.view().size()));
+    for (const QByteArray& line : text.split('\n')) {
         ++number;
         if (line.trimmed().isEmpty())
             continue;
