@@ -34,7 +34,7 @@ ReportSource randomSource(Random& random, int defects, int notes)
     for (int i = 0; i < notes; ++i)
         branches->repairs.push_back({static_cast<SkeletonRepair>(random.below(repairKindCount)),
                                      random.below(50), random.below(2) == 0 ? noIndex : random.below(50)});
-    return {report, branches, nullptr};
+    return {.report = report, .branches = branches};
 }
 
 /// The rows that there must be, made the simple way.
