@@ -86,7 +86,7 @@ void TestReportModel::emptySourcesAreEmptyModels()
     ReportModel model;
     QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
     QCOMPARE(model.rowCount(), 0);
-    model.setSource({std::make_shared<MeshReport>(), nullptr, nullptr});
+    model.setSource({std::make_shared<MeshReport>(), nullptr});
     QCOMPARE(model.rowCount(), 0);
     model.setSource({nullptr, std::make_shared<BranchMesh>()});
     QCOMPARE(model.rowCount(), 0);
@@ -145,7 +145,7 @@ void TestReportModel::listsOnlySoMany()
     auto branches = std::make_shared<BranchMesh>();
     branches->repairs.assign(30'000, {SkeletonRepair::RadiusClamped, 1, noIndex});
     ReportModel model;
-    model.setSource({report, branches, nullptr});
+    model.setSource({report, branches});
     for (int kind = 0; kind < 2; ++kind) {
         const QModelIndex top = model.index(kind, 0);
         model.fetchMore(top);
@@ -165,15 +165,15 @@ void TestReportModel::aSecondOpinionKeepsTheRows()
     QSignalSpy reset(&model, &QAbstractItemModel::modelReset);
     auto confirmed = std::make_shared<MeshReport>(*source.report);
     confirmed->openMeshChecked = true;
-    model.setSource({confirmed, source.branches, nullptr});
+    model.setSource({confirmed, source.branches});
     QCOMPARE(reset.count(), 0);
     QCOMPARE(model.source().report.get(), confirmed.get());
     auto other = std::make_shared<MeshReport>(*source.report);
     other->defects.push_back({DefectKind::DegenerateFace, 1, noIndex});
     ++other->degenerateFaces;
-    model.setSource({other, source.branches, nullptr});
+    model.setSource({other, source.branches});
     QCOMPARE(reset.count(), 1);
-    model.setSource({other, std::make_shared<BranchMesh>(), nullptr}); // another mesh
+    model.setSource({other, std::make_shared<BranchMesh>()}); // another mesh
     QCOMPARE(reset.count(), 2);
 }
 
