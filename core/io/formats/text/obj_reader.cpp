@@ -19,13 +19,8 @@ using reading::plainColour;
 std::vector<glm::vec3> vertexNormals(ObjLists& lists, std::vector<std::string>& notes)
 {
     const std::size_t vertices = lists.positions.size();
-    if (!lists.areParallel && lists.normalOf.empty() && lists.otherNormals.empty())
+    if (!lists.givesNormals() || lists.cornersWithoutNormal > 0)
         return {};
-    if (lists.cornersWithoutNormal > 0) {
-        notes.push_back(std::to_string(lists.cornersWithoutNormal) +
-                        " corners without a normal: normals left out");
-        return {};
-    }
     if (lists.areParallel)
         return std::move(lists.normals);
     lists.normalOf.resize(vertices, noIndex);

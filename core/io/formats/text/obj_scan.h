@@ -39,6 +39,12 @@ struct ObjLists
     std::vector<std::pair<int, std::string>> libraries; ///< of lines mtllib: line, and what it names
     std::vector<std::string> notes;
     std::size_t cornersWithoutNormal = 0;
+
+    /// Whether any corner has a normal.
+    [[nodiscard]] bool givesNormals() const
+    {
+        return areParallel || !normalOf.empty() || !otherNormals.empty();
+    }
 };
 
 /// \param origin is subtracted from positions, which are then read in double precision unless it is 0

@@ -264,10 +264,6 @@ void ObjScanner::finishNormals()
         m_missingNormalLine = m_largestNormalLine;
         ++m_lists.cornersWithoutNormal;
     }
-    if (m_missingNormalLine > 0)
-        m_lists.notes.push_back("line " + std::to_string(m_missingNormalLine) + ": normal " +
-                                std::to_string(m_missingNormal) + " does not exist (there are " +
-                                std::to_string(m_lists.normals.size()) + "): all are left out");
     if (m_badNormalLine > 0)
         m_lists.notes.push_back("line " + std::to_string(m_badNormalLine) +
                                 ": not three finite numbers: no normal");
@@ -275,6 +271,13 @@ void ObjScanner::finishNormals()
     if (m_hasNormals && m_lists.normals.size() != m_lists.positions.size())
         endParallel();
     m_lists.areParallel = m_lists.areParallel && m_hasNormals;
+    if (m_missingNormalLine > 0)
+        m_lists.notes.push_back("line " + std::to_string(m_missingNormalLine) + ": normal " +
+                                std::to_string(m_missingNormal) + " does not exist (there are " +
+                                std::to_string(m_lists.normals.size()) + "): all are left out");
+    else if (m_lists.cornersWithoutNormal > 0 && m_lists.givesNormals())
+        m_lists.notes.push_back(std::to_string(m_lists.cornersWithoutNormal) +
+                                " corners without a normal: normals left out");
 }
 
 bool ObjScanner::finish(std::size_t padding)
