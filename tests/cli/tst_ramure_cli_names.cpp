@@ -1,6 +1,7 @@
 #include "core/qt/base/system_path.h"
 #include "tests/cli/batch_support.h"
 #include <dirent.h>
+#include <filesystem>
 
 namespace tst_ramure_cli_names {
 
@@ -35,6 +36,8 @@ class TestRamureCliNames : public test::FolderSuite
 
 private slots:
     void init() { begin(); }
+    /// Qt knows no such names: it could not remove them.
+    void cleanup() { std::filesystem::remove_all(folder().toStdString()); }
 
     void filesThatAreNotThere()
     {

@@ -4,7 +4,9 @@
 #include "core/qt/document/project/project_file.h"
 #include "tests/support/suite.h"
 #include <QFile>
+#include <QScopeGuard>
 #include <QTemporaryDir>
+#include <filesystem>
 #include <random>
 
 namespace tst_system_path {
@@ -56,6 +58,8 @@ private slots:
         const QTemporaryDir folder;
         const std::string made = folder.path().toStdString() + "/\xE9t\xE9";
         QVERIFY(makeFolder(made));
+        // Qt knows no such names: it could not remove them.
+        const auto remover = qScopeGuard([&made] { std::filesystem::remove_all(made); });
         for (const char* name : {"/ch\xEAne.ramure", "/ch\xE9ne.ramure"}) {
             const QString path = pathText(made + name);
             Project project;

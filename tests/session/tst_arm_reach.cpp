@@ -197,14 +197,15 @@ void TestArmReach::aimingAsksTheTimeline()
 
 namespace {
 
-/// m, from the tip of the arm to its target, as tracks have both at the player's frame.
+/// m, from the tip of the arm that is shown to its target: as tracks have both at the player's frame, or as
+/// the document has them where nothing moves.
 double residualOf(const Player& player, const Document& document)
 {
     const Node& arm = *document.scene().find(1);
     const glm::dvec3 target = *armSource(arm.params, arm.animation)(player.timeSeconds()).target;
-    const NodeMotion* moving = player.motion()->of(1);
     std::vector<ArmJoint> joints = armSource(arm.params, arm.animation)(player.timeSeconds()).joints;
-    setArmAngles(joints, moving->arm->angles);
+    if (const NodeMotion* moving = player.motion()->of(1))
+        setArmAngles(joints, moving->arm->angles);
     return glm::distance(ArmChain(joints).tip(), target);
 }
 
