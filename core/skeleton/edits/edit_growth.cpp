@@ -191,9 +191,12 @@ Index modelFor(const EditTree& tree, Index axis, Index parent, double share)
             continue;
         const Index below = piece.parent == noIndex ? noIndex : tree.piece(piece.parent).axis;
         const double own = tree.axisLength(other);
-        const double away = whole > 0.0 ? std::abs(distanceOfFork(tree, other) / whole - share) : 0.0;
-        const double worth = std::min(own, length) / std::max(own, length) *
-                             (below == parent ? 1.0 / (1.0 + 4.0 * away) : farAway);
+        // A limb that falls stands on nothing, whatever its order.
+        const bool isBeside = below == parent;
+        const double away =
+            isBeside && whole > 0.0 ? std::abs(distanceOfFork(tree, other) / whole - share) : 0.0;
+        const double worth =
+            std::min(own, length) / std::max(own, length) * (isBeside ? 1.0 / (1.0 + 4.0 * away) : farAway);
         if (worth > bestWorth) {
             bestWorth = worth;
             best = other;

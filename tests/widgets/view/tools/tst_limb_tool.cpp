@@ -94,7 +94,8 @@ void TestLimbTool::aClickSelects()
     QVERIFY(bench.tools.goesOn());
     bench.release(at, Qt::LeftButton, Qt::ControlModifier);
     QVERIFY(!bench.isBent() && !bench.context.limbPose);
-    QCOMPARE(bench.document.selection().branches.size(), std::size_t(1));
+    const Selection& selection = bench.document.selection();
+    QCOMPARE(selection.branches, LimbFinder().limbOf(bench.document, 1, selection.activeBranch));
     QCOMPARE(bench.document.undoStack()->count(), 0);
 }
 

@@ -207,6 +207,8 @@ Expected<void> removeLimbs(Document& document, const std::vector<LimbHit>& limbs
             if (auto added = gesture.add(edit); !added)
                 return added;
         }
+        if (done.empty())
+            return fail(ErrorCode::Unknown, RAMURE_NOOP("the tree has no such limb"));
         return {};
     });
 }
