@@ -405,8 +405,11 @@ private slots:
         }
         test::write(file, QByteArray(good).replace("\"version\": 1", "\"version\": 99"));
         QVERIFY(isRefused(runCli({"validate", file}), "newer"));
-        test::write(file, QByteArray(good).replace("tree\"", "teapot\""));
+        test::write(file, QByteArray(good).replace("\"tree\"", "7"));
         QVERIFY(isRefused(runCli({"info", file}), "nodes[0].kind"));
+        // Only a newer version knows this kind of node: it stays, and grows nothing.
+        test::write(file, QByteArray(good).replace("tree\"", "teapot\""));
+        QVERIFY(isRefused(runCli({"info", file}), "the project holds no tree"));
         test::write(file, R"({"format": "ramure", "nodes": [], "version": 1})");
         QVERIFY(isRefused(runCli({"info", file}), "the project holds no tree"));
         QVERIFY(isRefused(runCli({"info", m_folder.path() + "/none.ramure"}), "none.ramure"));
