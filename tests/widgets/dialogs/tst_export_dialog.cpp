@@ -181,7 +181,7 @@ private slots:
         QVERIFY(faults->isVisible());
         QVERIFY(faults->text().contains(QStringLiteral("“T”")));
         // Nothing to say of a model that is no continuous mesh, nor without the branches.
-        auto* model = dialog.findChildren<QComboBox*>().at(1);
+        auto* model = dialog.findChild<QComboBox*>(QStringLiteral("exportModel"));
         model->setCurrentIndex(static_cast<int>(ExportModel::Rough));
         QVERIFY(!faults->isVisible());
         model->setCurrentIndex(static_cast<int>(ExportModel::Mesh));

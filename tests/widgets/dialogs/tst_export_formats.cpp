@@ -97,7 +97,7 @@ private slots:
     {
         ExportDialog dialog(&m_document, &m_recompute, &m_preferences, &m_chooser);
         QStringList ids;
-        const auto* list = dialog.findChildren<QComboBox*>().front();
+        const auto* list = dialog.findChild<QComboBox*>(QStringLiteral("exportFormat"));
         for (int row = 0; row < list->count(); ++row) {
             QVERIFY(!list->itemText(row).isEmpty());
             ids += list->itemData(row).toString();

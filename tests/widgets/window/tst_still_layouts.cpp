@@ -1,13 +1,20 @@
-#include "core/scene/arm_demo.h"
 #include "core/qt/session/arm/arm_reach.h"
 #include "core/qt/session/jobs/recompute.h"
+#include "core/scene/arm_demo.h"
 #include "tests/widgets/base/fixture.h"
-#include "widgets/base/theme/language.h"
 #include "widgets/base/message_banner.h"
+#include "widgets/base/theme/language.h"
 #include "widgets/base/theme/preferences.h"
+#include "widgets/dialogs/export/export_dialog.h"
+#include "widgets/dialogs/export/moment_form.h"
 #include "widgets/panels/arm/arm_panel.h"
 #include "widgets/window/main_window.h"
 #include <QDockWidget>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QTabBar>
+#include <algorithm>
 #include <map>
 
 namespace tst_still_layouts {
@@ -106,6 +113,50 @@ private slots:
         }
         banner->hide();
         window.hide();
+    }
+
+    void exportPagesKeepTheirPlaces_data() { addLanguages(); }
+    /// From page to page, whatever is chosen there, and when it says something.
+    void exportPagesKeepTheirPlaces()
+    {
+        setLanguage();
+        const Language language(&m_preferences);
+        test::openNodes(*m_document, {test::treeNode(1, "oak")});
+        QVERIFY(m_recompute->waitForFull(20'000));
+        ExportDialog dialog(m_document.get(), m_recompute.get(), &m_preferences, &m_chooser);
+        dialog.setPictureLook({});
+        dialog.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&dialog));
+        const auto* scroll = dialog.findChild<QScrollArea*>();
+        const auto places = [&] { // of all but the page itself
+            auto found = placesIn(&dialog, scroll->widget());
+            std::erase_if(found, [&](const auto& place) { return scroll->isAncestorOf(place.first); });
+            found.erase(scroll); // gives room to a message
+            found[&dialog] = QRect(QPoint(), dialog.size());
+            return found;
+        };
+        const auto before = places();
+        QVERIFY(before.contains(dialog.findChild<QTabBar*>(QStringLiteral("exportUses"))));
+        QVERIFY(std::ranges::count_if(before, [](const auto& place) {
+                    return qobject_cast<const QPushButton*>(place.first) != nullptr;
+                }) >= 2);
+        const int highest = dialog.screen()->availableSize().height() * 19 / 20;
+        for (const ExportUse use : exportUses) {
+            dialog.setUse(use);
+            for (const ExportMoment moment : {ExportMoment::Rest, ExportMoment::Sequence}) {
+                dialog.moments()->setMoment(moment);
+                for (const bool isRefused : {false, true}) {
+                    dialog.setPath(isRefused ? QStringLiteral("tree.unknown") : QStringLiteral("tree.glb"));
+                    if (isRefused)
+                        dialog.startExport();
+                    const QByteArray what = moved(before, places());
+                    QVERIFY2(what.isEmpty(), what.constData());
+                    QVERIFY2(scroll->verticalScrollBar()->maximum() == 0 || dialog.height() >= highest,
+                             qPrintable(titleOf(use)));
+                    QCOMPARE(scroll->horizontalScrollBar()->maximum(), 0);
+                }
+            }
+        }
     }
 
     void theArmPanelStaysWhileTheArmReaches_data() { addLanguages(); }

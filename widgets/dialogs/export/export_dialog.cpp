@@ -25,6 +25,8 @@
 #include <QLineEdit>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScreen>
+#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QStyle>
 #include <QTabBar>
@@ -189,13 +191,18 @@ bool ExportDialog::mayExportFaults()
     return false;
 }
 
-const FileFormat* ExportDialog::format() const
+/// Null: pictures.
+static const FileFormat* formatCalled(const QString& id)
 {
-    const QString id = m_format->currentData().toString();
     for (const FileFormat* format : fileFormats())
         if (id == QLatin1String(format->id))
             return format;
     return nullptr;
+}
+
+const FileFormat* ExportDialog::format() const
+{
+    return formatCalled(m_format->currentData().toString());
 }
 
 bool ExportDialog::holds(int what) const
@@ -271,39 +278,84 @@ void ExportDialog::takeFormat()
     const QFileInfo info(path());
     if (info.suffix().toLower() == pictureFormat || findFormat(path().toStdString(), FormatUse::Write))
         setPath(info.path() + u'/' + info.completeBaseName() + u'.' + suffix());
-    const bool isMesh =
-        format() && !isPrint(); // a print says itself what is written, how large and with which axes
-    const std::pair<Row, bool> rows[] = {{PrintRow, m_use == ExportUse::Print},
-                                         {ModelRow, m_use == ExportUse::Blender},
-                                         {PartsRow, isMesh},
-                                         {FoliageRow, m_use == ExportUse::Blender || m_use == ExportUse::Web},
-                                         {LevelRow, m_use == ExportUse::Game},
-                                         {WindRow, m_use == ExportUse::Game && holds(holdsWind)},
-                                         {MapRow, holds(holdsTexture) && holds(holdsObjects)},
-                                         {SpaceRow, isMesh && holds(holdsSpace)},
-                                         {TreesRow, format() != nullptr},
-                                         {MomentRow, !format() || isMesh},
-                                         {PictureRow, !format()}};
-    for (const auto& [row, isShown] : rows) {
-        m_rows[row].label->setVisible(isShown);
-        m_rows[row].field->setVisible(isShown);
-    }
-    m_compressed->setVisible(holds(holdsCompressed));
+    showRows(m_use, format(), isPrint());
     m_moments->setClips(holds(holdsClip));
     m_moments->setPictures(!format());
     // A picture shows what the view shows.
     if (!format() && m_shownFrame > 0 && m_moments->moment() == ExportMoment::Rest)
         m_moments->setMoment(ExportMoment::Shown);
     updateWidgets();
-    growToFit();
 }
 
-/// A page that needs less leaves the window, and what the user has made of it, as it is.
-void ExportDialog::growToFit()
+/// All that this format can have on this page. A print says itself what is written, how large and with which
+/// axes.
+void ExportDialog::showRows(ExportUse use, const FileFormat* format, bool isPrint)
 {
-    const QSize before = isVisible() ? size() : QSize();
-    adjustSize();
-    resize(size().expandedTo(before));
+    const auto holds = [format](int what) { return format && (format->holds & what); };
+    const bool isMesh = format && !isPrint;
+    const std::pair<Row, bool> rows[] = {{PrintRow, use == ExportUse::Print},
+                                         {ModelRow, use == ExportUse::Blender},
+                                         {PartsRow, isMesh},
+                                         {FoliageRow, use == ExportUse::Blender || use == ExportUse::Web},
+                                         {LevelRow, use == ExportUse::Game},
+                                         {WindRow, use == ExportUse::Game && holds(holdsWind)},
+                                         {MapRow, holds(holdsTexture) && holds(holdsObjects)},
+                                         {SpaceRow, isMesh && holds(holdsSpace)},
+                                         {TreesRow, format != nullptr},
+                                         {MomentRow, !format || isMesh},
+                                         {JointRow, holds(holdsClip)},
+                                         {PictureRow, !format}};
+    for (const auto& [row, isShown] : rows) {
+        m_rows[row].label->setVisible(isShown);
+        m_rows[row].field->setVisible(isShown);
+    }
+    m_compressed->setVisible(holds(holdsCompressed));
+}
+
+/// Of the page on show.
+QSize ExportDialog::pageHint() const
+{
+    for (QWidget* widget : m_page->findChildren<QWidget*>())
+        widget->updateGeometry(); // a layout out of sight keeps the hints that it had
+    return m_page->sizeHint();
+}
+
+/// That the largest page takes, whatever is chosen on it.
+QSize ExportDialog::roomForPages()
+{
+    const QSignalBlocker quiet(m_moments);
+    const ExportMoment moment = m_moments->moment();
+    m_moments->setMoment(ExportMoment::Sequence); // has a line of fields more
+    QSize room;
+    for (const ExportUse use : exportUses)
+        for (const QString& id : formatsOf(use)) {
+            showRows(use, formatCalled(id), use == ExportUse::Print);
+            room = room.expandedTo(pageHint());
+        }
+    m_moments->setMoment(moment);
+    showRows(m_use, format(), isPrint());
+    updateWidgets();
+    return room;
+}
+
+/// The window only grows, and not beyond the screen: there the page is scrolled.
+void ExportDialog::makeRoom(const QSize& page)
+{
+    layout()->activate();
+    const int bar = style()->pixelMetric(QStyle::PM_ScrollBarExtent, nullptr, m_scroll);
+    const QSize whole = page + QSize(bar, 0) + size() - m_scroll->size();
+    resize(whole.boundedTo(screen()->availableSize() * 19 / 20).expandedTo(size()));
+}
+
+/// Opens with room for every page and a message, so that tabs and buttons stay where they are from page to
+/// page.
+void ExportDialog::showEvent(QShowEvent* event)
+{
+    if (!testAttribute(Qt::WA_Resized)) {
+        const int message = layout()->spacing() + 2 * fontMetrics().lineSpacing();
+        makeRoom(roomForPages() + QSize(0, message));
+    }
+    QDialog::showEvent(event);
 }
 
 void ExportDialog::updateWidgets()

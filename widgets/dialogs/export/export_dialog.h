@@ -21,6 +21,7 @@ class QLayout;
 class QLineEdit;
 class QProgressBar;
 class QPushButton;
+class QScrollArea;
 class QTabBar;
 class QTimer;
 class QVBoxLayout;
@@ -97,6 +98,7 @@ public slots:
 
 protected:
     void changeEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
 private:
     [[nodiscard]] WindProfile wind() const; ///< that is chosen
@@ -114,7 +116,10 @@ private:
     [[nodiscard]] bool mayExportFaults();
     void browse();
     void takeFormat();
-    void growToFit();
+    void showRows(ExportUse use, const FileFormat* format, bool isPrint);
+    [[nodiscard]] QSize pageHint() const;
+    [[nodiscard]] QSize roomForPages();
+    void makeRoom(const QSize& page);
     void updateWidgets();
     void retranslateFormats();
     void retranslateMore();
@@ -175,6 +180,8 @@ private:
     QVariantMap m_usual;                      ///< settings before anybody chose
     std::map<ExportUse, QVariantMap> m_pages; ///< of those that were left
     QTabBar* m_uses = nullptr;
+    QScrollArea* m_scroll = nullptr;
+    QWidget* m_page = nullptr; ///< the form, which is scrolled
     struct FormRow
     {
         QLabel* label;

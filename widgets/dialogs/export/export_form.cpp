@@ -17,6 +17,7 @@
 #include <QLineEdit>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QTabBar>
 #include <algorithm>
@@ -32,12 +33,16 @@ void ExportDialog::buildForm()
     buildUses(layout);
     // No QFormLayout: its rows that are hidden take the height of others (Qt 6.4, where some wrap their
     // text).
-    m_form = new QGridLayout;
+    m_page = new QWidget(this);
+    m_form = new QGridLayout(m_page);
+    m_form->setContentsMargins(0, 0, 0, 0);
     m_form->setHorizontalSpacing(14);
     m_form->setVerticalSpacing(10);
     m_form->setColumnStretch(1, 1);
     m_format = new QComboBox(this);
+    m_format->setObjectName(QStringLiteral("exportFormat"));
     m_model = new QComboBox(this);
+    m_model->setObjectName(QStringLiteral("exportModel"));
     fillFormats();
     for (int i = 0; i < 3; ++i)
         m_model->addItem(QString());
@@ -67,7 +72,11 @@ void ExportDialog::buildForm()
     m_space = new SpaceForm(this);
     m_space->setSpace(m_preferences->exportSpace());
     addFormRows();
-    layout->addLayout(m_form);
+    m_scroll = new QScrollArea(this);
+    m_scroll->setFrameShape(QFrame::NoFrame);
+    m_scroll->setWidgetResizable(true);
+    m_scroll->setWidget(m_page);
+    layout->addWidget(m_scroll, 1);
     buildFaults(layout);
     buildProgress(layout);
 }

@@ -103,7 +103,7 @@ void ExportDialog::takePrepared(const Expected<std::shared_ptr<const ScenePrint>
     if (writes)
         return writePreparedPrint();
     updateWidgets();
-    growToFit();
+    makeRoom(pageHint());
 }
 
 void ExportDialog::cancelPrint()
