@@ -1,5 +1,5 @@
-#include "core/params/param_relevance.h"
 #include "core/qt/session/jobs/recompute.h"
+#include "tests/support/kind_with.h"
 #include "tests/widgets/base/fixture.h"
 #include "widgets/actions/file_actions.h"
 #include "widgets/actions/help_actions.h"
@@ -171,11 +171,15 @@ private slots:
         QCOMPARE(m_document->selection().nodes, (std::vector<NodeId>{2}));
     }
 
-    void everyParameterThatActsComesToSight()
+    /// Each in a document of its own, whose choices use it.
+    void everyParameterOfATreeComesToSight()
     {
         for (const ParamDef& def : paramTable()) {
-            if (!hasParam(NodeKind::Tree, def) || !acts(m_document->scene().find(1)->params, def))
+            if (!hasParam(NodeKind::Tree, def))
                 continue;
+            Node oak = test::treeNode(1, "oak");
+            test::makeRelevant(oak.params, def);
+            test::openNodes(*m_document, {oak, test::treeNode(2, "elm")});
             m_window->showParam(QString::fromLatin1(def.key));
             QVERIFY2(m_window->properties()->row(def)->isVisible(), def.key);
         }
