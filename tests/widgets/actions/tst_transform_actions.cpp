@@ -62,16 +62,19 @@ private slots:
         QCOMPARE(gizmo()->space(), TransformSpace::Parent);
         QCOMPARE(box->currentText(), QStringLiteral("Parent"));
     }
-    void settingsAreRemembered()
+    /// Sizes are the user's, what is switched on belongs to the document.
+    void stepsAreRememberedAndSwitchesAreNot()
     {
         gizmo()->setSteps({0.5, 30.0, 0.25});
+        gizmo()->setGhostFrames({3, 4, 2});
         gizmo()->setShowsGhosts(true);
         gizmo()->setSpace(TransformSpace::Local);
         open();
         QCOMPARE(gizmo()->steps(), (SnapSteps{0.5, 30.0, 0.25}));
-        QVERIFY(gizmo()->showsGhosts());
-        QVERIFY(action("view.ghosts")->isChecked());
-        QCOMPARE(gizmo()->space(), TransformSpace::Local);
+        QVERIFY(gizmo()->ghostFrames() == (GhostFrames{3, 4, 2}));
+        QVERIFY(!gizmo()->showsGhosts());
+        QVERIFY(!action("view.ghosts")->isChecked());
+        QCOMPARE(gizmo()->space(), TransformSpace::World);
     }
     void anglesAreThoseOfThePreferences()
     {

@@ -132,7 +132,7 @@ private slots:
     void everyPresetHasATitle()
     {
         QVERIFY(presetTitle(QStringLiteral("NoSuchTree")) == QStringLiteral("No Such Tree"));
-        QFile list(QStringLiteral(RAMURE_SOURCE_DIR "/widgets/base/preset_title.cpp"));
+        QFile list(QStringLiteral(RAMURE_SOURCE_DIR "/widgets/base/texts/preset_title.cpp"));
         QVERIFY(list.open(QIODevice::ReadOnly));
         const QByteArray text = list.readAll();
         qsizetype titles = 0;
