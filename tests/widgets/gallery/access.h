@@ -91,7 +91,13 @@ private:
         void drawPolygon(const QPointF*, int, PolygonDrawMode) override {}
         void drawTextItem(const QPointF& at, const QTextItem& item) override
         {
-            const QRectF box(at.x(), at.y() - item.ascent(), item.width(), item.ascent() + item.descent());
+            QRectF box(at.x(), at.y() - item.ascent(), item.width(), item.ascent() + item.descent());
+            const QRect inner = box.toAlignedRect().adjusted(1, 1, -1, -1);
+            const QRegion seen = painter()->hasClipping() ? painter()->clipRegion() & inner : QRegion(inner);
+            if (seen != QRegion(inner)) // of a selected text, each part is drawn without the other
+                box = QRectF(seen.boundingRect());
+            if (box.isEmpty())
+                return;
             QColor colour = painter()->pen().color();
             colour.setAlphaF(float(colour.alphaF() * painter()->opacity()));
             texts.push_back({item.text(), painter()->combinedTransform().mapRect(box), colour});

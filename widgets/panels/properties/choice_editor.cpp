@@ -18,6 +18,8 @@ ChoiceEditor::ChoiceEditor(const ParamDef& def, QWidget* parent)
     for (const EnumItem& item : def.items)
         m_box->addItem(coreText(item.label), QString::fromLatin1(item.name));
     m_box->setPlaceholderText(QStringLiteral("—"));
+    constexpr int leastLetters = 8; // a narrow panel shortens a long choice and is not cut at its side
+    m_box->setMinimumContentsLength(leastLetters);
     guardFromWheel(m_box);
     setFocusProxy(m_box);
     connect(m_box, &QComboBox::activated, this,
