@@ -27,8 +27,8 @@ bool isWord(std::string_view text, std::string_view lower);
 
 /// The bytes of a file as UTF-8 with a line feed at the end of each line. UTF-16 is converted, and half a
 /// character becomes U+FFFD; the byte order mark and padding at the end are left out; lone carriage returns
-/// become line feeds, and a carriage return before a line feed stays. Whatever is not to be changed is not copied:
-/// \p bytes must outlive the object.
+/// become line feeds, and a carriage return before a line feed stays. Whatever is not to be changed is not
+/// copied: \p bytes must outlive the object.
 class PlainText
 {
 public:

@@ -1,11 +1,11 @@
 #include "tests/cli/cli_support.h"
 #include "tests/support/cannot_run.h"
 #include <QDir>
-#include <csignal>
 #include <QImage>
 #include <QJsonArray>
 #include <QRegularExpression>
 #include <QStandardPaths>
+#include <csignal>
 
 namespace tst_ramure_cli_pictures {
 
