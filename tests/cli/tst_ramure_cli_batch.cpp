@@ -266,9 +266,8 @@ private slots:
     void meshesAreNoRows()
     {
         QCOMPARE(runCli({"export", "preset:TinyTree", "-o", path("a.obj")}).code, 0);
-        QCOMPARE(runCli(batchOf(table("input,seed\na.obj,\na.obj,1\n"), path("out"), {"--file", "{row}.ply"}))
-                     .code,
-                 3);
+        const QString rows = table("input,seed\na.obj,\na.obj,1\n");
+        QCOMPARE(runCli({"batch", rows, "-o", path("out"), "--file", "{row}.ply"}).code, 3);
         const auto lines = linesOf(path("out/manifest.jsonl"));
         QVERIFY(lines[0]["error"]["text"].toString().contains("a mesh"));
         QVERIFY(lines[1]["error"]["text"].toString().contains("neither a seed nor parameters"));
