@@ -66,11 +66,12 @@ Expected<void> VirtualDisplay::ensure()
 #endif
     });
     m_server.setStandardErrorFile(QProcess::nullDevice());
-    // The server chooses a free number and writes it to its standard output.
+    // The server chooses a free number and writes it to its standard output. Without -noreset it begins anew
+    // whenever its last client leaves, and drops those that come in the meantime.
     m_server.start(QStringLiteral("Xvfb"),
                    {QStringLiteral("-displayfd"), QStringLiteral("1"), QStringLiteral("-screen"),
                     QStringLiteral("0"), QStringLiteral("640x480x24"), QStringLiteral("-nolisten"),
-                    QStringLiteral("tcp")});
+                    QStringLiteral("tcp"), QStringLiteral("-noreset")});
     if (!m_server.waitForStarted(startMs))
         return fail(ErrorCode::Unknown,
                     "there is no display%1, and Xvfb, which stands in for one, cannot be started (Debian "
