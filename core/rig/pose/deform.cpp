@@ -10,7 +10,7 @@ namespace {
 using Double4 [[gnu::vector_size(32)]] = double;
 
 /// The columns of a 3 x 4 matrix.
-struct BoneColumns
+struct Columns
 {
     Float4 x, y, z, w;
 };
@@ -22,7 +22,7 @@ struct DualQuaternion
 };
 
 /// In doubles, as glm::mat3_cast has it, only four at once.
-[[gnu::always_inline]] inline void columnsOf(const RigidTransform& bone, BoneColumns& out)
+[[gnu::always_inline]] inline void columnsOf(const RigidTransform& bone, Columns& out)
 {
     Double4 q;
     static_assert(sizeof bone.rotation == sizeof q);
@@ -86,7 +86,7 @@ struct Lanes
 
 /// The mean screw motions of four influences at once (see meanScrew in skin.cpp), in floats.
 [[gnu::always_inline]] inline void mixFour(const SkinInfluence* const* four,
-                                           const std::vector<DualQuaternion>& bones, BoneColumns* out)
+                                           const std::vector<DualQuaternion>& bones, Columns* out)
 {
     const auto weights = [four](std::size_t i) {
         return Float4{four[0]->weight[i], four[1]->weight[i], four[2]->weight[i], four[3]->weight[i]};
@@ -126,10 +126,10 @@ struct Lanes
 }
 
 /// The mean screw motion (see meanScrew in skin.cpp), in floats.
-BoneColumns mixed(const SkinInfluence& influence, const std::vector<DualQuaternion>& bones)
+Columns mixed(const SkinInfluence& influence, const std::vector<DualQuaternion>& bones)
 {
     const SkinInfluence* const four[] = {&influence, &influence, &influence, &influence};
-    std::array<BoneColumns, 4> made;
+    std::array<Columns, 4> made;
     mixFour(four, bones, made.data());
     return made[0];
 }
@@ -139,22 +139,20 @@ BoneColumns mixed(const SkinInfluence& influence, const std::vector<DualQuaterni
     return Float4{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0], 0.0F};
 }
 
-[[gnu::always_inline]] inline BoneColumns mixed(const SkinInfluence& influence,
-                                                const std::vector<BoneColumns>& bones)
+[[gnu::always_inline]] inline Columns mixed(const SkinInfluence& influence, const std::vector<Columns>& bones)
 {
     // Always three: to add a bone with weight 0 is quicker than to ask.
-    const BoneColumns &a = bones[influence.bone[0]], &b = bones[influence.bone[1]],
-                      &c = bones[influence.bone[2]];
+    const Columns &a = bones[influence.bone[0]], &b = bones[influence.bone[1]], &c = bones[influence.bone[2]];
     const float u = influence.weight[0], v = influence.weight[1], w = influence.weight[2];
     return {u * a.x + v * b.x + w * c.x, u * a.y + v * b.y + w * c.y, u * a.z + v * b.z + w * c.z,
             u * a.w + v * b.w + w * c.w};
 }
 
 /// How a place at rest moves as weight passes from the first bone to the second.
-BoneColumns leaning(const SkinInfluence& influence, const std::vector<BoneColumns>& bones)
+Columns leaning(const SkinInfluence& influence, const std::vector<Columns>& bones)
 {
-    const BoneColumns& a = bones[influence.bone[0]];
-    const BoneColumns& b = bones[influence.bone[1]];
+    const Columns& a = bones[influence.bone[0]];
+    const Columns& b = bones[influence.bone[1]];
     return {b.x - a.x, b.y - a.y, b.z - a.z, b.w - a.w};
 }
 
@@ -166,7 +164,7 @@ Float4 timesConjugate(Float4 a, Float4 b)
 }
 
 /// The derivative of the mean screw motion.
-BoneColumns leaning(const SkinInfluence& influence, const std::vector<DualQuaternion>& bones)
+Columns leaning(const SkinInfluence& influence, const std::vector<DualQuaternion>& bones)
 {
     const DualQuaternion& first = bones[influence.bone[0]];
     Float4 real{}, dual{}, realTo = -first.real, dualTo = -first.dual;
@@ -186,29 +184,29 @@ BoneColumns leaning(const SkinInfluence& influence, const std::vector<DualQuater
     const Float4 turning = (realTo - along * q) * scale;
     const Float4 shifting = (dualTo - along * d) * scale;
     const Float4 spin = 2.0F * timesConjugate(turning, q);
-    const BoneColumns now = mixed(influence, bones);
+    const Columns now = mixed(influence, bones);
     return {cross(spin, now.x), cross(spin, now.y), cross(spin, now.z),
             2.0F * (timesConjugate(shifting, q) + timesConjugate(d, turning))};
 }
 
 /// What normals follow under a transform that is not rigid: determinant times inverse transpose.
-[[gnu::always_inline]] inline BoneColumns cofactors(const BoneColumns& m)
+[[gnu::always_inline]] inline Columns cofactors(const Columns& m)
 {
     return {cross(m.y, m.z), cross(m.z, m.x), cross(m.x, m.y), Float4{}};
 }
 
-[[gnu::always_inline]] inline Float4 moved(const float* rest, const BoneColumns& by)
+[[gnu::always_inline]] inline Float4 moved(const float* rest, const Columns& by)
 {
     return rest[0] * by.x + rest[1] * by.y + rest[2] * by.z + by.w;
 }
 
-[[gnu::always_inline]] inline Float4 turned(const float* rest, const BoneColumns& by)
+[[gnu::always_inline]] inline Float4 turned(const float* rest, const Columns& by)
 {
     return rest[0] * by.x + rest[1] * by.y + rest[2] * by.z;
 }
 
 /// Under a transform that is not rigid; one that flattens the normal leaves it as it was.
-[[gnu::always_inline]] inline Float4 turnedUnit(const float* rest, const BoneColumns& by)
+[[gnu::always_inline]] inline Float4 turnedUnit(const float* rest, const Columns& by)
 {
     const Float4 normal = turned(rest, by);
     const float square = sum(normal * normal);
@@ -230,7 +228,7 @@ constexpr std::size_t fewVertices = 4;
 
 /// Eight points or directions.
 template <bool isPoint>
-[[gnu::always_inline]] inline void moveBlock(const float* rest, float* out, const BoneColumns& by)
+[[gnu::always_inline]] inline void moveBlock(const float* rest, float* out, const Columns& by)
 {
     EightPoints at, now;
     at.load(rest);
@@ -245,8 +243,7 @@ template <bool isPoint>
     now.store(out);
 }
 
-template <bool isPoint>
-[[gnu::always_inline]] inline Float4 movedOne(const float* rest, const BoneColumns& by)
+template <bool isPoint> [[gnu::always_inline]] inline Float4 movedOne(const float* rest, const Columns& by)
 {
     return isPoint ? moved(rest, by) : turned(rest, by);
 }
@@ -256,7 +253,7 @@ template <bool isPoint>
 /// or written. \param isPoint directions do not shift
 template <bool isPoint>
 [[gnu::always_inline]] inline void moveRun(const float* rest, float* out, std::size_t from, std::size_t to,
-                                           std::size_t vertices, const BoneColumns& by)
+                                           std::size_t vertices, const Columns& by)
 {
     const std::size_t lastBlock = vertices < perBlock ? 0 : vertices - perBlock + 1;
     std::size_t v = from;
@@ -272,17 +269,17 @@ template <bool isPoint>
 }
 
 /// Normals where the weights change along Z: that column of the deformation leans as the place itself does.
-void leanNormals(const float* rest, const float* restNormals, std::size_t count, const BoneColumns& by,
-                 const BoneColumns& lean, float slope, float* normals)
+void leanNormals(const float* rest, const float* restNormals, std::size_t count, const Columns& by,
+                 const Columns& lean, float slope, float* normals)
 {
     for (std::size_t i = 0; i < 3 * count; i += 3) {
-        const BoneColumns turn = cofactors({by.x, by.y, by.z + slope * moved(rest + i, lean), Float4{}});
+        const Columns turn = cofactors({by.x, by.y, by.z + slope * moved(rest + i, lean), Float4{}});
         storeLast(normals + i, turnedUnit(restNormals + i, turn));
     }
 }
 
 /// Normals under a transform that is not rigid.
-[[gnu::always_inline]] inline void skewNormals(const float* rest, std::size_t count, const BoneColumns& by,
+[[gnu::always_inline]] inline void skewNormals(const float* rest, std::size_t count, const Columns& by,
                                                float* normals)
 {
     for (std::size_t i = 0; i < 3 * count; i += 3)
@@ -304,7 +301,7 @@ public:
     {
     }
     /// \param run is a mixed one, behind the one asked for before.
-    [[gnu::always_inline]] inline const BoneColumns& of(std::size_t run)
+    [[gnu::always_inline]] inline const Columns& of(std::size_t run)
     {
         if (m_next == m_made.size()) {
             std::array<const SkinInfluence*, 4> four;
@@ -321,7 +318,7 @@ public:
 private:
     const std::vector<SkinRun>& m_runs;
     const std::vector<DualQuaternion>& m_bones;
-    std::array<BoneColumns, 4> m_made;
+    std::array<Columns, 4> m_made;
     std::size_t m_next = 4;
 };
 
@@ -330,7 +327,7 @@ private:
 struct Deformer::Bones
 {
     SkinMethod method = SkinMethod::Rigid;
-    std::vector<BoneColumns> columns;
+    std::vector<Columns> columns;
     std::vector<DualQuaternion> duals; ///< for DualQuaternion only
 
     void setPose(std::span<const RigidTransform> pose);
@@ -338,7 +335,7 @@ struct Deformer::Bones
              float* outNormals) const;
     void follow(const Skin& skin, const float* rest, const float* restNormals, float* out,
                 float* outNormals) const;
-    [[nodiscard]] BoneColumns lean(const SkinInfluence& influence) const
+    [[nodiscard]] Columns lean(const SkinInfluence& influence) const
     {
         return method == SkinMethod::Linear ? leaning(influence, columns) : leaning(influence, duals);
     }
@@ -378,7 +375,7 @@ RAMURE_WIDE_CLONE void Deformer::Bones::follow(const Skin& skin, const float* re
         const SkinRun& run = skin.runs[r];
         const std::size_t from = run.firstVertex;
         const std::size_t end = r + 1 == skin.runs.size() ? vertices : skin.runs[r + 1].firstVertex;
-        const BoneColumns& by = columns[run.influence.bone[0]];
+        const Columns& by = columns[run.influence.bone[0]];
         moveRun<true>(rest, out, from, end, vertices, by);
         if (outNormals)
             moveRun<false>(restNormals, outNormals, from, end, vertices, by);
@@ -396,9 +393,9 @@ RAMURE_WIDE_CLONE void Deformer::Bones::mix(const Skin& skin, const float* rest,
         const std::size_t from = run.firstVertex;
         const std::size_t to = r + 1 == skin.runs.size() ? vertices : skin.runs[r + 1].firstVertex;
         const bool mixes = isMixed(run) && method != SkinMethod::Rigid;
-        const BoneColumns by = !mixes                         ? columns[run.influence.bone[0]]
-                               : method == SkinMethod::Linear ? mixed(run.influence, columns)
-                                                              : mixedRuns.of(r);
+        const Columns by = !mixes                         ? columns[run.influence.bone[0]]
+                           : method == SkinMethod::Linear ? mixed(run.influence, columns)
+                                                          : mixedRuns.of(r);
         moveRun<true>(rest, out, from, to, vertices, by);
         if (!outNormals)
             continue;
