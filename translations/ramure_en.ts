@@ -352,6 +352,16 @@
     </message>
 </context>
 <context>
+    <name>ramure::GrammarEditor</name>
+    <message numerus="yes">
+        <source>(and %n more)</source>
+        <translation>
+            <numerusform>(and %n more)</numerusform>
+            <numerusform>(and %n more)</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ramure::GroupSection</name>
     <message numerus="yes">
         <source>%n value(s) changed</source>

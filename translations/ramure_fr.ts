@@ -10052,6 +10052,27 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
     </message>
 </context>
 <context>
+    <name>ramure::GrammarEdit</name>
+    <message>
+        <source>Replace</source>
+        <translation>Remplacer</translation>
+    </message>
+    <message>
+        <source>Writes the characters of the language in place of those that look like them</source>
+        <translation>Écrit les caractères du langage à la place de ceux qui leur ressemblent</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::GrammarEditor</name>
+    <message numerus="yes">
+        <source>(and %n more)</source>
+        <translation>
+            <numerusform>(et %n autre)</numerusform>
+            <numerusform>(et %n autres)</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ramure::GroupSection</name>
     <message>
         <source>Copy, paste or reset this group</source>
