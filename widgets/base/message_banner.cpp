@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <QStyle>
 #include <QToolButton>
+#include <algorithm>
 #include <utility>
 
 namespace ramure {
@@ -78,6 +79,38 @@ void MessageBanner::showMessage(Severity severity, const QString& text, const QS
     style()->polish(this);
     setAccessibleName(text);
     show();
+}
+
+void MessageBanner::lieOver(QWidget* place)
+{
+    m_place = place;
+    place->installEventFilter(this);
+    this->place();
+}
+
+void MessageBanner::place()
+{
+    if (!m_place)
+        return;
+    const int width = m_place->width();
+    resize(width, std::max(minimumSizeHint().height(), layout()->heightForWidth(width)));
+    move(m_place->mapTo(parentWidget(), QPoint()));
+    raise();
+}
+
+bool MessageBanner::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched == m_place && (event->type() == QEvent::Resize || event->type() == QEvent::Move))
+        place();
+    return QFrame::eventFilter(watched, event);
+}
+
+/// Another text, style or language needs another height.
+bool MessageBanner::event(QEvent* event)
+{
+    if (event->type() == QEvent::LayoutRequest || event->type() == QEvent::Show)
+        place();
+    return QFrame::event(event);
 }
 
 QString MessageBanner::text() const

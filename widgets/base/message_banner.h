@@ -1,9 +1,10 @@
 /// \file
-/// A message across the top of the view: says what went wrong without stopping the work.
+/// A message over the top of the view: says what went wrong without stopping the work, and moves nothing.
 #pragma once
 
 #include "widgets/base/chooser.h"
 #include <QFrame>
+#include <QPointer>
 #include <functional>
 
 class QLabel;
@@ -18,6 +19,9 @@ class MessageBanner : public QFrame
 public:
     explicit MessageBanner(QWidget* parent = nullptr);
 
+    /// Lies over the upper edge of \p place, which stands somewhere in the banner's parent. Not owned.
+    void lieOver(QWidget* place);
+
     void showMessage(Severity severity, const QString& text);
     /// With a button that does something about it.
     void showMessage(Severity severity, const QString& text, const QString& button,
@@ -27,10 +31,14 @@ public:
 protected:
     void changeEvent(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    bool event(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void retranslate();
+    void place();
 
+    QPointer<QWidget> m_place;
     QLabel* m_icon;
     QLabel* m_text;
     QPushButton* m_button;

@@ -78,7 +78,6 @@ MainWindow::MainWindow(Document* document, Recompute* recompute, Preferences* pr
     , m_chooser(chooser)
     , m_actions(new ActionSet(this))
     , m_isolation(new Isolation(document, this))
-    , m_banner(new MessageBanner(this))
     , m_host(new ViewportHost(document, this))
     , m_player(new Player(document, this))
 {
@@ -88,16 +87,13 @@ MainWindow::MainWindow(Document* document, Recompute* recompute, Preferences* pr
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     auto* centre = new QWidget(this);
-    auto* layout = new QVBoxLayout(centre);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
-    layout->addWidget(m_banner);
-    auto* beside = new QHBoxLayout; // the welcome page and the view
+    m_banner = new MessageBanner(centre);
+    auto* beside = new QHBoxLayout(centre); // the welcome page and the view
+    beside->setContentsMargins(0, 0, 0, 0);
     beside->setSpacing(0);
     auto* column = new QVBoxLayout; // the strip, and under it the view beside its tools
     column->setSpacing(0);
     beside->addLayout(column, 1);
-    layout->addLayout(beside, 1);
     setCentralWidget(centre);
 
     buildDocks();
@@ -107,6 +103,7 @@ MainWindow::MainWindow(Document* document, Recompute* recompute, Preferences* pr
     buildHandBar(column);
     buildStatusBar();
     beside->insertWidget(0, m_welcome);
+    m_banner->lieOver(m_host);
     connectPanels();
     connect(m_document, &Document::changed, this, &MainWindow::follow);
     connect(m_document->undoStack(), &QUndoStack::cleanChanged, this, &MainWindow::updateTitle);

@@ -167,7 +167,7 @@ private:
     Chooser* m_chooser;
     ActionSet* m_actions;
     Isolation* m_isolation;
-    MessageBanner* m_banner;
+    MessageBanner* m_banner = nullptr; ///< over the view
     ViewportHost* m_host;
     Player* m_player;
     ScenePanel* m_scene = nullptr;

@@ -19,6 +19,8 @@
 
 namespace ramure {
 
+static constexpr int statusLines = 4; ///< residual, reached or not, joints at their limits
+
 ArmPanel::ArmPanel(Document* document, QWidget* parent)
     : QWidget(parent)
     , m_document(document)
@@ -38,9 +40,13 @@ ArmPanel::ArmPanel(Document* document, QWidget* parent)
     , m_baker(new ArmBaker(document, this))
     , m_worn(new ArmMeshRow(document, m_content))
 {
-    m_list->setMaximumHeight(130);
+    m_list->setFixedHeight(130); // what is below it would take and give its height
     m_list->setSpacing(2);
+    m_status->setObjectName(QStringLiteral("armStatus"));
     m_status->setWordWrap(true);
+    m_status->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    // The first way must not move what is below, and not bring a scroll bar.
+    m_status->setFixedHeight(statusLines * m_status->fontMetrics().lineSpacing());
     m_pause->setCheckable(true);
     m_keyPose->setObjectName(QStringLiteral("keyPose"));
     m_keyPose->setEnabled(false);
@@ -179,6 +185,10 @@ const std::vector<ArmJoint>* ArmPanel::joints() const
 
 void ArmPanel::follow(const Change& change)
 {
+    if (change.has(changeReset)) {
+        m_pause->setChecked(false);
+        m_bakeOptions = {};
+    }
     if (change.has(changeReset | changeStructure | changeSelection))
         takeArm();
     else if (change.has(changeJoints | changeNodeState | changeTracks | changeParams))
@@ -239,6 +249,7 @@ void ArmPanel::showProgress()
 {
     const ArmProgress* shown = m_reach ? m_reach->shown(m_arm) : nullptr;
     m_status->setText(shown ? armStatusText(*shown) : QString());
+    m_status->setToolTip(m_status->text());
     m_step->setEnabled(shown && shown->moves && m_reach->isAtRest());
 }
 

@@ -1,0 +1,138 @@
+#include "core/scene/arm_demo.h"
+#include "core/session/arm_reach.h"
+#include "core/session/recompute.h"
+#include "tests/widgets/base/fixture.h"
+#include "widgets/base/language.h"
+#include "widgets/base/message_banner.h"
+#include "widgets/base/preferences.h"
+#include "widgets/panels/arm/arm_panel.h"
+#include "widgets/window/main_window.h"
+#include <QDockWidget>
+#include <map>
+
+namespace tst_still_layouts {
+
+using namespace ramure;
+
+namespace {
+
+/// Where each widget in sight stands in \p window, but for those in \p aside.
+std::map<const QWidget*, QRect> placesIn(const QWidget* window, const QWidget* aside = nullptr)
+{
+    QCoreApplication::processEvents();
+    QCoreApplication::sendPostedEvents();
+    std::map<const QWidget*, QRect> places;
+    for (const QWidget* widget : window->findChildren<QWidget*>())
+        if (widget->isVisible() && widget != aside && !(aside && aside->isAncestorOf(widget)))
+            places[widget] = QRect(widget->mapTo(window, QPoint()), widget->size());
+    return places;
+}
+
+/// The widget that went elsewhere; empty: none did.
+QByteArray moved(const std::map<const QWidget*, QRect>& before, const std::map<const QWidget*, QRect>& after)
+{
+    for (const auto& [widget, place] : before)
+        if (const auto now = after.find(widget); now != after.end() && now->second != place)
+            return QByteArray(widget->metaObject()->className()) + ' ' + widget->objectName().toUtf8();
+    return {};
+}
+
+} // namespace
+
+/// Nothing moves away under the pointer.
+class TestStillLayouts : public QObject
+{
+    Q_OBJECT
+private:
+    test::OwnSettings m_settings;
+    Preferences m_preferences;
+    test::FakeChooser m_chooser;
+    std::unique_ptr<Document> m_document;
+    std::unique_ptr<Recompute> m_recompute;
+
+    void addLanguages()
+    {
+        QTest::addColumn<QString>("language");
+        QTest::newRow("English") << QStringLiteral("en");
+        QTest::newRow("French") << QStringLiteral("fr");
+    }
+    void setLanguage()
+    {
+        const auto* language = static_cast<QString*>(QTest::qData("language", qMetaTypeId<QString>()));
+        m_preferences.setLanguage(*language);
+    }
+
+private slots:
+    void init()
+    {
+        test::failOnWidgetWarning();
+        QSettings().clear();
+        m_document = std::make_unique<Document>();
+        m_recompute = std::make_unique<Recompute>(m_document.get());
+    }
+    void cleanup()
+    {
+        m_recompute.reset();
+        m_document.reset();
+    }
+
+    void messagesMoveNothing_data() { addLanguages(); }
+    void messagesMoveNothing()
+    {
+        setLanguage();
+        const Language language(&m_preferences);
+        MainWindow window(m_document.get(), m_recompute.get(), &m_preferences, &m_chooser);
+        test::openNodes(*m_document, {test::treeNode(1, "oak")});
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        QVERIFY(m_recompute->waitForFull(20'000));
+        MessageBanner* banner = window.banner();
+        const auto places = [&] {
+            auto found = placesIn(&window, banner);
+            std::erase_if(found, [&](const auto& place) { // panels follow the checks of the tree
+                return !qobject_cast<const QDockWidget*>(place.first) &&
+                       !window.centralWidget()->isAncestorOf(place.first);
+            });
+            return found;
+        };
+        const auto before = places();
+        for (const QString& text :
+             {QStringLiteral("Short."), QStringLiteral("A message of many words. ").repeated(30)}) {
+            banner->showMessage(Severity::Error, text);
+            const QByteArray what = moved(before, places());
+            QVERIFY2(what.isEmpty(), what.constData());
+            QVERIFY(banner->isVisible() &&
+                    banner->height() >= banner->layout()->heightForWidth(banner->width()));
+        }
+        banner->hide();
+        window.hide();
+    }
+
+    void theArmPanelStaysWhileTheArmReaches_data() { addLanguages(); }
+    void theArmPanelStaysWhileTheArmReaches()
+    {
+        setLanguage();
+        const Language language(&m_preferences);
+        ArmReach reach(m_document.get());
+        ArmPanel panel(m_document.get());
+        panel.setReach(&reach);
+        m_document->reset(armDemo(), {});
+        panel.resize(330, 420);
+        panel.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&panel));
+        const auto before = placesIn(&panel);
+        const NodeId arm = m_document->scene().nodes().front().id;
+        for (const glm::dvec3 target : {glm::dvec3(0.4, 0.8, 0.3), glm::dvec3(900.0, 0.0, 0.0)}) {
+            reach.reachFor(arm, target, 0);
+            QTRY_VERIFY(reach.progress() && !reach.progress()->moves);
+            const QByteArray what = moved(before, placesIn(&panel));
+            QVERIFY2(what.isEmpty(), what.constData());
+        }
+    }
+};
+
+RAMURE_SUITE(TestStillLayouts)
+
+} // namespace tst_still_layouts
+
+#include "tst_still_layouts.moc"
