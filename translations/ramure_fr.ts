@@ -2559,6 +2559,10 @@
         <source>In %1</source>
         <translation>Dans %1</translation>
     </message>
+    <message>
+        <source>about %1 m/s on average</source>
+        <translation>environ %1 m/s en moyenne</translation>
+    </message>
 </context>
 <context>
     <name>ParamPage</name>
@@ -14126,10 +14130,6 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
 <context>
     <name>ramure::WindTool</name>
     <message>
-        <source>Length: strength of the wind · release: done</source>
-        <translation>Longueur : force du vent · relâcher : terminer</translation>
-    </message>
-    <message>
         <source>Change the wind</source>
         <translation>Modifier le vent</translation>
     </message>
@@ -14147,6 +14147,10 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
     <message>
         <source>The graphics driver&apos;s OpenGL is older than 3.3.</source>
         <translation>L’OpenGL du pilote graphique est antérieur à la version 3.3.</translation>
+    </message>
+    <message>
+        <source>Length: strength of the wind, %1 × (about %2 m/s) · release: done</source>
+        <translation>Longueur : force du vent, %1 × (environ %2 m/s) · relâcher : terminer</translation>
     </message>
 </context>
 </TS>

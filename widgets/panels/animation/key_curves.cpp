@@ -30,6 +30,8 @@ void KeyCurves::followModel()
     m_stale = true;
     if (isVisible())
         takeCurves();
+    else
+        m_fitted = false;
 }
 
 void KeyCurves::showEvent(QShowEvent* event)
@@ -56,8 +58,9 @@ void KeyCurves::takeCurves()
         std::move(curves.begin(), curves.end(), std::back_inserter(m_curves));
     }
     m_linesOf = {};
-    if (!m_fitted && !m_curves.empty() && isVisible())
-        fit();
+    m_fitted = m_fitted && !m_curves.empty(); // others are new to whoever looks
+    if (!m_fitted && isVisible())
+        fitAll();
     update();
 }
 
@@ -147,7 +150,7 @@ bool KeyCurves::showsHandle(const Curve& curve, std::size_t key, int side) const
                     : key > 0 && curve.numberKey(key - 1)->mode == KeyMode::Bezier;
 }
 
-void KeyCurves::fit()
+void KeyCurves::fitKeys(bool all)
 {
     if (m_stale)
         takeCurves();
@@ -156,7 +159,6 @@ void KeyCurves::fit()
     m_fitted = true;
     double low = 1e300, high = -1e300;
     Ticks from = mostTicks, to = -mostTicks;
-    const bool all = m_model->selection().empty();
     const auto take = [&](const Curve& curve, std::size_t key) {
         low = std::min(low, curve.valueOf(key));
         high = std::max(high, curve.valueOf(key));
@@ -167,7 +169,7 @@ void KeyCurves::fit()
         for (std::size_t i = 0; all && i < curve.size(); ++i)
             take(curve, i);
         for (const Ticks time : selectedOf(curve))
-            if (const auto key = curve.find(time))
+            if (const auto key = all ? std::nullopt : curve.find(time))
                 take(curve, *key);
     }
     if (from > to)

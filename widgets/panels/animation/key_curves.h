@@ -28,8 +28,10 @@ public:
     void setFrame(qint64 frame);
     /// Every curve over the same height, whatever its values.
     void setNormalised(bool on);
-    /// The selected keys, or all, in time and value.
-    void fit();
+    /// Shows the selected keys, or all where none is selected, in time and value.
+    void fit() { fitKeys(m_model->selection().empty()); }
+    /// Shows all keys.
+    void fitAll() { fitKeys(true); }
     /// Of orientations the angle about X.
     [[nodiscard]] QPointF placeOf(const TrackRef& ref, Ticks time, double value) const;
     [[nodiscard]] QPointF placeOf(const CurveRef& ref, Ticks time, double value) const;
@@ -77,6 +79,7 @@ private:
     };
 
     void takeCurves();
+    void fitKeys(bool all);
     void followModel();
     [[nodiscard]] const Curve* curveOf(const CurveRef& ref) const;
     [[nodiscard]] double xOf(double seconds) const;

@@ -227,7 +227,7 @@ void KeyPanel::setCurvesShown(bool shown)
     m_normalise->setVisible(shown);
     arrangeTools();
     if (shown)
-        m_curves->fit();
+        m_curves->fitAll();
 }
 
 void KeyPanel::showRows()

@@ -1,8 +1,11 @@
 #include "widgets/panels/properties/param_facts.h"
 
 #include "core/params/presets.h"
+#include "core/rig/physics/wind.h"
 #include "widgets/base/texts/core_text.h"
 #include <QCoreApplication>
+#include <QLocale>
+#include <string_view>
 
 namespace ramure {
 namespace {
@@ -78,6 +81,15 @@ QList<std::pair<QString, QString>> paramFacts(const ParamDef& def, AngleUnit uni
             {FactWords::tr("In %1").arg(QString::fromStdString(preset)), valueText(def, begun, unit)});
     facts.removeIf([](const auto& fact) { return fact.second.isEmpty(); });
     return facts;
+}
+
+QString paramMeaning(const ParamDef& def, const ParamValue& value)
+{
+    const auto* number = std::get_if<double>(&value);
+    if (!number || def.key != std::string_view("physics.windStrength"))
+        return {};
+    return FactWords::tr("about %1 m/s on average")
+        .arg(QLocale().toString(*number * robustWindSpeed, 'f', 1));
 }
 
 } // namespace ramure

@@ -15,4 +15,8 @@ namespace ramure {
 QList<std::pair<QString, QString>> paramFacts(const ParamDef& def, AngleUnit unit,
                                               const std::string& preset = {});
 
+/// What a number means in a unit of the world, to stand below it: "about 4.0 m/s". Empty where it says all
+/// itself.
+QString paramMeaning(const ParamDef& def, const ParamValue& value);
+
 } // namespace ramure

@@ -59,6 +59,11 @@ ParamRow::ParamRow(const ParamDef& def, QWidget* parent)
         grid->addWidget(m_reset, 0, 2);
         grid->addWidget(m_message, 1, 0, 1, 3);
     }
+    if (!paramMeaning(def, defaultValue(def)).isEmpty()) {
+        m_meaning = new QLabel(this);
+        m_meaning->setObjectName(QStringLiteral("dim"));
+        grid->addWidget(m_meaning, grid->rowCount(), 1);
+    }
     grid->setColumnStretch(1, 1);
     m_label->setBuddy(m_editor);
     m_editor->addHandle(m_label);
@@ -95,6 +100,10 @@ void ParamRow::showValues(std::span<const ParamValue> values, std::span<const st
     m_preset = onePreset ? presets.front() : std::string();
     m_editor->setStandard(commonValue(standards));
     m_editor->showValues(values);
+    if (m_meaning) {
+        const auto common = commonValue(values);
+        m_meaning->setText(common ? paramMeaning(def(), *common) : QStringLiteral("–"));
+    }
     showToolTips();
     m_changed = !std::ranges::equal(values, standards);
     m_reset->setVisible(m_changed);

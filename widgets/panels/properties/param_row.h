@@ -65,6 +65,7 @@ private:
     ParamEditor* m_editor = nullptr;
     QToolButton* m_reset = nullptr;
     QToolButton* m_key = nullptr;
+    QLabel* m_meaning = nullptr; ///< below the editor; null where numbers say all themselves (paramMeaning)
     QLabel* m_message = nullptr;
     std::optional<Error> m_problem;
     QString m_refusal;

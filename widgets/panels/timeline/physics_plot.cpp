@@ -36,7 +36,8 @@ PhysicsPlot::PhysicsPlot(QWidget* parent)
     : QWidget(parent)
 {
     setObjectName(QStringLiteral("physicsPlot"));
-    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred); // a share of what a wide window has
+    setMinimumWidth(sizeHint().width());
     buildMenu();
     updateToolTip();
 }

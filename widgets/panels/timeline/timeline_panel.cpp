@@ -70,8 +70,8 @@ TimelinePanel::TimelinePanel(Document* document, Player* player, PlayActions* ac
     layout->setContentsMargins(6, 4, 6, 6);
     layout->setSpacing(8);
     layout->setSizeConstraint(QLayout::SetNoConstraint); // see minimumSizeHint
-    layout->addLayout(left, 1);
-    layout->addWidget(m_plot);
+    layout->addLayout(left, 3);
+    layout->addWidget(m_plot, 1);
     connectPlayer();
     retranslate();
     showSettings();

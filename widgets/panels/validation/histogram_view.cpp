@@ -8,24 +8,24 @@
 namespace ramure {
 namespace {
 
-constexpr int high = 36;
+constexpr int usualHeight = 96, leastHeight = 56;
 
 } // namespace
 
 HistogramView::HistogramView(QWidget* parent)
     : QWidget(parent)
 {
-    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
 }
 
 QSize HistogramView::sizeHint() const
 {
-    return {160, high};
+    return {160, usualHeight};
 }
 
 QSize HistogramView::minimumSizeHint() const
 {
-    return {60, high};
+    return {60, leastHeight};
 }
 
 void HistogramView::setCounts(std::vector<quint64> counts, int warnBelow)

@@ -208,6 +208,33 @@ private slots:
         }
     }
 
+    void curvesOpenWithAllKeysInSight()
+    {
+        KeyDock dock(test::keyScene(7, 5, 40));
+        const TrackRef first = dock.model.tracks()[0];
+        // As after a key was inserted, and the dope sheet shows another time.
+        dock.model.setSelection({{first, {keys::ticksOfFrame(dock.model.timeline(), 40)}}});
+        dock.panel.resize(dock.panel.minimumSizeHint().width(), 260); // the least that the window gives it
+        const auto allAreSeen = [&] {
+            const KeyCurves* curves = dock.panel.curves();
+            for (const KeyCurve& curve : curves->curves())
+                for (std::size_t i = 0; i < curve.size(); ++i) {
+                    const QPointF at = curves->placeOf(curve.ref(), curve.timeOf(i), curve.valueOf(i));
+                    if (!QRectF(curves->rect()).contains(at))
+                        return false;
+                }
+            return !curves->curves().empty();
+        };
+        dock.panel.ruler()->showFrames(500.0, 600.0);
+        dock.panel.setCurvesShown(true);
+        QTRY_VERIFY(allAreSeen());
+        QCOMPARE_GE(dock.panel.curves()->height(), 120);
+        dock.panel.setCurvesShown(false);
+        dock.panel.ruler()->showFrames(500.0, 600.0);
+        dock.panel.setCurvesShown(true);
+        QTRY_VERIFY(allAreSeen());
+    }
+
     void curvesAreDraggedAsOneStep()
     {
         KeyDock dock(test::keyScene(1, 3, 10));

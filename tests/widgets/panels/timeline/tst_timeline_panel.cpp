@@ -53,6 +53,7 @@ private slots:
     void plotFollowsAnArmThatReaches();
     void curvesLeaveTheirNumbersAlone();
     void droppedFramesHaveTheirRoom();
+    void aWideWindowGivesThePlotItsShare();
     void plotKeepsNoiseOut();
     void plotValuesAreCopied();
     void theRulersMenuIsAboutTheFrameClicked();
@@ -330,6 +331,14 @@ void TestTimelinePanel::droppedFramesHaveTheirRoom()
         if (width >= 1200) // a narrower row is cut at its end as a whole
             QVERIFY(dropped->parentWidget()->rect().contains(dropped->geometry()));
     }
+}
+
+void TestTimelinePanel::aWideWindowGivesThePlotItsShare()
+{
+    test::openNodes(*m_document, {test::treeNode(1, "tree")});
+    const auto* plot = m_panel->findChild<PhysicsPlot*>();
+    m_panel->resize(1600, 130);
+    QTRY_VERIFY(plot->width() > 350);
 }
 
 void TestTimelinePanel::plotKeepsNoiseOut()

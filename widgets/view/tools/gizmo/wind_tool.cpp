@@ -1,8 +1,10 @@
 // The wind of trees: arrows whose heads are dragged.
+#include "core/rig/physics/wind.h"
 #include "widgets/view/tools/gizmo/gizmo_handles.h"
 #include "widgets/view/tools/motion_tools.h"
 #include "widgets/view/tools/tool_table.h"
 #include <QCoreApplication>
+#include <QLocale>
 #include <QPainter>
 #include <cmath>
 #include <utility>
@@ -58,7 +60,11 @@ public:
     void cancel() override { m_context.document.giveUpGesture(m_gesture); }
     [[nodiscard]] QString hint(Qt::KeyboardModifiers) const override
     {
-        return tr("Length: strength of the wind · release: done");
+        const Node* tree = m_context.document.scene().find(m_taken.node);
+        const double strength = tree ? tree->params.physics.windStrength : 0.0;
+        return tr("Length: strength of the wind, %1 × (about %2 m/s) · release: done")
+            .arg(QLocale().toString(strength, 'f', 2),
+                 QLocale().toString(strength * robustWindSpeed, 'f', 1));
     }
     void paint(QPainter& painter, const PickView& view) override
     {
