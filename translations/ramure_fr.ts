@@ -2466,10 +2466,6 @@
         <translation>Propriétés</translation>
     </message>
     <message>
-        <source>nothing in the scene has it</source>
-        <translation>rien dans la scène ne l’a</translation>
-    </message>
-    <message>
         <source>Handbook</source>
         <translation>Manuel</translation>
     </message>
@@ -2755,6 +2751,21 @@
     <message>
         <source>number</source>
         <translation>numéro</translation>
+    </message>
+</context>
+<context>
+    <name>Targets</name>
+    <message>
+        <source>nothing in the scene has it</source>
+        <translation>rien dans la scène ne l’a</translation>
+    </message>
+    <message>
+        <source>no effect now: another value turns it off</source>
+        <translation>sans effet maintenant : une autre valeur le désactive</translation>
+    </message>
+    <message>
+        <source>no effect while “%1” is “%2”</source>
+        <translation>sans effet tant que « %1 » est « %2 »</translation>
     </message>
 </context>
 <context>
@@ -11544,6 +11555,10 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
         <source>Take the picture away</source>
         <translation>Retirer l’image</translation>
     </message>
+    <message>
+        <source>It has no effect now: another value turns it off.</source>
+        <translation>Sans effet maintenant : une autre valeur le désactive.</translation>
+    </message>
 </context>
 <context>
     <name>ramure::PhysicsPlot</name>
@@ -14133,6 +14148,10 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
         <source>Change the wind</source>
         <translation>Modifier le vent</translation>
     </message>
+    <message>
+        <source>Length: strength of the wind, %1 × (about %2 m/s) · release: done</source>
+        <translation>Longueur : force du vent, %1 × (environ %2 m/s) · relâcher : terminer</translation>
+    </message>
 </context>
 <context>
     <name>render</name>
@@ -14147,10 +14166,6 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
     <message>
         <source>The graphics driver&apos;s OpenGL is older than 3.3.</source>
         <translation>L’OpenGL du pilote graphique est antérieur à la version 3.3.</translation>
-    </message>
-    <message>
-        <source>Length: strength of the wind, %1 × (about %2 m/s) · release: done</source>
-        <translation>Longueur : force du vent, %1 × (environ %2 m/s) · relâcher : terminer</translation>
     </message>
 </context>
 </TS>

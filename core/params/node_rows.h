@@ -249,8 +249,7 @@ inline constexpr std::array nodeRows{
     row<&NodeParams::camera, &CameraParams::focus>(
         {"camera.focus", cameraGroup, RAMURE_NOOP("Focus"),
          RAMURE_NOOP("How far away is what the lens shows sharp.")},
-        ParamUnit::Metre, {0.001, 1e4, 0.1, 30, 0.1, 3}, Stage::Placement, paramAnimatable, cameraOnly,
-        hasLens),
+        ParamUnit::Metre, {0.001, 1e4, 0.1, 30, 0.1, 3}, Stage::Placement, paramAnimatable, cameraOnly),
 };
 // clang-format on
 

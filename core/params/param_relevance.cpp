@@ -119,4 +119,9 @@ bool isRelevant(const NodeParams& params, const ParamDef& def)
            std::ranges::any_of(relevance->items, [&](const char* name) { return item->name == name; });
 }
 
+bool acts(const NodeParams& params, const ParamDef& def)
+{
+    return isRelevant(params, def) && (!def.matters || def.matters(params));
+}
+
 } // namespace ramure

@@ -1,6 +1,6 @@
 /// \file
-/// Which parameters have an effect beside the others: a box has no radius, the transpose solver alone a step
-/// size. The interface hides what has none; files and the command line take every value all the same.
+/// Decides which parameters have an effect beside the others: a box has no radius, and only the transpose
+/// solver has a step size. The interface offers no other parameter; files and the command line take them all.
 #pragma once
 
 #include "core/params/param_def.h"
@@ -8,8 +8,11 @@
 
 namespace ramure {
 
-/// Whether \p def has an effect on a node of these values.
+/// Whether the choices in \p params (generator, dialect, shape, leaf …) use \p def at all.
 bool isRelevant(const NodeParams& params, const ParamDef& def);
+/// Whether an edit of \p def changes anything: the choices use it, and no number or switch turns it off
+/// (ParamDef::matters).
+bool acts(const NodeParams& params, const ParamDef& def);
 
 /// The choice that decides about \p def and the items with which it has an effect; null where nothing does.
 struct Relevance

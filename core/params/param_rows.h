@@ -106,6 +106,20 @@ inline constexpr Condition* isParametric = [](const NodeParams& p) {
 inline constexpr Condition* isWeberPenn = [](const NodeParams& p) {
     return p.generator.kind == TreeGenerator::WeberPenn;
 };
+/// A tree of Weber and Penn that grows stems of level \p n.
+template <std::size_t n>
+inline constexpr Condition* hasLevel =
+    [](const NodeParams& p) { return isWeberPenn(p) && p.weberPenn.levels > std::int64_t(n); };
+inline constexpr Condition* isPruned = [](const NodeParams& p) {
+    return isWeberPenn(p) && p.weberPenn.pruneRatio > 0.0;
+};
+/// The outline of the pruning envelope may also be the shape of the crown.
+inline constexpr Condition* hasEnvelope = [](const NodeParams& p) {
+    return isPruned(p) || (isWeberPenn(p) && p.weberPenn.shape == CrownShape::Envelope);
+};
+inline constexpr Condition* hasLobes = [](const NodeParams& p) {
+    return isWeberPenn(p) && p.weberPenn.lobes > 0;
+};
 inline constexpr Condition* colonises = [](const NodeParams& p) {
     return p.generator.kind == TreeGenerator::Colonisation;
 };
@@ -121,7 +135,6 @@ inline constexpr Condition* isOfPlant = [](const NodeParams& p) {
     return p.leaf.shape != LeafShape::Faithful;
 };
 inline constexpr Condition* isHung = [](const NodeParams& p) { return p.fruit.kind != FruitKind::Faithful; };
-inline constexpr Condition* hasLens = [](const NodeParams& p) { return p.camera.fStop > 0.0; };
 inline constexpr Condition* softensForks = [](const NodeParams& p) { return p.mesh.forkSoftness > 0.0; };
 
 template <auto... Path>

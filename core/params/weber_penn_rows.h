@@ -46,10 +46,10 @@ inline constexpr std::array levelGroups{
 // clang-format off
 template <auto Member>
 constexpr ParamDef wholeRow(const char* key, const char* label, const char* tooltip, ParamUnit unit,
-                            const Range& range, std::uint16_t flags = paramNone)
+                            const Range& range, std::uint16_t flags = paramNone, Condition* matters = isWeberPenn)
 {
     return row<&NodeParams::weberPenn, Member>({key, weberPennGroup, label, tooltip}, unit, range, Stage::Skeleton,
-                                               flags, treeOnly, isWeberPenn);
+                                               flags, treeOnly, matters);
 }
 
 inline constexpr std::array weberPennRows{
@@ -95,7 +95,7 @@ inline constexpr std::array weberPennRows{
     wholeRow<&WeberPennParams::lobeDepth>(
         "weberPenn.lobeDepth", RAMURE_NOOP("Depth of lobes"),
         RAMURE_NOOP("How far the ribs stand out, as a share of the trunk's radius."),
-        ParamUnit::Ratio, {0, 1, 0, 0.3, 0.01, 3}, paramAdvanced),
+        ParamUnit::Ratio, {0, 1, 0, 0.3, 0.01, 3}, paramAdvanced, hasLobes),
     wholeRow<&WeberPennParams::attractionUp>(
         "weberPenn.attractionUp", RAMURE_NOOP("Upwards"),
         RAMURE_NOOP("How strongly branches from the second level on grow towards the sky; negative, towards the ground."),
@@ -112,19 +112,19 @@ inline constexpr std::array weberPennRows{
     wholeRow<&WeberPennParams::pruneWidth>(
         "weberPenn.pruneWidth", RAMURE_NOOP("Envelope width"),
         RAMURE_NOOP("Half the width of the pruning envelope where it is widest, as a share of the height."),
-        ParamUnit::Ratio, {0, 10, 0, 1, 0.01, 3}),
+        ParamUnit::Ratio, {0, 10, 0, 1, 0.01, 3}, paramNone, isPruned),
     wholeRow<&WeberPennParams::pruneWidthPeak>(
         "weberPenn.pruneWidthPeak", RAMURE_NOOP("Widest at"),
         RAMURE_NOOP("Where the envelope is widest: 0 at the base of the crown, 1 at its top."),
-        ParamUnit::Ratio, {0, 1, 0, 1, 0.01, 3}),
+        ParamUnit::Ratio, {0, 1, 0, 1, 0.01, 3}, paramNone, hasEnvelope),
     wholeRow<&WeberPennParams::prunePowerLow>(
         "weberPenn.prunePowerLow", RAMURE_NOOP("Curve below"),
         RAMURE_NOOP("The outline below the widest place: 1 straight, less full, more hollow."),
-        ParamUnit::None, {0, 10, 0, 3, 0.05, 4}, paramAdvanced),
+        ParamUnit::None, {0, 10, 0, 3, 0.05, 4}, paramAdvanced, hasEnvelope),
     wholeRow<&WeberPennParams::prunePowerHigh>(
         "weberPenn.prunePowerHigh", RAMURE_NOOP("Curve above"),
         RAMURE_NOOP("The outline above the widest place: 1 straight, less full, more hollow."),
-        ParamUnit::None, {0, 10, 0, 3, 0.05, 4}, paramAdvanced),
+        ParamUnit::None, {0, 10, 0, 3, 0.05, 4}, paramAdvanced, hasEnvelope),
 };
 
 template <std::size_t n, FixedText name, auto Member>
@@ -133,7 +133,7 @@ constexpr ParamDef levelRow(const char* label, const char* tooltip, ParamUnit un
 {
     return row<&NodeParams::weberPenn, &WeberPennParams::level, n, Member>(
         {levelKey<n, name>.data(), levelGroups[n], label, tooltip}, unit, range, Stage::Skeleton, flags, treeOnly,
-        isWeberPenn);
+        hasLevel<n>);
 }
 
 inline constexpr Range turns{-4 * pi, 4 * pi, -pi, pi, pi / 180, 4};

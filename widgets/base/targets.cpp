@@ -1,9 +1,16 @@
 #include "widgets/base/targets.h"
 
 #include "core/params/param_relevance.h"
+#include "widgets/base/texts/core_text.h"
+#include <QCoreApplication>
 #include <algorithm>
 
 namespace ramure {
+
+struct TargetWords
+{
+    Q_DECLARE_TR_FUNCTIONS(Targets)
+};
 
 std::vector<NodeId> targetNodes(const Document& document)
 {
@@ -31,7 +38,8 @@ std::vector<NodeId> targetTrees(const Document& document)
     return trees;
 }
 
-NodeId nodeWithParam(const Document& document, const ParamDef& def)
+/// The targets, then the rest of the scene.
+static std::vector<NodeId> nodesOfKind(const Document& document, const ParamDef& def)
 {
     const Scene& scene = document.scene();
     std::vector<NodeId> nodes = targetNodes(document);
@@ -41,9 +49,38 @@ NodeId nodeWithParam(const Document& document, const ParamDef& def)
         const Node* node = scene.find(id);
         return !node || !hasParam(node->kind, def);
     });
-    const auto best = std::ranges::find_if(
-        nodes, [&](NodeId id) { return !scene.isLocked(id) && isRelevant(scene.find(id)->params, def); });
+    return nodes;
+}
+
+NodeId nodeWithParam(const Document& document, const ParamDef& def)
+{
+    const Scene& scene = document.scene();
+    std::vector<NodeId> nodes = nodesOfKind(document, def);
+    std::erase_if(nodes, [&](NodeId id) { return !acts(scene.find(id)->params, def); });
+    const auto best = std::ranges::find_if(nodes, [&](NodeId id) { return !scene.isLocked(id); });
     return best != nodes.end() ? *best : nodes.empty() ? noNode : nodes.front();
+}
+
+QString whyNoNode(const Document& document, const ParamDef& def)
+{
+    const std::vector<NodeId> nodes = nodesOfKind(document, def);
+    if (nodes.empty())
+        return TargetWords::tr("nothing in the scene has it");
+    const NodeParams& params = document.scene().find(nodes.front())->params;
+    const ParamDef* wanted = &def;
+    if (isRelevant(params, def))
+        return TargetWords::tr("no effect now: another value turns it off");
+    // The outermost choice comes first: without a grammar nobody asks for its language.
+    while (const Relevance* relevance = relevanceOf(*wanted)) {
+        wanted = findParam(relevance->chooser);
+        if (isRelevant(params, *wanted))
+            break;
+    }
+    const std::string chosen = std::get<EnumValue>(wanted->get(params)).name;
+    const auto item =
+        std::ranges::find_if(wanted->items, [&](const EnumItem& each) { return each.name == chosen; });
+    return TargetWords::tr("no effect while “%1” is “%2”")
+        .arg(coreText(wanted->label), coreText(item->label));
 }
 
 } // namespace ramure

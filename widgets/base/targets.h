@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/qt/document/document.h"
+#include <QString>
 #include <vector>
 
 namespace ramure {
@@ -14,8 +15,10 @@ struct ParamDef;
 std::vector<NodeId> targetNodes(const Document& document);
 /// The trees among the targets and below them; else every tree of the scene.
 std::vector<NodeId> targetTrees(const Document& document);
-/// A node that has this parameter: of those where it has an effect and that can be changed the first, targets
-/// before the rest of the scene; else the first of all; noNode where none has it.
+/// A node on which this parameter acts (core/params/param_relevance.h): targets come before the rest of the
+/// scene, and nodes that can be changed before locked ones. noNode where there is none.
 NodeId nodeWithParam(const Document& document, const ParamDef& def);
+/// Why nodeWithParam() finds none: "no effect while “Generator” is “Grammar”".
+QString whyNoNode(const Document& document, const ParamDef& def);
 
 } // namespace ramure

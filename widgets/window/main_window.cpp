@@ -1,5 +1,6 @@
 #include "widgets/window/main_window.h"
 
+#include "core/params/param_relevance.h"
 #include "core/qt/session/arm/arm_reach.h"
 #include "core/qt/session/jobs/analysis.h"
 #include "core/qt/session/motion/auto_key.h"
@@ -250,14 +251,19 @@ void MainWindow::follow(const Change& change)
 void MainWindow::showParam(const QString& key)
 {
     const ParamDef* def = findParam(key.toStdString());
-    const NodeId node = def ? nodeWithParam(*m_document, *def) : noNode;
-    if (node == noNode)
+    if (!def)
         return;
+    const NodeId node = nodeWithParam(*m_document, *def);
+    if (node == noNode)
+        return statusBar()->showMessage(
+            QStringLiteral("%1: %2").arg(coreText(def->label), whyNoNode(*m_document, *def)), messageMs);
     showPanel(m_properties);
     const std::vector<NodeId>& shown = m_properties->nodes();
-    if (!std::ranges::all_of(shown,
-                             [&](NodeId id) { return hasParam(m_document->scene().find(id)->kind, *def); }) ||
-        std::ranges::count(shown, node) == 0)
+    const auto actsOn = [&](NodeId id) {
+        const Node* each = m_document->scene().find(id);
+        return hasParam(each->kind, *def) && acts(each->params, *def);
+    };
+    if (!std::ranges::all_of(shown, actsOn) || std::ranges::count(shown, node) == 0)
         m_document->setSelection({{node}, noNode, {}, noIndex});
     m_properties->showParam(key);
 }

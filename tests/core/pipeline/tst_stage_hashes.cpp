@@ -1,5 +1,6 @@
 #include "core/params/param_def.h"
 #include "core/pipeline/stage_hashes.h"
+#include "tests/support/kind_with.h"
 #include "tests/support/suite.h"
 
 #include <functional>
@@ -33,23 +34,21 @@ NodeParams withOther(const ParamDef& def, NodeParams params)
     return params;
 }
 
-/// The parameters beside which the row does, or does not, matter: the defaults, or those but for one value.
+/// The parameters beside which the row does, or does not, matter: the defaults, or those but for a few
+/// values.
 std::optional<NodeParams> paramsWhere(const ParamDef& def, bool matters)
 {
     const auto fits = [&](const NodeParams& params) {
         return matters == (!def.matters || def.matters(params));
     };
-    if (fits({}))
-        return NodeParams();
+    NodeParams params;
+    if (matters)
+        test::makeRelevant(params, def);
+    if (fits(params))
+        return params;
     for (const ParamDef& other : paramTable())
-        if (const NodeParams params = withOther(other, {}); &other != &def && fits(params))
-            return params;
-    NodeParams params; // generators beyond the second
-    for (const EnumItem& item : findParam("generator.kind")->items) {
-        findParam("generator.kind")->assign(params, EnumValue{item.name});
-        if (fits(params))
-            return params;
-    }
+        if (const NodeParams turned = withOther(other, {}); &other != &def && fits(turned))
+            return turned;
     return std::nullopt;
 }
 

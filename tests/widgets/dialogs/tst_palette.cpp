@@ -1,3 +1,4 @@
+#include "core/params/param_relevance.h"
 #include "core/qt/session/jobs/recompute.h"
 #include "tests/widgets/base/fixture.h"
 #include "widgets/actions/file_actions.h"
@@ -13,6 +14,7 @@
 #include "widgets/panels/properties/properties_panel.h"
 #include "widgets/window/main_window.h"
 #include <QListView>
+#include <QStatusBar>
 
 namespace tst_palette {
 
@@ -96,6 +98,11 @@ private slots:
         QVERIFY(!model()->item(rowOf(QStringLiteral("edit.delete")))->enabled);
         const PaletteItem* joint = model()->item(rowOf(QStringLiteral("arm.target")));
         QVERIFY(!joint->enabled && !joint->reason.isEmpty()); // there is no arm
+        const PaletteItem* level = model()->item(rowOf(QStringLiteral("weberPenn.level1.rotate")));
+        QVERIFY(!level->enabled); // both trees are made by a grammar
+        QCOMPARE(level->reason, QStringLiteral("no effect while “Grows by” is “Grammar”"));
+        const PaletteItem* sides = model()->item(rowOf(QStringLiteral("variation.angle")));
+        QCOMPARE(sides->reason, QStringLiteral("no effect now: another value turns it off"));
     }
 
     /// The row that is seen, not the one that stood there before the list was filtered.
@@ -164,14 +171,21 @@ private slots:
         QCOMPARE(m_document->selection().nodes, (std::vector<NodeId>{2}));
     }
 
-    void everyParameterOfATreeComesToSight()
+    void everyParameterThatActsComesToSight()
     {
         for (const ParamDef& def : paramTable()) {
-            if (!hasParam(NodeKind::Tree, def))
+            if (!hasParam(NodeKind::Tree, def) || !acts(m_document->scene().find(1)->params, def))
                 continue;
             m_window->showParam(QString::fromLatin1(def.key));
             QVERIFY2(m_window->properties()->row(def)->isVisible(), def.key);
         }
+    }
+
+    void aParameterThatCannotActIsNotShown()
+    {
+        m_window->showParam(QStringLiteral("weberPenn.level1.rotate"));
+        QVERIFY(!m_window->properties()->row(*findParam("weberPenn.level1.rotate"))->isVisible());
+        QVERIFY(m_window->statusBar()->currentMessage().contains(QStringLiteral("no effect while")));
     }
 
     void aHeadingOpensTheHandbook()

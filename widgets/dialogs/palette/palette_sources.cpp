@@ -60,7 +60,7 @@ std::vector<PaletteItem> paramItems(const Document& document)
         item.words = item.id + u' ' + coreText(def.tooltip);
         item.enabled = nodeWithParam(document, def) != noNode;
         if (!item.enabled)
-            item.reason = PaletteWords::tr("nothing in the scene has it");
+            item.reason = whyNoNode(document, def);
         item.icon = icon("properties");
         items.push_back(std::move(item));
     }

@@ -112,15 +112,18 @@ int GroupSection::filter(KindBits kinds, const QStringList& words)
     if (isOther)
         arrange();
     applyVisibility();
-    return static_cast<int>(std::ranges::count_if(m_rows, [&](const ParamRow* row) {
-        return (row->def().kinds & kinds) == kinds && row->matches(words);
-    }));
+    return static_cast<int>(std::ranges::count_if(m_rows, [this](const ParamRow* row) { return fits(row); }));
+}
+
+bool GroupSection::fits(const ParamRow* row) const
+{
+    return (row->def().kinds & m_kinds) == m_kinds && row->isRelevant() && row->matches(m_words);
 }
 
 bool GroupSection::isFoundByName() const
 {
     return !m_words.isEmpty() && std::ranges::any_of(m_rows, [this](const ParamRow* row) {
-        return (row->def().kinds & m_kinds) == m_kinds && row->isCalled(m_words);
+        return fits(row) && row->isCalled(m_words);
     });
 }
 
@@ -146,12 +149,11 @@ void GroupSection::applyVisibility()
     bool any = false;
     bool anyAdvanced = false;
     for (ParamRow* row : m_rows) {
-        const bool fits = (row->def().kinds & m_kinds) == m_kinds && row->matches(m_words) &&
-                          (row->isRelevant() || searching);
+        const bool shown = fits(row);
         const bool advanced = (row->def().flags & paramAdvanced) != 0;
-        any = any || fits;
-        anyAdvanced = anyAdvanced || (fits && advanced);
-        row->setVisible(fits && (!advanced || m_showAdvanced || searching));
+        any = any || shown;
+        anyAdvanced = anyAdvanced || (shown && advanced);
+        row->setVisible(shown && (!advanced || m_showAdvanced || searching));
     }
     setVisible(any && m_kinds != 0);
     m_advanced->setVisible(anyAdvanced && !searching);

@@ -29,15 +29,13 @@ public:
     [[nodiscard]] bool isFolded() const { return m_folded; }
     void setFolded(bool folded);
     [[nodiscard]] bool showsAdvanced() const { return m_showAdvanced; }
-    /// Shows the rows that exist for the selected nodes and hold all \p words. While searching, neither folds
-    /// nor the "advanced" rows hide anything. Returns how many rows are shown.
-    /// Those that are called so stand before those that only speak of it.
+    /// Shows the rows that the selected nodes use (ParamRow::isRelevant) and that hold all \p words. While
+    /// searching, neither folds nor the "advanced" rows hide anything. Returns how many rows are shown. Those
+    /// that are called so stand before those that only speak of it.
     int filter(KindBits kinds, const QStringList& words);
     /// While searching: one of the rows that are shown is called so.
     [[nodiscard]] bool isFoundByName() const;
     void updateHeading();
-    /// Shows and hides again what fits; after rows became relevant or ceased to be.
-    void applyVisibility();
 
 signals:
     void foldedChanged();
@@ -50,8 +48,10 @@ protected:
 
 private:
     void retranslate();
+    void applyVisibility();
     void buildMenu();
     void arrange();
+    [[nodiscard]] bool fits(const ParamRow* row) const;
 
     const char* m_group;
     std::vector<ParamRow*> m_rows;

@@ -153,6 +153,19 @@ void ParamRow::showKeyState(KeyState state)
     m_key->setAccessibleName(m_key->toolTip());
 }
 
+void ParamRow::setActs(bool acts)
+{
+    if (m_acts == acts)
+        return;
+    m_acts = acts;
+    for (QWidget* part :
+         {static_cast<QWidget*>(m_label), static_cast<QWidget*>(m_editor), static_cast<QWidget*>(m_reset),
+          static_cast<QWidget*>(m_key), static_cast<QWidget*>(m_meaning)})
+        if (part)
+            part->setEnabled(acts);
+    showToolTips();
+}
+
 void ParamRow::setAngleUnit(AngleUnit unit)
 {
     m_angleUnit = unit;
@@ -219,7 +232,9 @@ void ParamRow::retranslate()
 
 void ParamRow::showToolTips()
 {
-    const QString tip = paramToolTip(def(), m_angleUnit, m_preset);
+    QString tip = paramToolTip(def(), m_angleUnit, m_preset);
+    if (!m_acts)
+        tip += QStringLiteral("<p>%1</p>").arg(tr("It has no effect now: another value turns it off."));
     m_label->setToolTip(tip);
     m_editor->setToolTip(tip);
     const bool isPresets = presetValue(m_preset, def()) != defaultValue(def());

@@ -42,9 +42,12 @@ public:
     /// Its name alone holds all words.
     [[nodiscard]] bool isCalled(const QStringList& words) const;
     [[nodiscard]] bool isChanged() const { return m_changed; }
-    /// Whether it has an effect on any of the nodes; one that has none is hidden unless searched for.
+    /// Whether the choices of all nodes use it (core/params/param_relevance.h). The panel hides other rows.
     [[nodiscard]] bool isRelevant() const { return m_relevant; }
     void setRelevant(bool relevant) { m_relevant = relevant; }
+    /// Whether an edit would change any of the nodes. A row that does not act is grey and takes no values.
+    [[nodiscard]] bool acts() const { return m_acts; }
+    void setActs(bool acts);
 
 signals:
     void resetRequested();
@@ -73,6 +76,7 @@ private:
     std::string m_preset; ///< of all selected nodes, or empty
     bool m_changed = false;
     bool m_relevant = true;
+    bool m_acts = true;
 };
 
 /// The tooltip of a parameter: what it does, unit, range, default, what \p preset has in place of it, key.

@@ -90,7 +90,10 @@ PropertiesPanel::PropertiesPanel(Document* document, Preferences* preferences, Q
     connect(m_clear, &QPushButton::clicked, m_search, &QLineEdit::clear);
 
     buildRows();
-    connect(m_search, &QLineEdit::textChanged, this, &PropertiesPanel::applyFilter);
+    connect(m_search, &QLineEdit::textChanged, this, [this] {
+        applyFilter();
+        m_scroll->verticalScrollBar()->setValue(0); // what was found stands first
+    });
     connect(m_search, &QLineEdit::returnPressed, this, &PropertiesPanel::focusFirstFound);
     connect(m_document, &Document::changed, this, &PropertiesPanel::follow);
     connect(m_preferences, &Preferences::changed, this, &PropertiesPanel::applyPreferences);
@@ -212,7 +215,6 @@ void PropertiesPanel::takeTargets()
         m_largeLeaf->setTree(only);
     showValues({});
     showProblem();
-    applyFilter();
     retranslate();
 }
 
@@ -246,21 +248,24 @@ void PropertiesPanel::showValues(const std::vector<ParamId>& params)
     showRelevance();
 }
 
-/// A box shows no radius: what has no effect on any of the nodes only takes room.
+/// Parameters that cannot act on the nodes are not offered. One that their choices do not use (the radius of
+/// a box) is hidden. One that a number or a switch turns off is grey, so that no row moves while the number
+/// is dragged. An edit is made to all nodes, so it must act on all of them.
 void PropertiesPanel::showRelevance()
 {
-    for (GroupSection* section : m_sections) {
-        bool changed = false;
-        for (ParamRow* row : section->rows()) {
-            const bool relevant = !relevanceOf(row->def()) || std::ranges::any_of(m_nodes, [&](NodeId id) {
-                return isRelevant(m_document->scene().find(id)->params, row->def());
-            });
-            changed = changed || relevant != row->isRelevant();
-            row->setRelevant(relevant);
-        }
-        if (changed)
-            section->applyVisibility();
+    const auto all = [this](const ParamDef& def, bool (*rule)(const NodeParams&, const ParamDef&)) {
+        return std::ranges::all_of(
+            m_nodes, [&](NodeId id) { return rule(m_document->scene().find(id)->params, def); });
+    };
+    bool changed = false;
+    for (ParamRow* row : m_rows) {
+        const bool relevant = all(row->def(), &isRelevant);
+        changed = changed || relevant != row->isRelevant();
+        row->setRelevant(relevant);
+        row->setActs(all(row->def(), &ramure::acts));
     }
+    if (changed)
+        applyFilter();
     if (!m_nodes.empty())
         for (const char* key : {"grammar.axiom", "grammar.rules", "grammar.constants"})
             row(*findParam(key))
@@ -313,11 +318,6 @@ void PropertiesPanel::showProblem()
         m_problem->setText(errorTextWithPlace(*error));
 }
 
-QStringList PropertiesPanel::searchWords() const
-{
-    return m_search->text().toLower().split(u' ', Qt::SkipEmptyParts);
-}
-
 void PropertiesPanel::applyFilter()
 {
     const QStringList words = searchWords();
@@ -330,13 +330,12 @@ void PropertiesPanel::applyFilter()
     for (int place = 0; place < static_cast<int>(order.size()); ++place)
         if (layout->indexOf(order[std::size_t(place)]) != place)
             layout->insertWidget(place, order[std::size_t(place)]);
-    if (!words.isEmpty())
-        m_scroll->verticalScrollBar()->setValue(0); // what was found stands first
     m_scroll->setVisible(m_kinds != 0 && shown > 0);
     m_empty->setVisible(m_kinds == 0 || shown == 0);
     m_clear->setVisible(m_kinds != 0 && shown == 0);
-    if (m_clear->isVisibleTo(this))
-        m_empty->setText(tr("No parameter of what is selected is called “%1”.").arg(m_search->text()));
+    m_empty->setText(m_kinds == 0
+                         ? tr("Select a tree in the scene or in the view to change it.")
+                         : tr("No parameter of what is selected is called “%1”.").arg(m_search->text()));
 }
 
 void PropertiesPanel::applyPreferences()
@@ -418,10 +417,11 @@ void PropertiesPanel::showMenu(ParamRow* row, const QPoint& at)
     menu->setObjectName(QStringLiteral("rowMenu"));
     menu->setAttribute(Qt::WA_DeleteOnClose);
     menu->addAction(icon("reset"), row->resetButton()->toolTip(), row, &ParamRow::resetRequested)
-        ->setEnabled(row->isChanged());
+        ->setEnabled(row->isChanged() && row->acts());
     menu->addSeparator();
     menu->addAction(icon("copy"), tr("Copy value"), this, [this, row] { copyRow(row); });
-    menu->addAction(icon("paste"), tr("Paste value"), this, [this, row] { pasteRow(row); });
+    menu->addAction(icon("paste"), tr("Paste value"), this, [this, row] { pasteRow(row); })
+        ->setEnabled(row->acts());
     menu->addAction(tr("Copy as --set for the command line"), this, [this, row] {
         QGuiApplication::clipboard()->setText(settingText(row->def(), valuesOf(row->def()).back()));
     });
@@ -429,7 +429,8 @@ void PropertiesPanel::showMenu(ParamRow* row, const QPoint& at)
         menu->addSeparator();
         const bool isHere = m_keys->state(m_nodes, row->def()) == KeyState::Here;
         menu->addAction(row->keyButton()->icon(), isHere ? tr("Take the key away") : tr("Insert a key"), row,
-                        &ParamRow::keyToggled);
+                        &ParamRow::keyToggled)
+            ->setEnabled(row->acts());
     }
     menu->popup(at);
 }
@@ -536,14 +537,14 @@ void PropertiesPanel::focusFirstFound()
 void PropertiesPanel::showParam(const QString& key)
 {
     const ParamDef* def = findParam(key.toStdString());
-    if (!def)
+    if (!def || !row(*def)->isRelevant())
         return;
     m_search->clear();
     for (GroupSection* section : m_sections) {
         if (std::ranges::count(section->rows(), row(*def)) > 0)
             section->setFolded(false);
     }
-    if (row(*def)->isHidden()) // an advanced one, or without effect now: a search shows all
+    if (row(*def)->isHidden()) // an advanced one: a search shows it
         m_search->setText(key);
     m_scroll->ensureWidgetVisible(row(*def));
     row(*def)->editor()->setFocus(Qt::ShortcutFocusReason);
@@ -590,10 +591,8 @@ void PropertiesPanel::retranslate()
         m_title->setText(tr("%n node(s) selected", nullptr, static_cast<int>(m_nodes.size())));
     }
     m_scroll->setAccessibleName(tr("Parameters"));
-    m_empty->setText(m_kinds == 0
-                         ? tr("Select a tree in the scene or in the view to change it.")
-                         : tr("No parameter of what is selected is called “%1”.").arg(m_search->text()));
     m_clear->setText(tr("Clear the search"));
+    applyFilter();
     alignLabels();
     updateGeometry();
 }

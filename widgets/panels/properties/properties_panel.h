@@ -5,13 +5,12 @@
 #include "core/qt/document/document.h"
 #include "widgets/base/texts/number_format.h"
 #include "widgets/panels/properties/group_clipboard.h"
-#include <QWidget>
+#include <QLineEdit>
 #include <functional>
 #include <map>
 #include <optional>
 
 class QLabel;
-class QLineEdit;
 class QPushButton;
 class QScrollArea;
 
@@ -47,7 +46,8 @@ public:
 
 public slots:
     void focusSearch();
-    /// Unfolds what hides a parameter, scrolls to it and gives it the focus.
+    /// Unfolds what hides a parameter, scrolls to it and gives it the focus. Does nothing where the selected
+    /// nodes do not use it.
     void showParam(const QString& key);
 
 protected:
@@ -61,7 +61,10 @@ private:
     void showRelevance();
     void showKeys();
     void showProblem();
-    [[nodiscard]] QStringList searchWords() const;
+    [[nodiscard]] QStringList searchWords() const
+    {
+        return m_search->text().toLower().split(u' ', Qt::SkipEmptyParts);
+    }
     void applyFilter();
     void applyPreferences();
     void retranslate();

@@ -76,12 +76,13 @@ private slots:
     void propertiesMakeKeys()
     {
         KeyDock dock(test::keyScene(1, 1));
+        const NodeId node = dock.document.scene().nodes().front().id;
+        QVERIFY(edit::setParam(dock.document, {node}, *findParam("primitive.shape"), EnumValue{"box"}));
         Preferences preferences;
         PropertiesPanel panel(&dock.document, &preferences);
         AutoKey keys(&dock.document, &dock.player);
         panel.setKeys(&keys);
         panel.show();
-        const NodeId node = dock.document.scene().nodes().front().id;
         ParamRow* row = panel.row(*findParam("primitive.size"));
         QVERIFY(row->keyButton());
         QVERIFY(!row->keyButton()->toolTip().isEmpty());
@@ -93,7 +94,7 @@ private slots:
         const GestureId gesture = newGesture();
         for (int i = 0; i < 5; ++i)
             emit row->editor()->componentEdited(1, 2.0 + i, gesture);
-        QCOMPARE(dock.steps(), 2); // the button, and all of the drag
+        QCOMPARE(dock.steps(), 3); // the shape, the button, and all of the drag
         QCOMPARE(std::get<glm::dvec3>(keys.value(node, row->def())).y, 6.0);
         dock.document.undo();
         dock.document.undo();

@@ -1,3 +1,4 @@
+#include "core/params/param_relevance.h"
 #include "tests/widgets/base/fixture.h"
 #include "widgets/base/theme/language.h"
 #include "widgets/base/theme/preferences.h"
@@ -86,6 +87,62 @@ private slots:
         QVERIFY(!shown("foliage.seed"));
         search->clear();
         QVERIFY(shown("turtle.alpha"));
+    }
+
+    void whatHasNoEffectIsHidden()
+    {
+        Node one = test::treeNode(1, "One"), two = test::treeNode(2, "Two");
+        one.kind = two.kind = NodeKind::Primitive;
+        one.params.primitive.shape = two.params.primitive.shape = PrimitiveShape::Box;
+        test::openNodes(*m_document, {one, two});
+        const auto isShown = [&](const char* key) { return !m_panel->row(param(key))->isHidden(); };
+        QVERIFY(isShown("primitive.size") && !isShown("primitive.radius") && !isShown("primitive.sides"));
+        QVERIFY(edit::setParam(*m_document, {1}, param("primitive.shape"), EnumValue{"sphere"}));
+        QVERIFY(!isShown("primitive.size") && isShown("primitive.radius") && !isShown("primitive.height"));
+        m_document->undo();
+        QVERIFY(isShown("primitive.size") && !isShown("primitive.radius"));
+        m_panel->findChild<QLineEdit*>()->setText(QStringLiteral("primitive.radius"));
+        QVERIFY(!isShown("primitive.radius"));
+    }
+
+    /// No row of a parameter that cannot act takes an edit, whatever is selected and searched for.
+    void onlyWhatActsIsOffered()
+    {
+        Node grammar = test::treeNode(1, "Grammar"), penn = test::treeNode(2, "Weber and Penn");
+        penn.params.generator.kind = TreeGenerator::WeberPenn;
+        test::openNodes(*m_document, {grammar, penn});
+        auto* search = m_panel->findChild<QLineEdit*>();
+        for (const std::vector<NodeId>& nodes : {std::vector<NodeId>{1}, {2}, {1, 2}}) {
+            m_document->setSelection({nodes, noNode, {}, noIndex});
+            for (const char* words : {"", "turn", "leaves", "seed", "radius"}) {
+                search->setText(QLatin1String(words));
+                int offered = 0;
+                for (const ParamDef& def : paramTable()) {
+                    const bool act = std::ranges::all_of(
+                        nodes, [&](NodeId id) { return acts(m_document->scene().find(id)->params, def); });
+                    const ParamRow* row = m_panel->row(def);
+                    const bool takes = row->isVisibleTo(m_panel.get()) && row->editor()->isEnabled();
+                    QVERIFY2(act || !takes, def.key);
+                    offered += int(takes);
+                }
+                QVERIFY2(offered > 0, words);
+            }
+        }
+    }
+
+    /// A row that a number turns off keeps its place: the rows below do not move under the pointer.
+    void whatANumberTurnsOffIsGrey()
+    {
+        const ParamDef& def = param("sections.radialDivisions");
+        ParamRow* row = m_panel->row(def);
+        QVERIFY(row->isVisibleTo(m_panel.get()) && row->editor()->isEnabled());
+        QVERIFY(
+            edit::setParam(*m_document, {1}, param("mesh.targetTriangles"), ParamValue(std::int64_t{5000})));
+        QVERIFY(row->isVisibleTo(m_panel.get()) && !row->editor()->isEnabled());
+        QVERIFY(row->editor()->toolTip().contains(QStringLiteral("no effect")));
+        m_document->undo();
+        QVERIFY(row->editor()->isEnabled() &&
+                !row->editor()->toolTip().contains(QStringLiteral("no effect")));
     }
 
     void whatIsFoundNowhereCanBeCleared()

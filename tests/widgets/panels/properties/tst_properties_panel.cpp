@@ -50,7 +50,7 @@ private:
     {
         const auto* key = static_cast<QString*>(QTest::qData("key", qMetaTypeId<QString>()));
         const ParamDef& def = *findParam(key->toStdString());
-        if (!hasParam(NodeKind::Tree, def) || !isRelevant(NodeParams(), def)) {
+        if (!hasParam(NodeKind::Tree, def) || !acts(NodeParams(), def)) {
             Node one = test::treeNode(1, "One"), two = test::treeNode(2, "Two");
             one.kind = two.kind = test::kindWith(def);
             test::makeRelevant(one.params, def);
@@ -229,19 +229,6 @@ private slots:
         editor->dialog()->reject();
         QVERIFY(valueOf(*m_document, 1, row->def()) == before);
         QCOMPARE(m_document->undoStack()->count(), 0);
-    }
-
-    void whatHasNoEffectIsHiddenUnlessSearched()
-    {
-        openBoxes();
-        const auto isShown = [&](const char* key) { return !m_panel->row(param(key))->isHidden(); };
-        QVERIFY(isShown("primitive.size") && !isShown("primitive.radius") && !isShown("primitive.sides"));
-        QVERIFY(edit::setParam(*m_document, {1}, param("primitive.shape"), EnumValue{"sphere"}));
-        QVERIFY(!isShown("primitive.size") && isShown("primitive.radius") && !isShown("primitive.height"));
-        m_document->undo();
-        QVERIFY(isShown("primitive.size") && !isShown("primitive.radius"));
-        m_panel->findChild<QLineEdit*>()->setText(QStringLiteral("primitive.radius"));
-        QVERIFY(isShown("primitive.radius"));
     }
 
     void numbersOutsideTheRangeSayWhichIsTaken()
@@ -586,7 +573,7 @@ private slots:
             reached += QApplication::focusWidget();
         }
         for (const ParamDef& def : paramTable()) {
-            if (!hasParam(NodeKind::Tree, def) || !isRelevant(tree.params, def))
+            if (!hasParam(NodeKind::Tree, def) || !acts(tree.params, def))
                 continue;
             const bool hit = std::ranges::any_of(
                 reached, [&](QWidget* widget) { return m_panel->row(def)->editor()->isAncestorOf(widget); });

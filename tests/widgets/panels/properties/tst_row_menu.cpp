@@ -90,7 +90,7 @@ private slots:
             {"turtle.theta", "18 deg", std::numbers::pi / 10},
             {"turtle.theta", "30", std::numbers::pi / 6}, // in the unit that is shown
             {"turtle.alpha", "20cm + 5mm", 0.205},
-            {"variation.angle", "10 %", 0.1},
+            {"mesh.forkSoftness", "10 %", 0.1},
             {"grammar.iterations", "7", std::int64_t{7}},
             {"simplify.enabled", "false", false},
             {"tree.translation", "1,2,3", glm::dvec3(1, 2, 3)},
