@@ -405,30 +405,26 @@ void TestProjectFile::unknownKeysAreKept()
     QVERIFY(without.contains("physics.wind") && !without.contains("tree.scale"));
 }
 
-/// A node of a kind that only a newer version knows: a place for its children, and the same bytes again.
 void TestProjectFile::unknownKindsAreKept()
 {
     const QByteArray odd = inProject(
         R"({"id":1,"kind":"cloud","locked":true,"name":"Sky","branches":[7],"drops":[1,{"size":0.1}],)"
         R"("edits":"none","mesh":4,"params":{"cloud.cover":0.25,"tree.translation":[1,2,3]},)"
         R"("tracks":{"cloud.cover":{"keys":[]}}},{"id":2,"kind":"group","name":"below","parent":1})");
-    const auto read = readProject(odd);
+    auto read = readProject(odd);
     QVERIFY2(read, test::why(read));
     const Node& cloud = read->scene.nodes().front();
     QCOMPARE(cloud.kind, NodeKind::Unknown);
-    QCOMPARE(json::kindName(cloud), QStringLiteral("cloud"));
-    QCOMPARE(cloud.name, std::string("Sky"));
     QCOMPARE(glm::dvec3(worldMatrix(read->scene, 2)[3]), glm::dvec3(1, 2, 3));
     QVERIFY(!isShape(cloud.kind) && !isObject(cloud.kind));
     const QByteArray bytes = QJsonDocument::fromJson(odd).toJson(QJsonDocument::Indented);
     QCOMPARE(writeProject(*read), bytes);
-    Project moved = *read;
-    moved.scene.find(1)->params.tree.translation.x = 9.0;
+    read->scene.find(1)->params.tree.translation.x = 9.0;
     QByteArray wanted = bytes;
     wanted.replace(QByteArray("                    1,\n                    2,"),
                    QByteArray("                    9,\n                    2,"));
     QVERIFY(wanted != bytes);
-    QCOMPARE(writeProject(moved), wanted);
+    QCOMPARE(writeProject(*read), wanted);
 }
 
 void TestProjectFile::parentsMayStandBehind()
