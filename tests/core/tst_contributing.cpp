@@ -44,14 +44,23 @@ std::string read(const std::filesystem::path& path)
     return text.str();
 }
 
-/// What stands in backquotes and looks like a path of the sources: `core/base/error.h`, `surface/mesher`, and
-/// what links lead to.
+/// What stands in backquotes and looks like a path of the sources (`core/base/error.h`, `surface/mesher`),
+/// what links lead to, and the rooms that begin the rows of an overview.
 std::vector<std::string> pathsIn(const std::string& text)
 {
     static const std::regex pattern(R"(`([a-z_]+(?:/[a-z_0-9]+)+(?:\.[a-z]+)?)`|\]\(([\w./-]+\.md)\))");
+    static const std::regex row(R"( {4}((?:[a-z_/]+(?:/\.{3})? {2,})+)\S.*)"), room("[a-z_/]+");
     std::vector<std::string> found;
-    for (std::sregex_iterator it(text.begin(), text.end(), pattern), end; it != end; ++it)
-        found.push_back((*it)[1].matched ? (*it)[1].str() : "/" + (*it)[2].str());
+    std::istringstream lines(text);
+    std::smatch match;
+    for (std::string line; std::getline(lines, line);) {
+        for (std::sregex_iterator it(line.begin(), line.end(), pattern), end; it != end; ++it)
+            found.push_back((*it)[1].matched ? (*it)[1].str() : "/" + (*it)[2].str());
+        if (!std::regex_match(line, match, row))
+            continue;
+        for (std::sregex_iterator it(match[1].first, match[1].second, room), end; it != end; ++it)
+            found.push_back(it->str());
+    }
     return found;
 }
 
@@ -73,6 +82,9 @@ bool exists(const std::string& path, const std::string& base)
 void TestContributing::aWrongPathIsSeen()
 {
     QCOMPARE(pathsIn("`core/base/error.h` and `tr()`, `./dev test`, [x](core/README.md)").size(), 2U);
+    QCOMPARE(
+        pathsIn("    math  base    numbers\n    view/...  one each\n    ./dev run  # starts\n  no room\n"),
+        (std::vector<std::string>{"math", "base", "view/"}));
     QVERIFY(exists("core/base/error.h", ""));
     QVERIFY(exists("base/error.h", "core/"));
     QVERIFY(!exists("core/base/no_such_file.h", ""));
