@@ -1,5 +1,6 @@
 #include "core/base/plain_text.h"
 
+#include "core/base/utf8.h"
 #include <algorithm>
 #include <cstring>
 
@@ -7,44 +8,33 @@ namespace ramure {
 namespace {
 
 constexpr std::string_view utf8Mark = "\xEF\xBB\xBF";
+constexpr std::string_view bigMark = "\xFE\xFF", littleMark = "\xFF\xFE";
 
 char lowerCase(char c)
 {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-void appendUtf8(std::string& to, char32_t c)
+/// UTF-16 as UTF-8. Halves of a pair that lost the other half become U+FFFD, and \p isWhole false.
+std::string fromUtf16(std::string_view bytes, bool isBig, bool& isWhole)
 {
-    const auto put = [&to](char32_t byte) { to += static_cast<char>(static_cast<unsigned char>(byte)); };
-    if (c < 0x80) {
-        put(c);
-        return;
-    }
-    const int more = c < 0x800 ? 1 : c < 0x10000 ? 2 : 3;
-    constexpr char32_t heads[] = {0, 0xC0, 0xE0, 0xF0};
-    put(heads[more] | c >> (6 * more));
-    for (int i = more - 1; i >= 0; --i)
-        put(0x80 | (c >> (6 * i) & 0x3F));
-}
-
-/// Halves of a pair that lost the other half become the replacement character.
-std::string fromUtf16(std::string_view bytes)
-{
-    const bool isBig = bytes[0] == '\xFE';
-    const auto unit = [&](std::size_t at) {
+    const auto unit = [&](std::size_t at) -> char32_t {
         const auto first = static_cast<unsigned char>(bytes[at]),
                    second = static_cast<unsigned char>(bytes[at + 1]);
-        return static_cast<char32_t>(isBig ? first << 8 | second : second << 8 | first);
+        return isBig ? first << 8U | second : second << 8U | first;
     };
+    isWhole = bytes.size() % 2 == 0;
     std::string out;
-    for (std::size_t at = 2; at + 1 < bytes.size(); at += 2) {
+    for (std::size_t at = 0; at + 1 < bytes.size(); at += 2) {
         char32_t c = unit(at);
         const bool hasMore = at + 3 < bytes.size();
         if (c >= 0xD800 && c < 0xDC00 && hasMore && (unit(at + 2) & 0xFC00) == 0xDC00) {
             c = 0x10000 + ((c & 0x3FF) << 10) + (unit(at + 2) & 0x3FF);
             at += 2;
-        } else if (c >= 0xD800 && c < 0xE000)
+        } else if (c >= 0xD800 && c < 0xE000) {
             c = 0xFFFD;
+            isWhole = false;
+        }
         appendUtf8(out, c);
     }
     return out;
@@ -62,7 +52,9 @@ bool hasLoneReturn(std::string_view text)
 
 bool isUtf16(std::string_view bytes)
 {
-    return bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF");
+    return bytes.starts_with(littleMark) || bytes.starts_with(bigMark) ||
+           (bytes.size() > 3 && (bytes[0] == '\0') != (bytes[1] == '\0') &&
+            (bytes[2] != '\0' || bytes[3] != '\0'));
 }
 
 void mendLineEnds(char* bytes, std::size_t size)
@@ -96,7 +88,8 @@ PlainText::PlainText(std::string_view bytes)
     : m_view(bytes)
 {
     if (isUtf16(bytes)) {
-        m_copy = fromUtf16(bytes);
+        const bool isBig = bytes.starts_with(bigMark) || bytes[0] == '\0';
+        m_copy = fromUtf16(bytes, isBig, m_isWhole);
         m_view = m_copy;
     }
     if (m_view.starts_with(utf8Mark))

@@ -9,7 +9,8 @@
 
 namespace ramure {
 
-/// True where the bytes begin with the byte order mark of UTF-16.
+/// True where the bytes begin with the byte order mark of UTF-16. Without one, a zero byte beside the first
+/// letter tells, unless two more follow it: those are padding.
 bool isUtf16(std::string_view bytes);
 
 /// Turns each carriage return that no line feed follows into a line feed. \p bytes[\p size] must be readable.
@@ -24,9 +25,9 @@ std::string lowered(std::string_view text);
 /// Compares words without regard to capitals. \p lower has none.
 bool isWord(std::string_view text, std::string_view lower);
 
-/// The bytes of a file as UTF-8 with a line feed at the end of each line. UTF-16 with a byte order mark is
-/// converted; the byte order mark of UTF-8 and padding at the end are left out; lone carriage returns become
-/// line feeds, and a carriage return before a line feed stays. Whatever is not to be changed is not copied:
+/// The bytes of a file as UTF-8 with a line feed at the end of each line. UTF-16 is converted, and half a
+/// character becomes U+FFFD; the byte order mark and padding at the end are left out; lone carriage returns
+/// become line feeds, and a carriage return before a line feed stays. Whatever is not to be changed is not copied:
 /// \p bytes must outlive the object.
 class PlainText
 {
@@ -36,6 +37,8 @@ public:
     PlainText& operator=(const PlainText&) = delete;
 
     [[nodiscard]] std::string_view view() const { return m_view; }
+    /// False where the text is UTF-16 and some character of it is not whole.
+    [[nodiscard]] bool isWhole() const { return m_isWhole; }
     /// Bytes of padding that were left out.
     [[nodiscard]] std::size_t padding() const { return m_padding; }
 
@@ -43,6 +46,7 @@ private:
     std::string m_copy;
     std::string_view m_view;
     std::size_t m_padding = 0;
+    bool m_isWhole = true;
 };
 
 /// Walks over the lines of a plain text: `while (lines.next()) use(lines.line(), lines.number());`

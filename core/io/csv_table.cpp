@@ -1,9 +1,9 @@
 #include "core/io/csv_table.h"
+#include "core/base/plain_text.h"
 #include "core/base/utf8.h"
 #include "core/io/read_parts.h"
 #include <algorithm>
 #include <array>
-#include <optional>
 
 namespace ramure {
 
@@ -19,44 +19,6 @@ tl::unexpected<Error> failAt(const std::string& file, int line, ErrorCode code, 
     error.file = file;
     error.line = line;
     return fail(std::move(error));
-}
-
-/// UTF-16, whose units have their high byte first or last, as UTF-8. Nothing where it is torn.
-std::optional<std::string> fromUtf16(std::string_view bytes, bool isHighFirst)
-{
-    const auto unit = [&](std::size_t i) -> char32_t {
-        const auto first = static_cast<unsigned char>(bytes[i]),
-                   second = static_cast<unsigned char>(bytes[i + 1]);
-        return isHighFirst ? (first << 8u) | second : (second << 8u) | first;
-    };
-    if (bytes.size() % 2 != 0)
-        return std::nullopt;
-    std::string text;
-    for (std::size_t i = 0; i < bytes.size(); i += 2) {
-        char32_t character = unit(i);
-        if (character >= 0xD800 && character < 0xE000) {
-            i += 2;
-            const char32_t low = i < bytes.size() ? unit(i) : 0;
-            if (character >= 0xDC00 || low < 0xDC00 || low >= 0xE000)
-                return std::nullopt;
-            character = 0x10000 + ((character - 0xD800) << 10u) + (low - 0xDC00);
-        }
-        appendUtf8(text, character);
-    }
-    return text;
-}
-
-/// As UTF-8 and without a byte order mark. Nothing where it is UTF-16 that is torn.
-std::optional<std::string> decoded(std::string_view bytes)
-{
-    if (bytes.starts_with("\xEF\xBB\xBF"))
-        return std::string(bytes.substr(3));
-    if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"))
-        return fromUtf16(bytes.substr(2), bytes.front() == '\xFE');
-    // Tables begin with a letter: one of two bytes that is zero tells UTF-16 without a mark.
-    if (bytes.size() > 1 && (bytes[0] == '\0') != (bytes[1] == '\0'))
-        return fromUtf16(bytes, bytes[0] == '\0');
-    return std::string(bytes);
 }
 
 /// Takes a text apart, row by row.
@@ -155,7 +117,7 @@ private:
                     return failAt(m_file, m_line, ErrorCode::Syntax,
                                   RAMURE_NOOP("text behind a quoted cell: a separator expected"));
             }
-            if (letter == '\n' || (letter == '\r' && !m_rest.starts_with("\r\n")))
+            if (letter == '\n')
                 ++m_line;
             cell += letter;
         }
@@ -231,11 +193,11 @@ void dropNameless(CsvTable& table)
 
 Expected<CsvTable> parseCsv(std::string_view bytes, const std::string& file)
 {
-    const auto text = decoded(bytes);
-    if (!text)
+    const PlainText text(bytes);
+    if (!text.isWhole())
         return failAt(file, 0, ErrorCode::Syntax, RAMURE_NOOP("this is neither UTF-8 nor whole UTF-16"));
     CsvTable table;
-    Reader reader(*text, file);
+    Reader reader(text.view(), file);
     table.separator = reader.separator();
     int head = 0;
     while (!reader.atEnd()) {

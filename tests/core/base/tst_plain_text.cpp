@@ -46,6 +46,22 @@ private slots:
         QCOMPARE(plain(utf16(std::u16string{low}, true)), std::string("\xEF\xBF\xBD"));
         QCOMPARE(plain(utf16(std::u16string{high}, false)), std::string("\xEF\xBF\xBD"));
     }
+    void whatIsTorn()
+    {
+        const auto isWhole = [](const std::string& bytes) { return PlainText(bytes).isWhole(); };
+        QVERIFY(isWhole("") && isWhole("\xC3") && isWhole(utf16(u"a\U0001F333", true)));
+        QVERIFY(!isWhole(utf16(u"a", false) + 'b'));
+        QVERIFY(!isWhole(utf16(std::u16string{0xDF33}, true)));
+        QVERIFY(!isWhole(utf16(std::u16string{u'a', 0xD83C}, false)));
+    }
+    void utf16WithoutMark()
+    {
+        QVERIFY(isUtf16(std::string("a\0,\0", 4)) && isUtf16(std::string("\0a\0,", 4)));
+        QVERIFY(isUtf16(std::string("a\0\x33\xD8", 4)));
+        // Padding, and bytes that are no text.
+        for (const std::size_t length : {0, 1, 2, 3, 4})
+            QVERIFY(!isUtf16({"a\0\0\0", length}) && !isUtf16({"\0\0\0a", length}));
+    }
     /// One text, as systems and programs write it.
     void everyFormOfTheSameText_data()
     {
@@ -61,6 +77,8 @@ private slots:
         row("mark", "\xEF\xBB\xBFone\n\ntwo \xC3\xA9\nthree");
         row("padded", std::string("one\n\ntwo \xC3\xA9\nthree\n\0\0\0\0", 22));
         row("UTF-16", utf16(u"one\n\ntwo \u00E9\nthree", false));
+        row("UTF-16 without a mark", utf16(u"one\n\ntwo \u00E9\nthree", false).substr(2));
+        row("UTF-16, big, without a mark", utf16(u"one\n\ntwo \u00E9\nthree", true).substr(2));
         row("UTF-16, big", utf16(u"one\r\n\r\ntwo \u00E9\r\nthree\r\n", true));
     }
     void everyFormOfTheSameText()

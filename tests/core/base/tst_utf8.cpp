@@ -37,7 +37,8 @@ private slots:
             std::string bytes;
             appendUtf8(bytes, character);
             const bool isWhole = utf8Length(bytes) == bytes.size() && utf8Length(bytes + "x") == bytes.size();
-            if (!isWhole || QString::fromStdString(bytes).toUcs4() != QList<uint>{uint(character)})
+            // Behind a letter: at the beginning of a text Qt takes U+FEFF for a byte order mark.
+            if (!isWhole || QString::fromStdString("x" + bytes).toUcs4() != QList<uint>{'x', uint(character)})
                 QFAIL(qPrintable(QString::number(character, 16)));
             all += bytes;
         }

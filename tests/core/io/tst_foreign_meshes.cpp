@@ -550,6 +550,7 @@ private slots:
             [](const QByteArray& t) { return t + "\x1A"; },
             [](const QByteArray& t) { return t + QByteArray(300, '\0'); },
             utf16,
+            [&](const QByteArray& t) { return utf16(t).mid(2); }, // without the mark
         };
         for (const Change& change : changes) {
             // Only the first line of a PLY says how all its lines end.
