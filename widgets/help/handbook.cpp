@@ -35,6 +35,7 @@ constexpr PageName pageNames[] = {
     {"files", false},
     {"command-line", false},
     {"performance", false},
+    {"news", false},
 };
 
 QString readPage(const QString& language, const char* id)
