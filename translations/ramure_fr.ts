@@ -1820,16 +1820,16 @@
         <translation>Jusqu’à</translation>
     </message>
     <message>
-        <source>The saw goes through twigs of at most this radius</source>
-        <translation>La scie passe à travers les rameaux d’au plus ce rayon</translation>
+        <source>The saw cuts branches up to this radius</source>
+        <translation>La scie coupe les branches jusqu’à ce rayon</translation>
     </message>
     <message>
         <source>Radius</source>
         <translation>Rayon</translation>
     </message>
     <message>
-        <source>At the foot of the new branch. 0: to suit what it grows on</source>
-        <translation>Au pied de la nouvelle branche. 0 : selon ce sur quoi elle pousse</translation>
+        <source>Radius at the foot of the new branch. 0 chooses one that suits the branch it grows on</source>
+        <translation>Rayon au pied de la nouvelle branche. 0 en choisit un qui convient à la branche porteuse</translation>
     </message>
     <message>
         <source>Tip</source>
@@ -1840,56 +1840,56 @@
         <translation>Lissage</translation>
     </message>
     <message>
-        <source>How much the trembling of the hand is taken out</source>
-        <translation>Combien le tremblement de la main est ôté</translation>
+        <source>How much of the hand’s trembling is removed</source>
+        <translation>Quelle part du tremblement de la main est ôtée</translation>
     </message>
     <message>
         <source>Size</source>
         <translation>Taille</translation>
     </message>
     <message>
-        <source>Of the copy, against the original</source>
-        <translation>De la copie, par rapport à l’original</translation>
+        <source>Size of the copy relative to the original</source>
+        <translation>Taille de la copie par rapport à l’original</translation>
     </message>
     <message>
         <source>Around the trunk</source>
         <translation>Autour du tronc</translation>
     </message>
     <message>
-        <source>How many grow at once, evenly turned about what they grow on</source>
-        <translation>Combien poussent à la fois, régulièrement autour de ce qui les porte</translation>
+        <source>How many grow at once, at equal angles around the branch that carries them</source>
+        <translation>Combien poussent à la fois, à angles égaux autour de la branche qui les porte</translation>
     </message>
     <message>
         <source>With all that grows on it</source>
         <translation>Avec tout ce qui pousse dessus</translation>
     </message>
     <message>
-        <source>Else the limb alone changes</source>
-        <translation>Sinon la branche seule change</translation>
+        <source>If off, only the limb itself changes</source>
+        <translation>Sans cela, seule la branche elle-même change</translation>
     </message>
     <message>
         <source>Mirrored</source>
         <translation>En miroir</translation>
     </message>
     <message>
-        <source>A second branch grows across what the first one grows on</source>
-        <translation>Une seconde branche pousse de l’autre côté de ce qui porte la première</translation>
+        <source>A second branch grows on the opposite side</source>
+        <translation>Une seconde branche pousse du côté opposé</translation>
     </message>
     <message>
         <source>Shape</source>
         <translation>Forme</translation>
     </message>
     <message>
-        <source>What stands out of it is cut</source>
-        <translation>Ce qui en dépasse est coupé</translation>
+        <source>Everything outside this shape is cut</source>
+        <translation>Tout ce qui dépasse de cette forme est coupé</translation>
     </message>
     <message>
         <source>From</source>
         <translation>De</translation>
     </message>
     <message>
-        <source>Below that share of its length the limb stays as it is</source>
-        <translation>En dessous de cette part de sa longueur, la branche reste comme elle est</translation>
+        <source>The limb curls above this share of its length and stays as it is below</source>
+        <translation>La branche s’enroule au-delà de cette part de sa longueur et reste telle quelle en dessous</translation>
     </message>
     <message>
         <source>Sphere</source>
@@ -1920,12 +1920,12 @@
         <translation>Épaisseur</translation>
     </message>
     <message>
-        <source>Along the stroke: the harder the pen is pressed, or the slower the hand goes, the thicker</source>
-        <translation>Le long du trait : plus le stylet appuie, ou plus la main va lentement, plus c’est épais</translation>
+        <source>What controls the thickness along the stroke: harder pressure or a slower stroke makes it thicker</source>
+        <translation>Ce qui règle l’épaisseur le long du trait : il épaissit quand le stylet appuie plus ou que la main ralentit</translation>
     </message>
     <message>
-        <source>Radius at the tip, of that where the stroke begins</source>
-        <translation>Rayon au bout, par rapport à celui où le trait commence</translation>
+        <source>Radius at the tip relative to the radius at the beginning of the stroke</source>
+        <translation>Rayon au bout par rapport au rayon au début du trait</translation>
     </message>
     <message>
         <source>Line</source>
@@ -1944,8 +1944,8 @@
         <translation>Couper par</translation>
     </message>
     <message>
-        <source>Along a line, or all that comes into a rectangle or a lasso</source>
-        <translation>Le long d’une ligne, ou tout ce qui entre dans un rectangle ou un lasso</translation>
+        <source>Cuts along a line, or everything that enters a rectangle or a lasso</source>
+        <translation>Coupe le long d’une ligne, ou tout ce qui entre dans un rectangle ou un lasso</translation>
     </message>
     <message>
         <source>Attract</source>
@@ -1972,16 +1972,16 @@
         <translation>Ce que le pinceau fait aux branches dans son rayon</translation>
     </message>
     <message>
-        <source>Of the brush; also Shift and the wheel. 0: to suit the tree</source>
-        <translation>Du pinceau ; aussi Maj et la molette. 0 : selon l’arbre</translation>
+        <source>Radius of the brush; Shift and the wheel change it too. 0 chooses one that suits the tree</source>
+        <translation>Rayon du pinceau ; Maj et la molette le changent aussi. 0 en choisit un qui convient à l’arbre</translation>
     </message>
     <message>
         <source>Strength</source>
         <translation>Force</translation>
     </message>
     <message>
-        <source>How far branches turn; of leaves it changes nothing</source>
-        <translation>Combien les branches tournent ; pour les feuilles cela ne change rien</translation>
+        <source>How far branches turn; the two brushes for leaves ignore it</source>
+        <translation>De combien les branches tournent ; les deux pinceaux à feuilles n’en tiennent pas compte</translation>
     </message>
     <message>
         <source>Action</source>
@@ -2012,20 +2012,20 @@
         <translation>Quoi</translation>
     </message>
     <message>
-        <source>Of the kind that the tree bears</source>
-        <translation>De la sorte que porte l’arbre</translation>
+        <source>Adds a leaf, or a fruit or flower of the kind that the tree bears</source>
+        <translation>Pose une feuille, ou un fruit ou une fleur de la sorte que porte l’arbre</translation>
     </message>
     <message>
-        <source>Of the leaf, fruit or flower, against the usual one</source>
-        <translation>De la feuille, du fruit ou de la fleur, par rapport à d’ordinaire</translation>
+        <source>Size relative to the leaves, fruit or flowers that grow by themselves</source>
+        <translation>Taille par rapport aux feuilles, fruits ou fleurs qui poussent tout seuls</translation>
     </message>
     <message>
-        <source>The same happens to the limbs at so many places, evenly turned about the trunk, where there are some like it</source>
-        <translation>La même chose arrive aux branches d’autant d’endroits, à tours égaux autour du tronc, là où il y en a de semblables</translation>
+        <source>The limbs at this many places around the trunk, at equal angles, change too if they are similar</source>
+        <translation>Les branches d’autant d’endroits autour du tronc, à angles égaux, changent aussi si elles sont semblables</translation>
     </message>
     <message>
-        <source>The same happens to the limb on the other side of the trunk, as the view shows it, where there is one like it</source>
-        <translation>La même chose arrive à la branche de l’autre côté du tronc, comme la vue le montre, s’il y en a une semblable</translation>
+        <source>The limb on the other side of the trunk, as the view shows it, changes too if it is similar</source>
+        <translation>La branche de l’autre côté du tronc, comme la vue le montre, change aussi si elle est semblable</translation>
     </message>
     <message>
         <source>Goes</source>
@@ -2040,24 +2040,24 @@
         <translation>Ce qui est coupé</translation>
     </message>
     <message>
-        <source>It goes at once; or it hangs in its place, and falls to the ground when the timeline plays</source>
-        <translation>S’en va aussitôt ; ou reste à sa place, et tombe au sol quand la ligne de temps joue</translation>
+        <source>It disappears at once, or it stays in place and falls to the ground when the timeline plays</source>
+        <translation>Disparaît aussitôt, ou reste à sa place et tombe au sol quand la ligne de temps joue</translation>
     </message>
     <message>
-        <source>Falls after</source>
-        <translation>Tombe après</translation>
+        <source>Delay before falling</source>
+        <translation>Délai avant la chute</translation>
     </message>
     <message>
-        <source>Of the timeline: so long it still hangs in its place</source>
-        <translation>Temps de la ligne de temps pendant lequel cela reste encore à sa place</translation>
+        <source>Time on the timeline before the part comes off</source>
+        <translation>Temps de la ligne de temps avant que la partie ne se détache</translation>
     </message>
     <message>
         <source>Influence</source>
         <translation>Influence</translation>
     </message>
     <message>
-        <source>So far below the hand the wood bows, also into what the limb grows on; the wheel while you drag. 0: down to the foot of the limb</source>
-        <translation>Jusqu’où le bois plie sous la main, au besoin jusque dans ce qui porte la branche ; la molette pendant le glissement. 0 : jusqu’au pied de la branche</translation>
+        <source>The length that bends below the mouse, which may extend into the branch that carries the limb. The wheel changes it while you drag. 0 bends the limb down to its foot</source>
+        <translation>La longueur qui plie sous la souris, au besoin jusque dans la branche porteuse. La molette la change pendant le glissement. 0 plie la branche jusqu’à son pied</translation>
     </message>
     <message>
         <source>the limb</source>
@@ -2072,8 +2072,8 @@
         <translation>Branches jusqu’à l’ordre</translation>
     </message>
     <message>
-        <source>1: limbs of the trunk, 2: those that grow on them, and so on. Whatever grows on such a limb, the limb is meant. Also Shift and the wheel. 0: what is under the cursor</source>
-        <translation>1 : les branches du tronc, 2 : celles qu’elles portent, et ainsi de suite. Quoi qu’elle porte sous le curseur, c’est cette branche qui est prise. Aussi par Maj et la molette. 0 : ce qui est sous le curseur</translation>
+        <source>A click on a twig takes the limb of this order that it grows on: 1 for limbs of the trunk, 2 for those that grow on them, and so on. Shift and the wheel change it too. 0 takes what is under the mouse</source>
+        <translation>Un clic sur un rameau prend la branche de cet ordre qui le porte : 1 pour les branches du tronc, 2 pour celles qu’elles portent, et ainsi de suite. Maj et la molette le changent aussi. 0 prend ce qui est sous la souris</translation>
     </message>
     <message>
         <source>any</source>

@@ -120,26 +120,27 @@ std::span<const HandChoice> handChoices()
                                             QT_TRANSLATE_NOOP("HandOptions", "Falls")};
     static constexpr HandChoice rows[] = {
         {toolBit(Cut) | toolBit(Saw), "falls", QT_TRANSLATE_NOOP("HandOptions", "What is cut off"),
-         QT_TRANSLATE_NOOP("HandOptions",
-                           "It goes at once; or it hangs in its place, and falls to the ground when the "
-                           "timeline plays"),
+         QT_TRANSLATE_NOOP(
+             "HandOptions",
+             "It disappears at once, or it stays in place and falls to the ground when the timeline plays"),
          rests, &chosen<&HandOptions::falls>, &choose<&HandOptions::falls>},
         {toolBit(Place), "organ", QT_TRANSLATE_NOOP("HandOptions", "What"),
-         QT_TRANSLATE_NOOP("HandOptions", "Of the kind that the tree bears"), organs,
-         &chosen<&HandOptions::organ>, &choose<&HandOptions::organ>},
+         QT_TRANSLATE_NOOP("HandOptions",
+                           "Adds a leaf, or a fruit or flower of the kind that the tree bears"),
+         organs, &chosen<&HandOptions::organ>, &choose<&HandOptions::organ>},
         {toolBit(Brush), "brush", QT_TRANSLATE_NOOP("HandOptions", "Action"),
          QT_TRANSLATE_NOOP("HandOptions", "What the brush does to branches within its radius"), brushes,
          &chosen<&HandOptions::brush>, &choose<&HandOptions::brush>},
         {toolBit(Saw), "sawWay", QT_TRANSLATE_NOOP("HandOptions", "Cut by"),
-         QT_TRANSLATE_NOOP("HandOptions", "Along a line, or all that comes into a rectangle or a lasso"),
+         QT_TRANSLATE_NOOP("HandOptions",
+                           "Cuts along a line, or everything that enters a rectangle or a lasso"),
          ways, &chosen<&HandOptions::sawWay>, &choose<&HandOptions::sawWay>},
         {toolBit(Prune), "pruneShape", QT_TRANSLATE_NOOP("HandOptions", "Shape"),
-         QT_TRANSLATE_NOOP("HandOptions", "What stands out of it is cut"), shapes,
+         QT_TRANSLATE_NOOP("HandOptions", "Everything outside this shape is cut"), shapes,
          &chosen<&HandOptions::shape>, &choose<&HandOptions::shape>},
         {toolBit(Draw) | toolBit(Extend), "drawBy", QT_TRANSLATE_NOOP("HandOptions", "Thickness"),
-         QT_TRANSLATE_NOOP("HandOptions",
-                           "Along the stroke: the harder the pen is pressed, or the slower the "
-                           "hand goes, the thicker"),
+         QT_TRANSLATE_NOOP("HandOptions", "What controls the thickness along the stroke: harder pressure or "
+                                          "a slower stroke makes it thicker"),
          thickness, &chosen<&HandOptions::drawBy>, &choose<&HandOptions::drawBy>},
     };
     return rows;
@@ -150,43 +151,51 @@ std::span<const HandNumber> handNumbers()
     using enum HandTool;
     static constexpr HandNumber rows[] = {
         {toolBit(Saw), "sawThickest", QT_TRANSLATE_NOOP("HandOptions", "Up to"),
-         QT_TRANSLATE_NOOP("HandOptions", "The saw goes through twigs of at most this radius"),
+         QT_TRANSLATE_NOOP("HandOptions", "The saw cuts branches up to this radius"),
          &HandOptions::sawThickest, 0.001, 10.0, 0.005, 1, 100.0, " cm"},
-        {toolBit(Cut) | toolBit(Saw), "fallsAfter", QT_TRANSLATE_NOOP("HandOptions", "Falls after"),
-         QT_TRANSLATE_NOOP("HandOptions", "Of the timeline: so long it still hangs in its place"),
+        {toolBit(Cut) | toolBit(Saw), "fallsAfter", QT_TRANSLATE_NOOP("HandOptions", "Delay before falling"),
+         QT_TRANSLATE_NOOP("HandOptions", "Time on the timeline before the part comes off"),
          &HandOptions::fallsAfter, 0.0, 86400.0, 0.5, 2, 1.0, " s", &HandOptions::falls},
         {toolBit(Bend), "bendReach", QT_TRANSLATE_NOOP("HandOptions", "Influence"),
-         QT_TRANSLATE_NOOP("HandOptions",
-                           "So far below the hand the wood bows, also into what the limb grows on; the wheel "
-                           "while you drag. 0: down to the foot of the limb"),
+         QT_TRANSLATE_NOOP(
+             "HandOptions",
+             "The length that bends below the mouse, which may extend into the branch that carries the limb. "
+             "The wheel changes it while you drag. 0 bends the limb down to its foot"),
          &HandOptions::bendReach, 0.0, 1000.0, 0.1, 2, 1.0, " m", nullptr,
          QT_TRANSLATE_NOOP("HandOptions", "the limb")},
         {toolBit(Curl), "curlFrom", QT_TRANSLATE_NOOP("HandOptions", "From"),
-         QT_TRANSLATE_NOOP("HandOptions", "Below that share of its length the limb stays as it is"),
+         QT_TRANSLATE_NOOP("HandOptions",
+                           "The limb curls above this share of its length and stays as it is below"),
          &HandOptions::curlFrom, 0.0, 0.95, 0.05, 0, 100.0, " %"},
         {toolBit(Brush), "brushRadius", QT_TRANSLATE_NOOP("HandOptions", "Radius"),
-         QT_TRANSLATE_NOOP("HandOptions", "Of the brush; also Shift and the wheel. 0: to suit the tree"),
+         QT_TRANSLATE_NOOP(
+             "HandOptions",
+             "Radius of the brush; Shift and the wheel change it too. 0 chooses one that suits the tree"),
          &HandOptions::brushRadius, 0.0, 100.0, 0.1, 2, 1.0, " m", nullptr,
          QT_TRANSLATE_NOOP("HandOptions", "to suit")},
         {toolBit(Brush), "brushStrength", QT_TRANSLATE_NOOP("HandOptions", "Strength"),
-         QT_TRANSLATE_NOOP("HandOptions", "How far branches turn; of leaves it changes nothing"),
+         QT_TRANSLATE_NOOP("HandOptions", "How far branches turn; the two brushes for leaves ignore it"),
          &HandOptions::brushStrength, 0.0, 1.0, 0.1, 0, 100.0, " %"},
         {toolBit(Draw), "drawRadius", QT_TRANSLATE_NOOP("HandOptions", "Radius"),
-         QT_TRANSLATE_NOOP("HandOptions", "At the foot of the new branch. 0: to suit what it grows on"),
+         QT_TRANSLATE_NOOP(
+             "HandOptions",
+             "Radius at the foot of the new branch. 0 chooses one that suits the branch it grows on"),
          &HandOptions::drawRadius, 0.0, 10.0, 0.005, 1, 100.0, " cm", nullptr,
          QT_TRANSLATE_NOOP("HandOptions", "to suit")},
         {toolBit(Draw) | toolBit(Extend), "drawTip", QT_TRANSLATE_NOOP("HandOptions", "Tip"),
-         QT_TRANSLATE_NOOP("HandOptions", "Radius at the tip, of that where the stroke begins"),
+         QT_TRANSLATE_NOOP("HandOptions",
+                           "Radius at the tip relative to the radius at the beginning of the stroke"),
          &HandOptions::drawTip, 0.02, 1.0, 0.05, 0, 100.0, " %"},
         {toolBit(Draw) | toolBit(Extend) | toolBit(Redraw), "drawSmooth",
          QT_TRANSLATE_NOOP("HandOptions", "Smoothing"),
-         QT_TRANSLATE_NOOP("HandOptions", "How much the trembling of the hand is taken out"),
+         QT_TRANSLATE_NOOP("HandOptions", "How much of the hand’s trembling is removed"),
          &HandOptions::drawSmooth, 0.0, 1.0, 0.1, 0, 100.0, " %"},
         {toolBit(Graft), "graftSize", QT_TRANSLATE_NOOP("HandOptions", "Size"),
-         QT_TRANSLATE_NOOP("HandOptions", "Of the copy, against the original"), &HandOptions::graftSize, 0.05,
-         20.0, 0.1, 0, 100.0, " %"},
+         QT_TRANSLATE_NOOP("HandOptions", "Size of the copy relative to the original"),
+         &HandOptions::graftSize, 0.05, 20.0, 0.1, 0, 100.0, " %"},
         {toolBit(Place), "organSize", QT_TRANSLATE_NOOP("HandOptions", "Size"),
-         QT_TRANSLATE_NOOP("HandOptions", "Of the leaf, fruit or flower, against the usual one"),
+         QT_TRANSLATE_NOOP("HandOptions",
+                           "Size relative to the leaves, fruit or flowers that grow by themselves"),
          &HandOptions::organSize, 0.05, 20.0, 0.1, 0, 100.0, " %"},
     };
     return rows;
@@ -198,17 +207,18 @@ std::span<const HandCount> handCounts()
     static constexpr HandCount rows[] = {
         {limbs, "limbOrder", QT_TRANSLATE_NOOP("HandOptions", "Limbs up to order"),
          QT_TRANSLATE_NOOP("HandOptions",
-                           "1: limbs of the trunk, 2: those that grow on them, and so on. Whatever grows on "
-                           "such a limb, the limb is meant. Also Shift and the wheel. 0: what is under the "
-                           "cursor"),
+                           "A click on a twig takes the limb of this order that it grows on: 1 for limbs of "
+                           "the trunk, 2 for those that grow on them, and so on. Shift and the wheel change "
+                           "it too. 0 takes what is under the mouse"),
          &HandOptions::limbOrder, 0, 20, QT_TRANSLATE_NOOP("HandOptions", "any")},
         {toolBit(Draw) | toolBit(Graft) | toolBit(Place), "copies",
          QT_TRANSLATE_NOOP("HandOptions", "Around the trunk"),
-         QT_TRANSLATE_NOOP("HandOptions", "How many grow at once, evenly turned about what they grow on"),
+         QT_TRANSLATE_NOOP("HandOptions",
+                           "How many grow at once, at equal angles around the branch that carries them"),
          &HandOptions::copies, 1, 24},
         {symmetric, "symmetryCopies", QT_TRANSLATE_NOOP("HandOptions", "Around the trunk"),
-         QT_TRANSLATE_NOOP("HandOptions", "The same happens to the limbs at so many places, evenly turned "
-                                          "about the trunk, where there are some like it"),
+         QT_TRANSLATE_NOOP("HandOptions", "The limbs at this many places around the trunk, at equal angles, "
+                                          "change too if they are similar"),
          &HandOptions::symmetryCopies, 1, 24},
     };
     return rows;
@@ -220,18 +230,18 @@ std::span<const HandFlag> handFlags()
     static constexpr HandFlag rows[] = {
         {toolBit(Length) | toolBit(Thickness), "withBelow",
          QT_TRANSLATE_NOOP("HandOptions", "With all that grows on it"),
-         QT_TRANSLATE_NOOP("HandOptions", "Else the limb alone changes"), &HandOptions::withBelow},
+         QT_TRANSLATE_NOOP("HandOptions", "If off, only the limb itself changes"), &HandOptions::withBelow},
         {toolBit(Draw), "drawTwigs", QT_TRANSLATE_NOOP("HandOptions", "Twigs and leaves"),
          QT_TRANSLATE_NOOP("HandOptions",
                            "Twigs with their leaves grow on the branch, as dense as on the limbs beside it"),
          &HandOptions::drawTwigs},
         {toolBit(Draw), "mirrored", QT_TRANSLATE_NOOP("HandOptions", "Mirrored"),
-         QT_TRANSLATE_NOOP("HandOptions", "A second branch grows across what the first one grows on"),
+         QT_TRANSLATE_NOOP("HandOptions", "A second branch grows on the opposite side"),
          &HandOptions::mirrored},
         {symmetric, "symmetryMirrored", QT_TRANSLATE_NOOP("HandOptions", "Mirrored"),
-         QT_TRANSLATE_NOOP("HandOptions",
-                           "The same happens to the limb on the other side of the trunk, as the "
-                           "view shows it, where there is one like it"),
+         QT_TRANSLATE_NOOP(
+             "HandOptions",
+             "The limb on the other side of the trunk, as the view shows it, changes too if it is similar"),
          &HandOptions::symmetryMirrored},
     };
     return rows;
