@@ -79,6 +79,41 @@ Camera cameraOf(const RenderScene& scene)
     return camera;
 }
 
+/// A tree at best quality, drawn by the processor.
+struct Window : test::ViewWindow
+{
+    NodeId tree = noNode;
+
+    explicit Window(int iterations)
+    {
+        Scene scene;
+        Node node;
+        node.id = tree = scene.newId();
+        node.kind = NodeKind::Tree;
+        node.params = *presetParams("SmallTree");
+        node.params.grammar.iterations = iterations;
+        (void)scene.insert({node}, noNode, 0);
+        document.reset(std::move(scene), {});
+        NodeResult result;
+        result.revision = document.revision();
+        result.tree = *TreePipeline().evaluate(node.params);
+        document.setResult(tree, std::move(result));
+        view->setSoftware(true);
+        host.settings()->setQuality(Quality::Best);
+    }
+    [[nodiscard]] bool isWhole() const { return !view->isSettling() && !view->isPictureInMaking(); }
+    /// Of orange ink in the picture of now, below the words that say what it is.
+    [[nodiscard]] int ink() const
+    {
+        const QImage image = view->grabFramebuffer();
+        int count = 0;
+        for (int y = 60; y < image.height(); ++y)
+            for (int x = 0; x < image.width(); ++x)
+                count += image.pixelColor(x, y).red() > 235 && image.pixelColor(x, y).blue() < 60;
+        return count;
+    }
+};
+
 struct PaintedDialog : QDialog
 {
     bool isPainted = false;
@@ -177,24 +212,9 @@ private slots:
     /// A dialog that opens while the picture is being made is painted before that is whole.
     void dialogsArePaintedMeanwhile()
     {
-        test::ViewWindow window;
-        Scene scene;
-        Node tree;
-        tree.id = scene.newId();
-        tree.kind = NodeKind::Tree;
-        tree.params = *presetParams("SmallTree");
-        tree.params.grammar.iterations = 9;
-        (void)scene.insert({tree}, noNode, 0);
-        window.document.reset(std::move(scene), {});
-        NodeResult result;
-        result.revision = window.document.revision();
-        result.tree = *TreePipeline().evaluate(tree.params);
-        window.document.setResult(tree.id, std::move(result));
-        window.view->setSoftware(true);
-        window.host.settings()->setQuality(Quality::Best);
+        Window window(9);
         window.show({1200, 900});
-        const auto isWhole = [&] { return !window.view->isSettling() && !window.view->isPictureInMaking(); };
-        QTRY_VERIFY_WITH_TIMEOUT(isWhole(), 120'000);
+        QTRY_VERIFY_WITH_TIMEOUT(window.isWhole(), 120'000);
         const QImage whole = window.view->grabFramebuffer();
 
         window.host.settings()->setGridVisible(!window.host.settings()->gridVisible());
@@ -207,11 +227,28 @@ private slots:
         QTRY_VERIFY(dialog.isPainted);
         QVERIFY(window.view->isPictureInMaking());
         dialog.close();
-        QTRY_VERIFY_WITH_TIMEOUT(isWhole(), 120'000);
+        QTRY_VERIFY_WITH_TIMEOUT(window.isWhole(), 120'000);
         window.host.settings()->setGridVisible(!window.host.settings()->gridVisible());
         window.waitForPicture();
-        QTRY_VERIFY_WITH_TIMEOUT(isWhole(), 120'000);
+        QTRY_VERIFY_WITH_TIMEOUT(window.isWhole(), 120'000);
         QVERIFY(window.view->grabFramebuffer() == whole);
+    }
+
+    /// The line around the selection lies over the picture, which is not begun anew while that fades.
+    void theLineThatFadesLiesOverIt()
+    {
+        Window window(4);
+        window.show({320, 240});
+        QTRY_VERIFY_WITH_TIMEOUT(window.isWhole(), 120'000);
+        QCOMPARE(window.ink(), 0);
+        window.document.setSelection({{window.tree}});
+        window.waitForPicture();
+        QTRY_VERIFY(window.ink() > 40);
+        QTRY_VERIFY_WITH_TIMEOUT(window.isWhole(), 120'000);
+        int begun = 0;
+        connect(window.view, &Viewport::frameDrawn, this, [&] { begun += window.isWhole() ? 0 : 1; });
+        QTRY_COMPARE(window.ink(), 0);
+        QCOMPARE(begun, 0);
     }
 };
 

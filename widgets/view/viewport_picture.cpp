@@ -22,6 +22,8 @@ void Viewport::Private::draw(QSize pixels, const RenderOptions& options)
         return renderer->draw(shownScene(), camera(), pixels, target, options);
     }
     Pictured now{shown.scene() ? shown.scene() : scene, camera(), pixels, options};
+    now.options.outline = false; // it fades, and lies over the picture, which need not be made again for it
+    now.options.outlineOpacity = 1.0f;
     now.options.lens = through != noNode ? lens : Lens();
     now.options.hurried = false;
     const bool isNew = !(now == pictured);
@@ -31,7 +33,7 @@ void Viewport::Private::draw(QSize pixels, const RenderOptions& options)
     }
     const int wanted = blurs ? lensSamples : options.hurried ? 0 : 1;
     if (inParts && isNew) {
-        RenderOptions quick = options;
+        RenderOptions quick = pictured.options;
         quick.hurried = true;
         renderer->draw(*pictured.scene, camera(), pixels, target, quick);
     } else {
@@ -39,6 +41,8 @@ void Viewport::Private::draw(QSize pixels, const RenderOptions& options)
             drawPart();
         renderer->show(pixels, target);
     }
+    if (options.outline)
+        renderer->outline(*pictured.scene, camera(), pixels, target, options);
     if (pictures < wanted)
         drawing.start();
 }

@@ -61,6 +61,9 @@ public:
     /// Draws into \p framebuffer once more what the last draw() with options.smoothing, or drawPart(), made
     /// in the same size.
     void show(QSize size, GLuint framebuffer);
+    /// Draws the line around what is outlined over a picture of the scene that is in \p framebuffer.
+    void outline(const RenderScene& scene, const Camera& camera, QSize size, GLuint framebuffer,
+                 const RenderOptions& options);
     /// What surfaces are instead of how they look in the light: into the framebuffer's first picture their
     /// own colour (sRGB), into the second their normal, in the world's axes from 0 to 1, and as alpha the
     /// depth: 1/255 is \p reach (m) behind the camera's target, 1 as far before it. Where nothing is, all is

@@ -144,6 +144,15 @@ void Renderer::drawPoints(const Picture& picture, bool hidden)
     }
 }
 
+void Renderer::outline(const RenderScene& scene, const Camera& camera, QSize size, GLuint framebuffer,
+                       const RenderOptions& options)
+{
+    m_cache.restAttributes();
+    beginState(size, false);
+    drawOutline(arrange(scene, camera, size, options), framebuffer);
+    resetState();
+}
+
 /// What is selected is masked as if nothing stood before it, and a line is drawn around the mask.
 void Renderer::drawOutline(const Picture& picture, GLuint target)
 {
