@@ -3,7 +3,6 @@
 /// how a stem tapers and bends.
 #pragma once
 
-#include "core/params/weber_penn_params.h"
 #include "core/qt/document/document.h"
 #include <QWidget>
 #include <optional>
