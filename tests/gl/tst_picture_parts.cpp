@@ -241,7 +241,7 @@ private slots:
         window.show({320, 240});
         QTRY_VERIFY_WITH_TIMEOUT(window.isWhole(), 120'000);
         QCOMPARE(window.ink(), 0);
-        window.document.setSelection({{window.tree}});
+        window.document.setSelection({{window.tree}, noNode, {}, noIndex});
         window.waitForPicture();
         QTRY_VERIFY(window.ink() > 40);
         QTRY_VERIFY_WITH_TIMEOUT(window.isWhole(), 120'000);

@@ -196,7 +196,7 @@ private slots:
             return count;
         };
         QCOMPARE(ink(true), 0);
-        window.document.setSelection({{window.tree(0)}});
+        window.document.setSelection({{window.tree(0)}, noNode, {}, noIndex});
         QTRY_VERIFY(ink(true) > 40);
         QTRY_COMPARE(ink(false), 0);
     }
