@@ -1,6 +1,7 @@
 #include "tests/cli/cli_support.h"
 #include "tests/support/cannot_run.h"
 #include <QDir>
+#include <csignal>
 #include <QImage>
 #include <QJsonArray>
 #include <QRegularExpression>
