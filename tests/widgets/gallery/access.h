@@ -116,7 +116,7 @@ inline bool isGreyed(const QWidget* widget, QPoint at)
         return true;
     if (const auto* menu = qobject_cast<const QMenu*>(widget)) {
         const QAction* action = menu->actionAt(at);
-        return action && !action->isEnabled();
+        return !action || !action->isEnabled(); // none: the entry is scrolled out of sight
     }
     if (const auto* tabs = qobject_cast<const QTabBar*>(widget))
         return tabs->tabAt(at) >= 0 && !tabs->isTabEnabled(tabs->tabAt(at));

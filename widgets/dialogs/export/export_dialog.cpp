@@ -88,6 +88,7 @@ ExportDialog::ExportDialog(Document* document, Recompute* recompute, Preferences
     connectMessage();
     connect(m_levels, &LevelForm::changed, this, &ExportDialog::updateSummary);
     connect(m_maps, &QComboBox::currentIndexChanged, this, &ExportDialog::updateSummary);
+    m_uses->setUsesScrollButtons(false); // on a small screen, too, all of them are seen
     connect(m_uses, &QTabBar::currentChanged, this, &ExportDialog::takeUse);
     buildPrint();
     connect(m_browse, &QPushButton::clicked, this, &ExportDialog::browse);
