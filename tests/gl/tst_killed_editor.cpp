@@ -139,6 +139,7 @@ private slots:
         tree.kind = NodeKind::Tree;
         tree.name = "Oak";
         tree.params = *presetParams("TinyTree");
+        tree.params.grammar.stochastic = true; // its seed can be edited
         QVERIFY(scene.insert({tree}, noNode, 0));
         QVERIFY(saveProjectFile({std::move(scene), {}}, project()));
         m_desk = std::make_unique<test::Desk>();
