@@ -32,6 +32,7 @@
 #include <QTabBar>
 #include <QTimer>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace ramure {
 
@@ -339,13 +340,15 @@ QSize ExportDialog::roomForPages()
     return room;
 }
 
-/// The window only grows, and not beyond the screen: there the page is scrolled.
+/// The window only grows, and not higher than the screen: there the page is scrolled, but never sideways.
 void ExportDialog::makeRoom(const QSize& page)
 {
     layout()->activate();
-    const int bar = style()->pixelMetric(QStyle::PM_ScrollBarExtent, nullptr, m_scroll);
-    const QSize whole = page + QSize(bar, 0) + size() - m_scroll->size();
-    resize(whole.boundedTo(screen()->availableSize() * 19 / 20).expandedTo(size()));
+    const int wide = page.width() + style()->pixelMetric(QStyle::PM_ScrollBarExtent, nullptr, m_scroll);
+    const QSize whole = QSize(wide, page.height()) + size() - m_scroll->size();
+    m_scroll->setMinimumWidth(std::max(wide, m_scroll->minimumWidth()));
+    const int highest = screen()->availableSize().height() * 19 / 20;
+    resize(whole.boundedTo({QWIDGETSIZE_MAX, highest}).expandedTo(size()));
 }
 
 /// Opens with room for every page and a message, so that tabs and buttons stay where they are from page to

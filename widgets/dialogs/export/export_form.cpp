@@ -75,6 +75,7 @@ void ExportDialog::buildForm()
     m_scroll = new QScrollArea(this);
     m_scroll->setFrameShape(QFrame::NoFrame);
     m_scroll->setWidgetResizable(true);
+    m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_scroll->setWidget(m_page);
     layout->addWidget(m_scroll, 1);
     buildFaults(layout);
