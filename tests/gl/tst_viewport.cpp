@@ -237,9 +237,10 @@ private slots:
         window.document.undo();
         compute(window.document);
         window.waitForPicture();
-        window.click(at, Qt::ControlModifier);
-        QCOMPARE(undo->index(), 0);
         QCOMPARE(window.document.selection().branches, window.limb(tip));
+        window.click(at, Qt::ControlModifier); // again: the branch alone
+        QCOMPARE(undo->index(), 0);
+        QCOMPARE(window.document.selection().branches, std::vector<Index>{tip});
     }
     void boxSelects()
     {
@@ -436,6 +437,7 @@ private slots:
         change.nodes = {id};
         window.document.applyChange(change,
                                     [id](Scene& scene) { scene.find(id)->params.tree.translation.x = 30.0; });
+        window.waitForPicture(); // until then it is picked where it is seen
         window.click(before);
         QVERIFY(window.document.selection().branches.empty());
     }

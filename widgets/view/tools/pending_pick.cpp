@@ -50,6 +50,9 @@ void PendingPick::tryAgain()
     const Pending pick = *std::exchange(m_pending, std::nullopt);
     const Selection& selection = m_context.document.selection();
     auto hit = scene->pick(m_context.host.view(), {pick.to.x(), pick.to.y()});
+    const Scene& now = m_context.document.scene(); // which may be newer than the picture
+    if (hit && (!now.find(hit->node) || !now.isShown(hit->node) || now.isLocked(hit->node)))
+        hit.reset();
     if (!hit && !pick.asksMenu)
         emit missed();
     const std::vector<Index> limb = hit ? takeIntoDocument(*hit) : std::vector<Index>();
