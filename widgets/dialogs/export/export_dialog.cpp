@@ -325,15 +325,19 @@ QSize ExportDialog::pageHint() const
 /// That the largest page takes, whatever is chosen on it.
 QSize ExportDialog::roomForPages()
 {
-    const QSignalBlocker quiet(m_moments);
+    const QSignalBlocker quiet(m_moments), too(m_printing);
+    const bool isPrintWanted = m_printing->isWanted();
     const ExportMoment moment = m_moments->moment();
     m_moments->setMoment(ExportMoment::Sequence); // has a line of fields more
     QSize room;
-    for (const ExportUse use : exportUses)
+    for (const ExportUse use : exportUses) {
+        m_printing->setWanted(use == ExportUse::Print);
         for (const QString& id : formatsOf(use)) {
             showRows(use, formatCalled(id), use == ExportUse::Print);
             room = room.expandedTo(pageHint());
         }
+    }
+    m_printing->setWanted(isPrintWanted);
     m_moments->setMoment(moment);
     showRows(m_use, format(), isPrint());
     updateWidgets();
