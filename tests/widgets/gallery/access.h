@@ -169,13 +169,15 @@ inline void findFaintTexts(const QWidget* widget, const QWidget* window, const Q
         };
         if (std::any_of(it + 1, texts.end(), hides)) // such as what is selected, which is drawn once more
             continue;
-        if (drawn.text.trimmed().isEmpty() || isGreyed(widget, drawn.box.center().toPoint()))
+        const QRectF room(widget->visibleRegion().boundingRect()), seen = drawn.box & room;
+        if (seen.isEmpty() || drawn.text.trimmed().isEmpty() || isGreyed(widget, seen.center().toPoint()))
             continue;
-        const QRectF seen = drawn.box & QRectF(widget->visibleRegion().boundingRect());
+        constexpr double around = 3.0; // most of a thin letter's own place is the letter
+        const QRectF place = seen.adjusted(-around, 0.0, around, 0.0) & room;
         const QPointF origin = widget->mapTo(window, QPoint(0, 0));
-        const QRectF part((seen.topLeft() + origin) * ratio, seen.size() * ratio);
+        const QRectF part((place.topLeft() + origin) * ratio, place.size() * ratio);
         const QColor ground = groundOf(picture, part.toRect());
-        if (seen.isEmpty() || !ground.isValid())
+        if (!ground.isValid())
             continue;
         const QColor colour = over(ground, drawn.colour);
         if (const double there = contrastOf(colour, ground); there < least)
