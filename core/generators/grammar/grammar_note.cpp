@@ -2,7 +2,6 @@
 
 #include "core/generators/grammar/lookalikes.h"
 #include <algorithm>
-#include <ranges>
 
 namespace ramure {
 
@@ -26,13 +25,13 @@ std::string shownCharacter(std::string_view text, std::size_t at)
 
 std::string withReplacements(std::string text, std::string_view path, const GrammarNotes& notes)
 {
-    for (const GrammarNote& note : notes | std::views::reverse) {
-        if (note.what.path != path || !note.replacement)
+    for (auto note = notes.rbegin(); note != notes.rend(); ++note) { // what comes last first, so that columns stay true
+        if (note->what.path != path || !note->replacement)
             continue;
         std::size_t start = 0;
-        for (int line = 1; line < note.what.line; ++line)
+        for (int line = 1; line < note->what.line; ++line)
             start = text.find('\n', start) + 1;
-        text.replace(start + static_cast<std::size_t>(note.what.column) - 1, note.size, *note.replacement);
+        text.replace(start + static_cast<std::size_t>(note->what.column) - 1, note->size, *note->replacement);
     }
     return text;
 }
