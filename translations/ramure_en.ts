@@ -211,6 +211,13 @@
             <numerusform>%Ln pairs of triangles run through each other.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%Ln pair(s) of vertices within %1 of each other</source>
+        <translation>
+            <numerusform>%Ln pair of vertices within %1 of each other</numerusform>
+            <numerusform>%Ln pairs of vertices within %1 of each other</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ramure::BakeKeysDialog</name>

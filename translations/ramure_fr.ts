@@ -2243,10 +2243,6 @@
         <translation>Rayons trop petits</translation>
     </message>
     <message>
-        <source>The radius was so small against the size of the tree that the tube&apos;s points would fall together. It was raised to the smallest that works; no printer makes it that thin.</source>
-        <translation>Le rayon était si petit devant la taille de l’arbre que les points du tube se confondraient. Il a été porté au plus petit qui marche&#xa0;; aucune imprimante ne fait si fin.</translation>
-    </message>
-    <message>
         <source>What this means</source>
         <translation>Ce que cela veut dire</translation>
     </message>
@@ -2421,6 +2417,10 @@
     <message>
         <source>A branch leaves one of the same parent only at its end, or beyond: it starts there.</source>
         <translation>Une branche ne quitte une autre du même parent qu&apos;à la fin de celle-ci, ou plus loin : elle part de là.</translation>
+    </message>
+    <message>
+        <source>The radius was below the least one (Cross-sections, Least radius), or so small against the size of the tree that the tube&apos;s points would fall together. It was raised to the smallest that works; no printer makes it that thin.</source>
+        <translation>Le rayon était inférieur au rayon minimal (Sections, Rayon minimal), ou si petit devant la taille de l’arbre que les points du tube se confondraient. Il a été porté au plus petit qui marche&#xa0;; aucune imprimante ne fait si fin.</translation>
     </message>
 </context>
 <context>
@@ -2724,6 +2724,13 @@
     <message>
         <source>Closed; crossings not looked for yet</source>
         <translation>Fermé&#xa0;; croisements pas encore cherchés</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln pair(s) of vertices within %1 of each other</source>
+        <translation>
+            <numerusform>%Ln paire de sommets à %1 au plus l’un de l’autre</numerusform>
+            <numerusform>%Ln paires de sommets à %1 au plus l’un de l’autre</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -7611,6 +7618,14 @@
     <message>
         <source>this is neither UTF-8 nor whole UTF-16</source>
         <translation>ce n’est ni de l’UTF-8, ni de l’UTF-16 entier</translation>
+    </message>
+    <message>
+        <source>Least radius</source>
+        <translation>Rayon minimal</translation>
+    </message>
+    <message>
+        <source>Branches of the mesh are made no thinner than this, and no two of its vertices lie closer together than about half of it: at 0.25 mm, programs that merge vertices within 0.1 mm keep the mesh closed. No more than a two-thousandth of the size of the tree is taken, and where branches have more than 12 points around, these may lie closer. 0 leaves the thinnest twigs as they are.</source>
+        <translation>Dans le maillage, aucune branche n’est plus fine, et deux sommets ne sont jamais plus proches que la moitié environ&#xa0;: à 0,25 mm, les programmes qui fusionnent les sommets à moins de 0,1 mm gardent le maillage fermé. Au plus un deux-millième de la taille de l’arbre est pris, et là où les branches ont plus de 12 points sur leur tour, ceux-ci peuvent être plus proches. 0 laisse les rameaux les plus fins tels quels.</translation>
     </message>
 </context>
 <context>

@@ -293,6 +293,10 @@ QJsonObject jsonOf(const std::vector<CheckedMesh>& all, bool crossings)
     if (all.size() == 1)
         return jsonOf(all.front(), crossings);
     QJsonObject sum = toJson(sumOf(all));
+    qint64 near = 0;
+    for (const CheckedMesh& one : all)
+        near += one.analysis.quality.nearPairs;
+    sum.insert(QStringLiteral("nearVertices"), near);
     sum.insert(QStringLiteral("verdict"), QLatin1String(verdictName(verdictOn(all))));
     const bool trees = isOfTrees(all);
     QJsonArray list;

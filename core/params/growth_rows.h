@@ -117,6 +117,13 @@ inline constexpr std::array modelRows{
                      "more of them, thin and straight ones fewer, and the two numbers above have no say. 0 sets no "
                      "budget.")},
         ParamUnit::Count, {0, 20'000'000, 0, 500'000, 1000, 0}, Stage::Mesh),
+    row<&NodeParams::mesh, &MeshParams::leastRadius>(
+        {"mesh.leastRadius", sectionsGroup, RAMURE_NOOP("Least radius"),
+         RAMURE_NOOP("Branches of the mesh are made no thinner than this, and no two of its vertices lie closer together "
+                     "than about half of it: at 0.25 mm, programs that merge vertices within 0.1 mm keep the mesh closed. "
+                     "No more than a two-thousandth of the size of the tree is taken, and where branches have more than 12"
+                     " points around, these may lie closer. 0 leaves the thinnest twigs as they are.")},
+        ParamUnit::Metre, {0, 1, 0, 0.005, 0.00005, 5}, Stage::Mesh, paramAdvanced),
     row<&NodeParams::mesh, &MeshParams::forkSoftness>(
         {"mesh.forkSoftness", forksGroup, RAMURE_NOOP("Softness"),
          RAMURE_NOOP("How far wood grows over the creases between the branches of a fork: 0 leaves them sharp, 1 rounds "

@@ -86,7 +86,8 @@ struct MeshParams
     double forkReach = 0.9;           ///< of the thinner tube's radius
     double forkSoftness = 0.7;
     bool clampOvershoot = false;
-    double nearTwinRatio = 0.25; ///< of the added radii
+    double nearTwinRatio = 0.25;  ///< of the added radii
+    double leastRadius = 0.25e-3; ///< m
     bool operator==(const MeshParams&) const = default;
 };
 

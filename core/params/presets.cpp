@@ -276,6 +276,8 @@ std::vector<Preset> everyPreset()
     };
     for (std::size_t i = 0; i < all.size(); ++i)
         all[i].group = i < courseworkCount ? "Coursework" : RAMURE_NOOP("The Algorithmic Beauty of Plants");
+    for (std::size_t i = 0; i < courseworkCount; ++i) // the coursework says what their sections are
+        all[i].params.mesh.leastRadius = 0.0;
     const auto filled = colonised();
     all.insert(all.end(), filled.begin(), filled.end());
     for (const bool conifers : {false, true}) {

@@ -327,6 +327,7 @@ private slots:
                                   "hash",
                                   "inconsistentEdges",
                                   "isolatedVertices",
+                                  "nearVertices",
                                   "nonManifoldEdges",
                                   "nonManifoldVertices",
                                   "quality",

@@ -21,7 +21,7 @@ using namespace ramure;
 
 static QByteArray inProject(const QByteArray& nodes)
 {
-    return R"({"format":"ramure","version":3,"nodes":[)" + nodes + "]}";
+    return R"({"format":"ramure","version":4,"nodes":[)" + nodes + "]}";
 }
 static QByteArray inNode(const QByteArray& members)
 {
@@ -73,6 +73,7 @@ private slots:
     void terrainsOfVersion1KeepTheirShape();
     void treesOfVersion1LookAsTheyDid();
     void treesOfVersion1StartUnloaded();
+    void treesOfVersion3KeepTheirTwigs();
 
     void savesAndLoads();
     void savingFailsWithoutHarm_data();
@@ -100,7 +101,7 @@ void TestProjectFile::badFilesAreRefusedWithTheirPlace_data()
     row("no version", R"({"format":"ramure","nodes":[]})", invalid, "version");
     row("version 0", R"({"format":"ramure","version":0,"nodes":[]})", invalid, "version");
     row("version 1.5", R"({"format":"ramure","version":1.5,"nodes":[]})", invalid, "version");
-    row("newer", R"({"format":"ramure","version":4,"nodes":7})", int(ErrorCode::Version), "version");
+    row("newer", R"({"format":"ramure","version":5,"nodes":7})", int(ErrorCode::Version), "version");
     row("no nodes", R"({"format":"ramure","version":1})", invalid, "nodes");
     row("nodes no array", R"({"format":"ramure","version":1,"nodes":{}})", invalid, "nodes");
     row("node no object", inProject("7"), invalid, "nodes[0]");
@@ -323,7 +324,7 @@ void TestProjectFile::defaultsAreLeftOut()
             "name": "Oak"
         }
     ],
-    "version": 3
+    "version": 4
 }
 )"));
 }
@@ -391,7 +392,7 @@ void TestProjectFile::unknownKeysAreKept()
             "weather": null
         }
     ],
-    "version": 3
+    "version": 4
 }
 )";
     const auto project = readProject(bytes);
@@ -489,6 +490,19 @@ void TestProjectFile::treesOfVersion1StartUnloaded()
     QVERIFY(now->scene.find(1)->params.physics.settled);
     // Saved and opened again it stays what it was.
     QVERIFY(!readProject(writeProject(*old))->scene.find(1)->params.physics.settled);
+}
+
+void TestProjectFile::treesOfVersion3KeepTheirTwigs()
+{
+    const auto leastRadius = [](const char* version, const char* params) {
+        const auto project = readProject(QByteArray(R"({"format":"ramure","version":)") + version +
+                                         R"(,"nodes":[{"id":1,"kind":"tree")" + params + "}]}");
+        return project ? project->scene.nodes().front().params.mesh.leastRadius : -1.0;
+    };
+    QCOMPARE(leastRadius("3", ""), 0.0);
+    QCOMPARE(leastRadius("1", R"(,"params":{"grammar.seed":7})"), 0.0);
+    QCOMPARE(leastRadius("3", R"(,"params":{"mesh.leastRadius":0.001})"), 0.001);
+    QCOMPARE(leastRadius("4", ""), MeshParams().leastRadius);
 }
 
 void TestProjectFile::savesAndLoads()

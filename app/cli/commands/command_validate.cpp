@@ -88,6 +88,9 @@ QString textShape(const MeshAnalysis& analysis)
                  row("largestAspect", QStringLiteral("%1 (face %2)")
                                           .arg(quality.largestAspect, 0, 'g', 4)
                                           .arg(quality.largestAspectFace));
+    lines += row("nearVertices", QStringLiteral("%1 pairs within %2 mm")
+                                     .arg(quality.nearPairs)
+                                     .arg(1000.0 * MeshQuality::nearDistance));
     return lines + row("hash", fromText(analysis.hash.text()));
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/base/parallel_chunks.h"
 #include "core/math/reproducible.h"
+#include "core/surface/mesh/near_positions.h"
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -139,7 +140,11 @@ Expected<MeshQuality> measureQuality(const TriangleMesh& mesh, unsigned threads,
     });
     if (!all)
         return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
-    return gather(parts);
+    MeshQuality quality = gather(parts);
+    const auto near =
+        findNearPositions(mesh.positions, MeshQuality::nearDistance, MeshQuality::mostNearPairs);
+    quality.nearPairs = static_cast<Index>(near.size());
+    return quality;
 }
 
 } // namespace ramure

@@ -26,6 +26,9 @@ struct MeshQuality
     /// Lower ends of the bins of the aspect; the last one is open.
     static constexpr std::array<double, 9> aspectBins{1.0, 1.5, 2.0, 3.0, 5.0, 10.0, 20.0, 50.0, 100.0};
     static constexpr std::size_t worstListed = 100;
+    static constexpr double nearDistance =
+        1e-4; ///< m: within it Blender merges vertices, unless told otherwise
+    static constexpr std::size_t mostNearPairs = 1'000'000; ///< no more are counted
 
     double smallestAngleRad = 0.0; ///< of all triangles that have an area; 0 where there is none
     Index smallestAngleFace = noIndex;
@@ -35,6 +38,8 @@ struct MeshQuality
     std::array<Index, angleBins> angles{};          ///< triangles by their smallest angle
     std::array<Index, aspectBins.size()> aspects{}; ///< triangles by their aspect
     Index withoutArea = 0;                          ///< in no bin: no area, or not finite
+    /// Pairs of vertices at most nearDistance apart: merging would close holes or pinch the surface there.
+    Index nearPairs = 0;
     std::vector<WorstFace> worst; ///< by smallest angle, the worst first; at most worstListed
     bool operator==(const MeshQuality&) const = default;
 };

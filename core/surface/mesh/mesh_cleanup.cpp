@@ -1,7 +1,7 @@
 #include "core/surface/mesh/mesh_cleanup.h"
 
 #include "core/math/random.h"
-#include "core/surface/mesh/duplicate_positions.h"
+#include "core/surface/mesh/near_positions.h"
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -13,15 +13,17 @@ namespace {
 
 constexpr double leastAreaShare = 2e-14; ///< of the squared diagonal; twice what the validation asks for
 constexpr double nudgeShare = 2e-6;      ///< of the diagonal
+constexpr double gapShare = 4e-7;        ///< of the diagonal
+constexpr double leastWayShare = 1e-3;   ///< of the gap: nearer vertices do not tell which way to move them
 constexpr int mostRounds = 80;
 
 /// How small is too small, and how far is a step: from the box of all positions.
 struct Measures
 {
     double leastSquared; ///< of a triangle's doubled area
-    double step;
+    double step, gap;
 
-    explicit Measures(const std::vector<glm::vec3>& positions);
+    Measures(const std::vector<glm::vec3>& positions, double leastGap);
     [[nodiscard]] bool isFlat(const std::vector<glm::vec3>& positions, const glm::uvec3& triangle) const
     {
         const glm::dvec3 a(positions[triangle.x]);
@@ -31,7 +33,7 @@ struct Measures
     }
 };
 
-Measures::Measures(const std::vector<glm::vec3>& positions)
+Measures::Measures(const std::vector<glm::vec3>& positions, double leastGap)
 {
     glm::vec3 low = positions[0], high = low;
     for (const glm::vec3& p : positions) {
@@ -44,28 +46,30 @@ Measures::Measures(const std::vector<glm::vec3>& positions)
     const glm::vec3 reach = glm::max(glm::abs(low), glm::abs(high));
     // A nudge must be felt by the floats.
     step = std::max(nudgeShare * diagonal, 4.0 * 0x1.0p-23 * double(std::max({reach.x, reach.y, reach.z})));
+    gap = std::max(gapShare * diagonal, leastGap);
 }
 
 class Separator
 {
 public:
-    Separator(std::vector<glm::vec3>& positions, const std::vector<glm::uvec3>& triangles)
+    Separator(std::vector<glm::vec3>& positions, const CleanupInput& mesh)
         : m_positions(positions)
-        , m_triangles(triangles)
-        , m_measures(positions)
+        , m_mesh(mesh)
+        , m_measures(positions, mesh.leastGap)
     {
     }
-    Index run(const std::vector<Index>* suspects, const Progress& progress);
+    Index run(const Progress& progress);
 
 private:
-    Index moveTwins(int round);
+    Index partNear(int round);
     Index openFlat(const std::vector<Index>* suspects, int round);
     bool openFlat(const glm::uvec3& triangle, int round);
-    void nudge(Index vertex, const glm::dvec3& direction, int round);
+    void nudge(Index vertex, const glm::dvec3& direction, double length);
+    [[nodiscard]] double step(int round) const { return m_measures.step * (1.0 + 0.25 * round); }
     [[nodiscard]] glm::dvec3 anyDirection(Index vertex, int round) const;
 
     std::vector<glm::vec3>& m_positions;
-    const std::vector<glm::uvec3>& m_triangles;
+    const CleanupInput& m_mesh;
     const Measures m_measures;
 };
 
@@ -79,19 +83,27 @@ glm::dvec3 Separator::anyDirection(Index vertex, int round) const
     return glm::normalize(direction);
 }
 
-void Separator::nudge(Index vertex, const glm::dvec3& direction, int round)
+void Separator::nudge(Index vertex, const glm::dvec3& direction, double length)
 {
-    const double length = m_measures.step * (1.0 + 0.25 * round);
     m_positions[vertex] = glm::vec3(glm::dvec3(m_positions[vertex]) + length * direction);
 }
 
-/// Every vertex at the place of an earlier one moves. Returns how many.
-Index Separator::moveTwins(int round)
+/// Every vertex that is near to an earlier one moves away from it. Returns how often.
+Index Separator::partNear(int round)
 {
-    const std::vector<DuplicatePosition> twins = findDuplicatePositions(m_positions);
-    for (const DuplicatePosition& twin : twins)
-        nudge(twin.vertex, anyDirection(twin.vertex, round), round);
-    return static_cast<Index>(twins.size());
+    const double gap = m_measures.gap, growth = 0.25 * round * gap; // so that heaps of vertices spread
+    const std::vector<NearPair> pairs = findNearVertices(m_positions, gap);
+    for (const NearPair& pair : pairs) {
+        const glm::dvec3 way = glm::dvec3(m_positions[pair.vertex]) - glm::dvec3(m_positions[pair.earlier]);
+        const double apart = glm::length(way);
+        if (apart > gap) // since another pair was moved
+            continue;
+        if (apart > leastWayShare * gap)
+            nudge(pair.vertex, way / apart, gap - apart + growth + m_measures.step);
+        else
+            nudge(pair.vertex, anyDirection(pair.vertex, round), std::max(gap + growth, step(round)));
+    }
+    return static_cast<Index>(pairs.size());
 }
 
 /// A triangle without area: the vertex opposite the longest edge moves away from that edge.
@@ -110,7 +122,7 @@ bool Separator::openFlat(const glm::uvec3& triangle, int round)
         if (glm::dot(across, across) > 1e-4)
             direction = glm::normalize(across);
     }
-    nudge(apex, direction, round);
+    nudge(apex, direction, step(round));
     return true;
 }
 
@@ -119,19 +131,19 @@ Index Separator::openFlat(const std::vector<Index>* suspects, int round)
     Index moved = 0;
     if (suspects) {
         for (const Index triangle : *suspects)
-            moved += openFlat(m_triangles[triangle], round) ? 1 : 0;
+            moved += openFlat(m_mesh.triangles[triangle], round) ? 1 : 0;
         return moved;
     }
-    for (const glm::uvec3& triangle : m_triangles)
+    for (const glm::uvec3& triangle : m_mesh.triangles)
         moved += openFlat(triangle, round) ? 1 : 0;
     return moved;
 }
 
-Index Separator::run(const std::vector<Index>* suspects, const Progress& progress)
+Index Separator::run(const Progress& progress)
 {
     Index total = 0;
     for (int round = 0; round < mostRounds && !progress.cancelled(); ++round) {
-        const Index moved = moveTwins(round) + openFlat(total == 0 ? suspects : nullptr, round);
+        const Index moved = partNear(round) + openFlat(total == 0 ? m_mesh.suspects : nullptr, round);
         total += moved;
         if (moved == 0)
             break;
@@ -139,30 +151,27 @@ Index Separator::run(const std::vector<Index>* suspects, const Progress& progres
     return total;
 }
 
+bool hasFlat(const std::vector<glm::vec3>& positions, const CleanupInput& mesh, const Measures& measures)
+{
+    const auto isFlat = [&](const glm::uvec3& t) { return measures.isFlat(positions, t); };
+    return mesh.suspects
+               ? std::ranges::any_of(*mesh.suspects, [&](Index t) { return isFlat(mesh.triangles[t]); })
+               : std::ranges::any_of(mesh.triangles, isFlat);
+}
+
 } // namespace
 
-Index separateVertices(std::vector<glm::vec3>& positions, const std::vector<glm::uvec3>& triangles,
-                       const Progress& progress, const std::vector<Index>* suspects)
+Index separateVertices(std::vector<glm::vec3>& positions, const CleanupInput& mesh, const Progress& progress)
 {
-    return positions.empty() ? 0 : Separator(positions, triangles).run(suspects, progress);
+    return positions.empty() ? 0 : Separator(positions, mesh).run(progress);
 }
 
-bool hasFlat(const std::vector<glm::vec3>& positions, const std::vector<glm::uvec3>& triangles,
-             const std::vector<Index>* suspects)
+bool areSeparate(const std::vector<glm::vec3>& positions, const CleanupInput& mesh)
 {
-    if (positions.empty() || (suspects && suspects->empty()))
-        return false;
-    const Measures measures(positions);
-    const auto isFlat = [&](const glm::uvec3& t) { return measures.isFlat(positions, t); };
-    return suspects ? std::any_of(suspects->begin(), suspects->end(),
-                                  [&](Index t) { return isFlat(triangles[t]); })
-                    : std::any_of(triangles.begin(), triangles.end(), isFlat);
-}
-
-bool areSeparate(const std::vector<glm::vec3>& positions, const std::vector<glm::uvec3>& triangles,
-                 const std::vector<Index>* suspects)
-{
-    return !hasFlat(positions, triangles, suspects) && findDuplicatePositions(positions).empty();
+    if (positions.empty())
+        return true;
+    const Measures measures(positions, mesh.leastGap);
+    return !hasFlat(positions, mesh, measures) && findNearPositions(positions, measures.gap, 1).empty();
 }
 
 } // namespace ramure

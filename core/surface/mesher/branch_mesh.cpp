@@ -105,7 +105,7 @@ Expected<Built> Builder::byBudget(const Progress& progress)
     for (int trial = 0; trial < mostTrials; ++trial) {
         const double fineness = budget.finenessFor(wanted * correction);
         const double from = 1.0 - maths::pow(0.4, trial), to = 1.0 - maths::pow(0.4, trial + 1);
-        auto built = build({budget.shapes(), fineness}, progress.part(from, to));
+        auto built = build({budget.shapes(), fineness, m_normal.leastGap}, progress.part(from, to));
         if (!built)
             return built;
         const auto triangles = static_cast<double>(built->mesh.mesh.triangles.size());
@@ -126,21 +126,36 @@ Expected<Built> Builder::byBudget(const Progress& progress)
     return std::move(*best);
 }
 
-/// Parts vertices in one place and opens triangles without area. Mostly there is nothing to part: normals are
+/// Moves vertices apart. Where branches lie in heaps, as in no tree, moving them by the least gap can turn
+/// the surface inside out: then they move only as far as every mesh needs.
+void moveApart(TriangleMesh& mesh, CleanupInput input, const Progress& progress)
+{
+    if (input.leastGap > 0.0) {
+        const std::vector<glm::vec3> before = mesh.positions;
+        separateVertices(mesh.positions, input, progress);
+        const auto report = validateMesh(mesh, {progress.stop, {}});
+        if (!report || report->valid)
+            return;
+        mesh.positions = before;
+        input.leastGap = 0.0;
+    }
+    separateVertices(mesh.positions, input, progress);
+}
+
+/// Parts vertices that are near and opens triangles without area. Mostly there is nothing to do: normals are
 /// computed beside the search, and again if there was.
-void polish(TriangleMesh& mesh, const std::vector<Index>* suspects, bool withNormals,
-            const Progress& progress)
+void polish(TriangleMesh& mesh, const CleanupInput& input, bool withNormals, const Progress& progress)
 {
     const bool beside = withNormals && parallelThreads() > 1;
     bool separate = false;
     parallelFor(beside ? 2 : 1, 1, [&](std::size_t part, std::size_t) {
         if (part == 0)
-            separate = areSeparate(mesh.positions, mesh.triangles, suspects);
+            separate = areSeparate(mesh.positions, input);
         else
             computeNormals(mesh);
     });
     if (!separate)
-        separateVertices(mesh.positions, mesh.triangles, progress, suspects);
+        moveApart(mesh, input, progress);
     if (withNormals && !(separate && beside))
         computeNormals(mesh);
 }
@@ -166,6 +181,7 @@ void finish(Built& built, const Skeleton& skeleton)
         }
     result.repairs = std::move(built.skeleton.repairs);
     result.roots = built.skeleton.roots;
+    result.leastGap = built.skeleton.leastGap;
 }
 
 } // namespace
@@ -196,7 +212,10 @@ struct Shaped
     Built built;
     bool anyIsSuspect = false;
 
-    [[nodiscard]] const std::vector<Index>* suspects() const { return anyIsSuspect ? nullptr : &built.small; }
+    [[nodiscard]] CleanupInput toClean() const
+    {
+        return {built.mesh.mesh.triangles, anyIsSuspect ? nullptr : &built.small, built.mesh.leastGap};
+    }
 };
 
 Expected<Shaped> shape(const Skeleton& skeleton, const BranchMeshOptions& options, const Progress& progress,
@@ -223,7 +242,7 @@ Expected<BranchMesh> buildBranchMesh(const Skeleton& skeleton, const BranchMeshO
     RAMURE_TRY(shaped);
     TriangleMesh& mesh = shaped->built.mesh.mesh;
     mesh.normals.resize(options.withNormals ? mesh.normals.size() : 0);
-    polish(mesh, shaped->suspects(), options.withNormals, progress);
+    polish(mesh, shaped->toClean(), options.withNormals, progress);
     if (progress.cancelled())
         return fail(ErrorCode::Cancelled, RAMURE_NOOP("Cancelled"));
     progress.report(1.0);
@@ -236,15 +255,10 @@ Expected<CheckedBranchMesh> buildCheckedBranchMesh(const Skeleton& skeleton, con
     auto shaped = shape(skeleton, options, progress.part(0.0, 0.8), scratch);
     RAMURE_TRY(shaped);
     TriangleMesh& mesh = shaped->built.mesh.mesh;
-    const auto check = [&] {
-        return validateMesh(mesh, progress.part(0.8, 1.0), [&] { computeNormals(mesh); });
-    };
-    const bool haveAreas = !hasFlat(mesh.positions, mesh.triangles, shaped->suspects());
-    auto report = haveAreas ? check() : MeshReport();
-    if (report && (!haveAreas || report->duplicateVertices > 0)) {
-        separateVertices(mesh.positions, mesh.triangles, progress, shaped->suspects());
-        report = check();
-    }
+    const CleanupInput input = shaped->toClean();
+    if (!areSeparate(mesh.positions, input))
+        moveApart(mesh, input, progress);
+    auto report = validateMesh(mesh, progress.part(0.8, 1.0), [&] { computeNormals(mesh); });
     RAMURE_TRY(report);
     return CheckedBranchMesh{std::move(shaped->built.mesh), std::move(*report)};
 }

@@ -39,9 +39,9 @@ enum class SkeletonRepair : std::uint8_t {
     RootsJoined,    ///< a root starts where another one does: they stand on one plate
     SiblingsMerged, ///< two siblings coincide: one tube serves both
     SiblingChained, ///< a branch leaves its sibling only at that one's end, or beyond: it starts there
-    /// The radius was too small for the scene. On a root: the tree turned itself inside out, being much
-    /// thicker than long or its curves overshooting their branches; the curves were tamed and, if need be,
-    /// all radii made smaller.
+    /// The radius was too small for the scene, or below the least radius. On a root: the tree turned itself
+    /// inside out, being much thicker than long or its curves overshooting their branches; the curves were
+    /// tamed and, if need be, all radii made smaller.
     RadiusClamped,
 };
 struct RepairNote
@@ -101,6 +101,9 @@ struct BranchMesh
     std::vector<ForkVertex> forkVertices; ///< by ascending vertex
     std::vector<RepairNote> repairs;
     Index roots = 0; ///< number of components the mesh has by construction
+    /// m, how far its vertices keep from each other: 0.12 mm where the least radius is 0.25 mm, the tree not
+    /// tiny, and no branch has more than 12 sides.
+    double leastGap = 0.0;
     BudgetFit budget = BudgetFit::NotAsked;
 };
 
@@ -118,7 +121,7 @@ struct CheckedBranchMesh
     MeshReport report;
 };
 /// The same mesh, with normals whatever the options say, and what validateMesh() says of it, sooner than one
-/// after the other: vertices at one place are looked for once, and normals are computed beside the check.
+/// after the other: normals are computed beside the check.
 Expected<CheckedBranchMesh> buildCheckedBranchMesh(const Skeleton& skeleton, const BranchMeshOptions& options,
                                                    const Progress& progress = {},
                                                    MeshScratch* scratch = nullptr);

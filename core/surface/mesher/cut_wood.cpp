@@ -55,7 +55,7 @@ FlatEnd endOf(const TriangleMesh& mesh, Index first, Index last, bool atStart)
     return end;
 }
 
-void addWood(const FlatEnd& end, std::uint64_t key, Index level, TriangleMesh& out)
+void addWood(const FlatEnd& end, std::uint64_t key, Index level, float leastGap, TriangleMesh& out)
 {
     const auto sides = static_cast<Index>(end.border.size());
     if (sides < 3)
@@ -78,7 +78,7 @@ void addWood(const FlatEnd& end, std::uint64_t key, Index level, TriangleMesh& o
         std::clamp(static_cast<int>(std::lround(double(radius) / yearWidth)), fewestYears, mostYears);
     const Index first = out.vertexCount();
     const auto add = [&](const glm::vec3& at) {
-        out.positions.push_back(at + lift * radius * normal);
+        out.positions.push_back(at + std::max(lift * radius, leastGap) * normal);
         out.normals.push_back(normal);
         out.branch.push_back(end.branch);
         out.level.push_back(level);
@@ -110,6 +110,10 @@ TriangleMesh cutWood(const BranchMesh& mesh, const Skeleton& skeleton)
     TriangleMesh out;
     if (skeleton.sawn.empty() && skeleton.loose.empty())
         return out;
+    const auto add = [&](const TubeRange& tube, Index last, bool atStart) {
+        addWood(endOf(mesh.mesh, tube.firstTriangle, last, atStart), skeleton.key[tube.branch],
+                skeleton.level[tube.branch], static_cast<float>(mesh.leastGap), out);
+    };
     for (std::size_t t = 0; t < mesh.tubes.size(); ++t) {
         const TubeRange& tube = mesh.tubes[t];
         const Index last =
@@ -117,11 +121,9 @@ TriangleMesh cutWood(const BranchMesh& mesh, const Skeleton& skeleton)
         const bool isSawn = std::ranges::binary_search(skeleton.sawn, tube.branch);
         const bool isLoose = std::ranges::binary_search(skeleton.loose, tube.branch, {}, &LooseLimb::first);
         if (isLoose && tube.parent == noIndex)
-            addWood(endOf(mesh.mesh, tube.firstTriangle, last, true), skeleton.key[tube.branch],
-                    skeleton.level[tube.branch], out);
+            add(tube, last, true);
         if (isSawn)
-            addWood(endOf(mesh.mesh, tube.firstTriangle, last, false), skeleton.key[tube.branch],
-                    skeleton.level[tube.branch], out);
+            add(tube, last, false);
     }
     return out;
 }

@@ -54,7 +54,7 @@ void ForkBuilder::insertPartialRings(Index child, std::size_t full)
     std::size_t last = 0;
     for (std::size_t k = 1; k < full; ++k) {
         const AxisSection& section = tube.sections[k];
-        if (!keepsSection(tube.sections, last, k) ||
+        if (!keeps(tube, last, k) ||
             tube.sections[full].along - section.along < roomAboveFront * section.radius)
             continue;
         last = k;
@@ -84,7 +84,7 @@ std::size_t ForkBuilder::firstFullSection(const ForkChild& tube) const
     const std::size_t end = tube.sections.size() - 1;
     std::size_t full = 1;
     while (full < end && (tube.sections[full].along < highest + roomAboveFront * tube.sections[full].radius ||
-                          !keepsSection(tube.sections, 0, full)))
+                          !keeps(tube, 0, full)))
         ++full;
     return full;
 }
@@ -94,7 +94,7 @@ std::size_t ForkBuilder::lastSectionBelow(const ForkChild& tube, std::size_t ful
 {
     std::size_t last = 0;
     for (std::size_t k = 1; k < full; ++k)
-        if (keepsSection(tube.sections, last, k))
+        if (keeps(tube, last, k))
             last = k;
     return last;
 }
@@ -117,7 +117,7 @@ void ForkBuilder::swellRingsAbove(Index child, std::size_t full, Index ring)
     std::size_t below = full;
     for (std::size_t k = full; k + 1 < tube.sections.size(); ++k) {
         const AxisSection& section = tube.sections[k];
-        if (k != full && !keepsSection(tube.sections, below, k))
+        if (k != full && !keeps(tube, below, k))
             continue;
         if (!m_softener.comesNear(child, section))
             return;

@@ -47,6 +47,10 @@ private:
     void takeBack(const Before& before, std::vector<TubeEnd>& ends);
     [[nodiscard]] TubeScale scaleOf(const ForkChild& tube) const;
     void startTube(Index child, const Way& way, std::vector<TubeEnd>& ends);
+    [[nodiscard]] bool keeps(const ForkChild& tube, std::size_t last, std::size_t k) const
+    {
+        return keepsSection(tube.sections, last, k, m_context.skeleton.leastGap);
+    }
     std::size_t firstFullSection(const ForkChild& tube) const;
     std::size_t lastSectionBelow(const ForkChild& tube, std::size_t full) const;
     void trimEndRing(Index child, const AxisSection& section, Index ring, std::size_t count);

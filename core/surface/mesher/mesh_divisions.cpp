@@ -68,8 +68,9 @@ MeshDivisions::MeshDivisions(int sections, int sides)
     m_rings.push_back(regularRing(sides));
 }
 
-MeshDivisions::MeshDivisions(std::span<const BranchShape> shapes, double fineness)
+MeshDivisions::MeshDivisions(std::span<const BranchShape> shapes, double fineness, double leastGap)
     : m_fineness(fineness)
+    , m_leastGap(leastGap)
     , m_shapes(shapes)
 {
     for (int sides = leastSides; sides <= mostSides; ++sides)
@@ -78,7 +79,9 @@ MeshDivisions::MeshDivisions(std::span<const BranchShape> shapes, double finenes
 
 std::span<const RingPoint> MeshDivisions::ringByShape(Index branch, double radius) const
 {
-    const double asked = sidesAskedFor(radius, m_fineness) + m_shapes[branch].sidesThreshold;
+    double asked = sidesAskedFor(radius, m_fineness) + m_shapes[branch].sidesThreshold;
+    if (m_leastGap > 0.0)
+        asked = std::min(asked, sidesOfRadius * radius / m_leastGap);
     return m_rings[static_cast<std::size_t>(limited(asked, leastSides, mostSides) - leastSides)];
 }
 

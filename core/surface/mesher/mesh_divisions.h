@@ -11,6 +11,9 @@ namespace ramure {
 
 inline constexpr int leastSections = 2, mostSections = 64; ///< of a branch, both ends included
 inline constexpr int leastSides = 3, mostSides = 128;      ///< points of a cross-section
+/// The side of a cross-section of its points' number n is at least this times its radius by n, but for
+/// triangles to pentagons, whose sides are longer than the radius. A circle would have 2 pi.
+inline constexpr double sidesOfRadius = 6.0;
 
 /// What a branch asks for, by its shape: at a fineness of 1 a tube departs from its smooth surface by at most
 /// a metre, at 10 by a hundredth of that. Numbers in between two whole ones are rounded up for some branches
@@ -32,7 +35,8 @@ public:
     /// Every branch the same.
     MeshDivisions(int sections, int sides);
     /// \param shapes one per branch of the mesher's skeleton, which must outlive this object.
-    MeshDivisions(std::span<const BranchShape> shapes, double fineness);
+    /// \param leastGap m, a branch has no more sides than are so long; 0: any number
+    MeshDivisions(std::span<const BranchShape> shapes, double fineness, double leastGap);
 
     /// The regular ring around a branch where it is this thick.
     [[nodiscard]] std::span<const RingPoint> ring(Index branch, double radius) const
@@ -46,7 +50,7 @@ private:
     [[nodiscard]] std::span<const RingPoint> ringByShape(Index branch, double radius) const;
 
     int m_sections = leastSections;
-    double m_fineness = 0.0;
+    double m_fineness = 0.0, m_leastGap = 0.0;
     std::span<const BranchShape> m_shapes;       ///< empty: all the same
     std::vector<std::vector<RingPoint>> m_rings; ///< of leastSides points, one more, ... or the only one
 };

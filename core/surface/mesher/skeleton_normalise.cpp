@@ -1,6 +1,7 @@
 #include "core/surface/mesher/skeleton_normalise.h"
 
 #include "core/math/finite.h"
+#include "core/surface/mesher/mesh_divisions.h"
 #include "core/surface/mesher/stem_limbs.h"
 #include <algorithm>
 #include <cmath>
@@ -14,6 +15,8 @@ namespace {
 constexpr double tinyLengthOfScene = 1e-6;
 constexpr double tinyLengthOfRadius = 1e-3;
 constexpr double tinyRadiusOfScene = 1e-4;
+constexpr double mostLeastRadiusOfScene = 5e-4;
+constexpr double mostGapOfRadius = 0.48;
 constexpr double twinAngle = 1e-3;
 /// Coordinates beyond these are refused: their squares and areas must stay inside the range of floats.
 constexpr double largestCoordinate = 1e12;
@@ -122,9 +125,14 @@ void Normaliser::measure()
     m_out.scene = box + radius;
     // Far from the origin floats are coarse: nothing may be finer than a few of their steps.
     const double floatStep = farthest * 0x1.0p-23;
-    m_tinyLength = std::max(tinyLengthOfScene * m_out.scene, 16.0 * floatStep);
-    m_tinyRadius =
-        std::max(tinyRadiusOfScene * m_out.scene, 4.0 * floatStep * double(m_options.radialDivisions));
+    const double leastRadius = std::min(m_options.leastRadius, mostLeastRadiusOfScene * m_out.scene);
+    // A budget gives a branch no more sides than are so long.
+    const auto sides =
+        static_cast<double>(m_options.targetTriangles > 0 ? leastSides : m_options.radialDivisions);
+    m_out.leastGap = leastRadius * std::min(mostGapOfRadius, sidesOfRadius / sides);
+    m_tinyLength = std::max({tinyLengthOfScene * m_out.scene, 16.0 * floatStep, m_out.leastGap});
+    m_tinyRadius = std::max(
+        {tinyRadiusOfScene * m_out.scene, 4.0 * floatStep * double(m_options.radialDivisions), leastRadius});
     if (farthest > 4.0 * m_out.scene)
         m_out.origin = 0.5 * (low + high);
 }

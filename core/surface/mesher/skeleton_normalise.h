@@ -31,7 +31,8 @@ struct NormalSkeleton
     std::vector<RepairNote> repairs;
     glm::dvec3 origin{
         0.0}; ///< what was subtracted from all positions; zero unless the tree is far from the origin
-    double scene = 0.0; ///< diagonal of the box of all ends, with the largest radius
+    double scene = 0.0;    ///< diagonal of the box of all ends, with the largest radius
+    double leastGap = 0.0; ///< m, between two vertices of the mesh
     Index roots = 0;
 
     [[nodiscard]] std::span<const Index> childrenOf(Index branch) const
@@ -41,8 +42,8 @@ struct NormalSkeleton
 };
 
 /// In this order, parents first and per branch until nothing changes:
-/// - a branch shorter than 1e-6 of the scene or 1e-3 of its own radius is contracted, its children move to
-///   its parent;
+/// - a branch shorter than 1e-6 of the scene, 1e-3 of its own radius or the least gap is contracted, its
+///   children move to its parent;
 /// - limbs thin beside a sibling, the stem (stem_limbs.h): one that ends inside the stem is contracted, one
 /// that
 ///   comes out near the stem's end starts there, and a stem that ends before it is clear of a limb is
@@ -56,9 +57,10 @@ struct NormalSkeleton
 /// first
 ///   one's start, turned away from all of them;
 /// - limbs start where limbStart() says.
-/// Radii are at least 1e-4 of the scene.
-/// Errors: Invalid (empty, non-finite or negative numbers, nothing with a length or a radius, beyond what
-/// floats hold), Cancelled.
+/// Radii are at least 1e-4 of the scene and options.leastRadius, which is taken as 5e-4 of the scene where it
+/// is more: the promise of a least gap holds for trees from half a metre on, and smaller ones keep their
+/// shape. Errors: Invalid (empty, non-finite or negative numbers, nothing with a length or a radius, beyond
+/// what floats hold), Cancelled.
 Expected<NormalSkeleton> normaliseSkeleton(const Skeleton& skeleton, const BranchMeshOptions& options,
                                            const Progress& progress);
 

@@ -46,13 +46,13 @@ Index addRing(const AxisSection& section, std::span<const RingPoint> points, Ind
     return first;
 }
 
-bool keepsSection(const std::vector<AxisSection>& sections, std::size_t last, std::size_t k)
+bool keepsSection(const std::vector<AxisSection>& sections, std::size_t last, std::size_t k, double leastGap)
 {
     if (k + 1 >= sections.size())
         return true;
     const AxisSection &section = sections[k], &end = sections.back();
-    return end.along - section.along >= roomBeforeEnd * section.radius &&
-           section.along - sections[last].along >= roomBetween * section.radius &&
+    return end.along - section.along >= std::max(roomBeforeEnd * section.radius, leastGap) &&
+           section.along - sections[last].along >= std::max(roomBetween * section.radius, leastGap) &&
            !ringsCross(sections[last], section) && !ringsCross(section, end);
 }
 
@@ -198,7 +198,7 @@ void TubeBuilder::finish(Index branch, const std::vector<AxisSection>& sections,
     std::size_t below = from;
     TubeStart at = start;
     for (std::size_t k = from + 1; k <= last; ++k) {
-        if (!keepsSection(sections, below, k))
+        if (!keepsSection(sections, below, k, m_context.skeleton.leastGap))
             continue;
         below = k;
         const std::span<const RingPoint> regular = m_context.divisions.ring(branch, sections[k].radius);

@@ -32,8 +32,8 @@ Index addRing(const AxisSection& section, std::span<const RingPoint> points, Ind
 /// Where a ring's point lies.
 glm::dvec3 ringPosition(const AxisSection& section, const RingPoint& point);
 /// May section k follow section \p last of the same tube, and does it leave room for the end? The end always
-/// may.
-bool keepsSection(const std::vector<AxisSection>& sections, std::size_t last, std::size_t k);
+/// may. \param leastGap m, between two sections
+bool keepsSection(const std::vector<AxisSection>& sections, std::size_t last, std::size_t k, double leastGap);
 /// How far the second section's frame is turned, about its tangent, against the first one's carried straight
 /// to it. Nothing for neighbours; where sections in between were left out, the way around them may have
 /// turned the frame.

@@ -107,6 +107,7 @@ void TestParamTable::keysAreThePublicInterface()
                                             "sections.lengthDivisions",
                                             "sections.radialDivisions",
                                             "mesh.targetTriangles",
+                                            "mesh.leastRadius",
                                             "mesh.forkSoftness",
                                             "mesh.forkReach",
                                             "mesh.clampOvershoot",

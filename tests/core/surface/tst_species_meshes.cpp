@@ -2,9 +2,14 @@
 #include "core/params/presets.h"
 #include "core/pipeline/tree_pipeline.h"
 #include "core/surface/check/self_intersections.h"
+#include "core/surface/mesh/near_positions.h"
+#include "core/surface/proof/validate.h"
 #include "tests/support/fork_judge.h"
 #include "tests/support/suite.h"
 #include <algorithm>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numeric>
 
 namespace tst_species_meshes {
 
@@ -16,6 +21,41 @@ constexpr int usualSeeds = test::runs(2), everyNth = test::isSanitized ? 8 : 1;
 /// Of a mesh's triangles, pairs that run through each other around its forks. Stalks of palms, close
 /// together, still do so; no tree of any seed may be worse than the worst is now.
 constexpr double mostCrossings = 0.013;
+constexpr double mergeDistance = 1e-4; ///< m: Blender's
+constexpr double leastEdge = 0.12e-3;  ///< m
+
+/// As programs do that merge vertices by distance: what is near becomes one, triangles without an area go.
+TriangleMesh merged(const TriangleMesh& mesh, double distance)
+{
+    std::vector<Index> into(mesh.positions.size());
+    std::iota(into.begin(), into.end(), Index(0));
+    for (const NearPair& pair : findNearPositions(mesh.positions, distance)) // by ascending vertex
+        into[pair.vertex] = std::min(into[pair.vertex], into[pair.earlier]);
+    TriangleMesh out;
+    std::vector<Index> place(mesh.positions.size(), noIndex);
+    const auto kept = [&](Index vertex) {
+        Index& at = place[into[vertex]];
+        if (at == noIndex) {
+            at = out.vertexCount();
+            out.positions.push_back(mesh.positions[into[vertex]]);
+        }
+        return at;
+    };
+    for (const glm::uvec3& t : mesh.triangles)
+        if (into[t.x] != into[t.y] && into[t.y] != into[t.z] && into[t.z] != into[t.x])
+            out.triangles.emplace_back(kept(t.x), kept(t.y), kept(t.z));
+    return out;
+}
+
+double shortestEdge(const TriangleMesh& mesh)
+{
+    double shortest = std::numeric_limits<double>::max();
+    for (const glm::uvec3& t : mesh.triangles)
+        for (const auto& [a, b] : {std::pair(t.x, t.y), std::pair(t.y, t.z), std::pair(t.z, t.x)})
+            shortest = std::min(shortest,
+                                glm::length(glm::dvec3(mesh.positions[a]) - glm::dvec3(mesh.positions[b])));
+    return shortest;
+}
 
 } // namespace
 
@@ -46,6 +86,7 @@ private slots:
             const Skeleton& skeleton = tree->simplified->skeleton;
             QCOMPARE(std::ranges::count(skeleton.parent, noIndex), 1);
             QCOMPARE(test::branchMeshFaults(skeleton, *tree->branches), std::string());
+            QVERIFY(shortestEdge(tree->branches->mesh) >= leastEdge);
             if (seed > 1 && seeds == usualSeeds)
                 continue;
             const TriangleMesh& mesh = tree->branches->mesh;
@@ -57,6 +98,31 @@ private slots:
                 qInfo("%s, seed %d: %.4f", preset.name, seed, share);
             QVERIFY2(share <= mostCrossings, qPrintable(QString::number(share)));
         }
+    }
+    /// All presets but those of the coursework, whose sections are what it says, each with a seed of its own.
+    void mergingLeavesThemClosed_data()
+    {
+        QTest::addColumn<int>("number");
+        const auto all = presets();
+        for (int i = 0; i < int(all.size()); i += everyNth)
+            if (all[std::size_t(i)].params.mesh.leastRadius > 0.0)
+                QTest::newRow(all[std::size_t(i)].name) << i;
+    }
+    void mergingLeavesThemClosed()
+    {
+        QFETCH(int, number);
+        const Preset& preset = presets()[std::size_t(number)];
+        const auto tree = TreePipeline().evaluate(reseeded(preset.params, 3 + number % 7), Stage::Mesh);
+        QVERIFY2(tree, test::why(tree));
+        const TriangleMesh& mesh = tree->branches->mesh;
+        QVERIFY(shortestEdge(mesh) >= leastEdge);
+        const TriangleMesh left = merged(mesh, mergeDistance);
+        const auto report = validateMesh(left);
+        QVERIFY2(report, test::why(report));
+        QVERIFY(report->valid);
+        QCOMPARE(report->components, tree->branches->roots);
+        QCOMPARE(report->eulerCharacteristic, 2 * std::int64_t(report->components));
+        QCOMPARE(left.triangles.size(), mesh.triangles.size()); // nothing was near
     }
 };
 

@@ -109,12 +109,13 @@ KindText KindTexts::repair(SkeletonRepair kind)
                 {},
                 {}};
     case SkeletonRepair::RadiusClamped:
-        return {tr("Radii too small"),
-                tr("The radius was so small against the size of the tree that the tube's points would fall "
-                   "together. "
-                   "It was raised to the smallest that works; no printer makes it that thin."),
-                {},
-                {}};
+        return {
+            tr("Radii too small"),
+            tr("The radius was below the least one (Cross-sections, Least radius), or so small against the "
+               "size of the tree that the tube's points would fall together. It was raised to the smallest "
+               "that works; no printer makes it that thin."),
+            {},
+            {}};
     }
     return {};
 }

@@ -157,9 +157,16 @@ QString ReportTexts::quality(const MeshQuality& quality)
 {
     NumberFormat aspect;
     aspect.decimals = 1;
-    return tr("Smallest angle %1, largest aspect ratio %2")
-        .arg(facttext::angle(quality.smallestAngleRad, AngleUnit::Degrees),
-             aspect.text(quality.largestAspect));
+    const QString shape = tr("Smallest angle %1, largest aspect ratio %2")
+                              .arg(facttext::angle(quality.smallestAngleRad, AngleUnit::Degrees),
+                                   aspect.text(quality.largestAspect));
+    NumberFormat millimetres;
+    millimetres.decimals = 1;
+    millimetres.suffix = QStringLiteral("\u00a0mm");
+    const QString near =
+        tr("%Ln pair(s) of vertices within %1 of each other", nullptr, static_cast<int>(quality.nearPairs))
+            .arg(millimetres.text(1000.0 * MeshQuality::nearDistance));
+    return shape + QLatin1Char('\n') + near;
 }
 
 QStringList ReportTexts::findingLines(const MeshAnalysis& analysis)

@@ -74,6 +74,7 @@ QJsonObject toJson(const MeshReport& report, const MeshAnalysis& analysis, bool 
 {
     QJsonObject object = toJson(report);
     object.insert(QStringLiteral("hash"), QString::fromStdString(analysis.hash.text()));
+    object.insert(QStringLiteral("nearVertices"), qint64(analysis.quality.nearPairs));
     object.insert(QStringLiteral("quality"), toJson(analysis.quality));
     if (withCrossings)
         object.insert(QStringLiteral("selfIntersections"), toJson(analysis.crossings, analysis.collisions));

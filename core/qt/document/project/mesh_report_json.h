@@ -21,7 +21,8 @@ QJsonObject toJson(const MeshQuality& quality);
 /// total; where branches are known also same, siblings, parentChild, far and collisions: a list of branches
 /// (two indices), depth, place, triangles.
 QJsonObject toJson(const SelfIntersections& crossings, const std::vector<Collision>& collisions);
-/// The topology with hash and quality, and selfIntersections where asked for.
+/// The topology with hash, quality and nearVertices (MeshQuality::nearPairs), and selfIntersections where
+/// asked for.
 QJsonObject toJson(const MeshReport& report, const MeshAnalysis& analysis, bool withCrossings);
 
 } // namespace ramure

@@ -40,27 +40,41 @@ static void renameTerrain(QJsonObject& node)
     }
 }
 
-/// What has not the shape of a project is left to the reader, which says so.
-static Expected<void> toVersion2(QJsonObject& root)
+/// Lets \p change the nodes of a file. What has not the shape of a project is left to the reader, which says
+/// so.
+static void changeNodes(QJsonObject& root, void (*change)(QJsonObject& node))
 {
-    const QLatin1String nodesKey("nodes"), paramsKey("params");
+    const QLatin1String nodesKey("nodes");
     QJsonArray nodes = root.value(nodesKey).toArray();
     for (auto&& entry : nodes) {
         QJsonObject node = entry.toObject();
-        if (node.value(QLatin1String("kind")) == QLatin1String("relief")) {
-            renameTerrain(node);
-            entry = node;
-        }
-        const bool hasOther = node.contains(paramsKey) && !node.value(paramsKey).isObject();
-        if (node.value(QLatin1String("kind")) != QLatin1String("tree") || hasOther)
+        if (!entry.isObject())
             continue;
-        QJsonObject params = node.value(paramsKey).toObject();
-        keepTree(params);
-        node.insert(paramsKey, params);
+        change(node);
         entry = node;
     }
     if (!nodes.isEmpty())
         root.insert(nodesKey, nodes);
+}
+
+static void changeTree(QJsonObject& node, void (*change)(QJsonObject& params))
+{
+    const QLatin1String paramsKey("params");
+    const bool hasOther = node.contains(paramsKey) && !node.value(paramsKey).isObject();
+    if (node.value(QLatin1String("kind")) != QLatin1String("tree") || hasOther)
+        return;
+    QJsonObject params = node.value(paramsKey).toObject();
+    change(params);
+    node.insert(paramsKey, params);
+}
+
+static Expected<void> toVersion2(QJsonObject& root)
+{
+    changeNodes(root, [](QJsonObject& node) {
+        if (node.value(QLatin1String("kind")) == QLatin1String("relief"))
+            renameTerrain(node);
+        changeTree(node, keepTree);
+    });
     return {};
 }
 
@@ -70,7 +84,20 @@ static Expected<void> toVersion3(QJsonObject& /*root*/)
     return {};
 }
 
-static constexpr std::array<ProjectMigration, 2> allSteps{toVersion2, toVersion3};
+/// Twigs were as thin as they had grown: the same file gives the same mesh.
+static Expected<void> toVersion4(QJsonObject& root)
+{
+    changeNodes(root, [](QJsonObject& node) {
+        changeTree(node, [](QJsonObject& params) {
+            const QLatin1String key("mesh.leastRadius");
+            if (!params.contains(key))
+                params.insert(key, 0.0);
+        });
+    });
+    return {};
+}
+
+static constexpr std::array<ProjectMigration, 3> allSteps{toVersion2, toVersion3, toVersion4};
 static_assert(projectVersion == allSteps.size() + 1, "a new version needs its step");
 
 std::span<const ProjectMigration> projectMigrations()

@@ -22,6 +22,7 @@ private slots:
     void cancelStops();
     void emptyMeshHasNoWorst();
     void knownTriangles();
+    void nearVerticesAreCounted();
     void brokenTrianglesStandAside();
     void histogramsCountEveryFace();
     void theSameOnAnyNumberOfThreads();
@@ -88,6 +89,16 @@ void TestMeshQuality::knownTriangles()
     QVERIFY(std::abs(sliver.smallestAngleRad / 2e-12 - 1.0) < 1e-6);
     QCOMPARE(sliver.angles.front(), Index(1));
     QCOMPARE(sliver.aspects.back(), Index(1));
+}
+
+void TestMeshQuality::nearVerticesAreCounted()
+{
+    TriangleMesh mesh = one({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+    QCOMPARE(need(mesh).nearPairs, Index(0));
+    mesh.positions.insert(mesh.positions.end(), {{1, 9e-5f, 0}, {1, 1.1e-4f, 0}, {0, 1, 0}});
+    QCOMPARE(need(mesh).nearPairs, Index(3));
+    mesh.positions.assign(3000, {0, 0, 0}); // smaller than the distance: four million pairs
+    QCOMPARE(need(mesh).nearPairs, Index(MeshQuality::mostNearPairs));
 }
 
 void TestMeshQuality::brokenTrianglesStandAside()

@@ -1,4 +1,9 @@
+#include "core/generators/grammar/grammar.h"
+#include "core/generators/grammar/rewrite.h"
+#include "core/generators/grammar/turtle.h"
+#include "core/skeleton/simplify.h"
 #include "core/surface/mesh/mesh_cleanup.h"
+#include "core/surface/mesh/near_positions.h"
 #include "core/surface/mesher/branch_mesh.h"
 #include "tests/support/fork_judge.h"
 #include "tests/support/mesh_checker.h"
@@ -42,6 +47,8 @@ private slots:
     void scales();
     void progressRisesAndCancelStops();
     void cleanupPartsTwinsAndOpensFlatTriangles();
+    void placesDrawnTwiceHaveVerticesApart();
+    void nothingIsFinerThanTheLeastRadius();
 };
 
 namespace {
@@ -92,8 +99,10 @@ void TestBranchMesh::badOptionsAreErrors()
         QVERIFY(refused([&](BranchMeshOptions& o) { o.nearTwinRatio = bad; }));
     for (const double bad : {double(NAN), double(INFINITY), -0.1, 4.1})
         QVERIFY(refused([&](BranchMeshOptions& o) { o.forkReach = bad; }));
-    for (const double bad : {double(NAN), double(INFINITY), -0.1, 1.1})
+    for (const double bad : {double(NAN), double(INFINITY), -0.1, 1.1}) {
         QVERIFY(refused([&](BranchMeshOptions& o) { o.forkSoftness = bad; }));
+        QVERIFY(refused([&](BranchMeshOptions& o) { o.leastRadius = bad; }));
+    }
     const std::vector<double> two{0.0, 0.0}, notANumber{double(NAN)};
     QVERIFY(refused([&](BranchMeshOptions& o) { o.rollRad = two; }));
     QVERIFY(refused([&](BranchMeshOptions& o) { o.rollRad = notANumber; }));
@@ -350,8 +359,12 @@ void TestBranchMesh::scales()
         s->a0[i] *= scale;
         s->a1[i] *= scale;
     }
-    const std::string faults = branchMeshFaults(*s, BranchMeshOptions{});
-    QVERIFY2(faults.empty(), faults.c_str());
+    BranchMeshOptions options;
+    for (const double leastRadius : {options.leastRadius, 0.0}) {
+        options.leastRadius = leastRadius;
+        const std::string faults = branchMeshFaults(*s, options);
+        QVERIFY2(faults.empty(), faults.c_str());
+    }
 }
 
 void TestBranchMesh::progressRisesAndCancelStops()
@@ -380,16 +393,81 @@ void TestBranchMesh::progressRisesAndCancelStops()
 
 void TestBranchMesh::cleanupPartsTwinsAndOpensFlatTriangles()
 {
-    std::vector<glm::vec3> positions{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {-0.0f, 0, 0}, {0.5f, 0, 0}};
     const std::vector<glm::uvec3> triangles{{0, 1, 2}, {0, 1, 5}, {3, 4, 5}, {0, 4, 2}};
-    QVERIFY(separateVertices(positions, triangles, {}) > 0);
-    for (std::size_t i = 0; i < positions.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j)
-            QVERIFY(positions[i] != positions[j]);
-    for (const glm::uvec3& t : triangles)
-        QVERIFY(glm::length(glm::cross(positions[t.y] - positions[t.x], positions[t.z] - positions[t.x])) >
-                1e-7f);
-    QCOMPARE(separateVertices(positions, triangles, {}), Index(0)); // nothing more to do
+    for (const double leastGap : {0.0, 0.01}) {
+        std::vector<glm::vec3> positions{{0, 0, 0},     {1, 0, 0},     {0, 1, 0},
+                                         {1, 0, 1e-7f}, {-0.0f, 0, 0}, {0.5f, 0, 0}};
+        const CleanupInput input{triangles, nullptr, leastGap};
+        QVERIFY(!areSeparate(positions, input));
+        QVERIFY(separateVertices(positions, input, {}) > 0);
+        QVERIFY(findNearPositions(positions, std::max(leastGap, 4e-7)).empty());
+        for (const glm::uvec3& t : triangles)
+            QVERIFY(glm::length(glm::cross(positions[t.y] - positions[t.x],
+                                           positions[t.z] - positions[t.x])) > 1e-7f);
+        QVERIFY(areSeparate(positions, input));
+        QCOMPARE(separateVertices(positions, input, {}), Index(0)); // nothing more to do
+    }
+}
+
+/// Branches of a grammar that end in one place, but for the last bit of their coordinates.
+void TestBranchMesh::placesDrawnTwiceHaveVerticesApart()
+{
+    const auto grammar = parseGrammar("AXF", "X -> \\\\\\[[AFF\\XB]/B[BB__--^]BB][CBA__]XAC\n"
+                                             "B -> F[__BF][CB]\\\\F[FXC[FB\\\\BC]]\n");
+    QVERIFY2(grammar, why(grammar));
+    const auto symbols = rewrite(*grammar, RewriteOptions{.iterations = 4});
+    QVERIFY2(symbols, why(symbols));
+    const auto drawn = runTurtle(*symbols, TurtleParams{.theta = 1.3784, .decay = 0.469});
+    QVERIFY2(drawn, why(drawn));
+    const Skeleton skeleton = simplify(*drawn, 1e-4).skeleton;
+    BranchMeshOptions options;
+    options.radialDivisions = 3;
+    options.lengthDivisions = 2;
+    for (const double leastRadius : {0.0, options.leastRadius}) {
+        options.leastRadius = leastRadius;
+        const auto built = buildBranchMesh(skeleton, options);
+        QVERIFY2(built, why(built));
+        QCOMPARE(branchMeshFaults(skeleton, *built), std::string());
+        const double size = 12.0; // m
+        QVERIFY(findNearPositions(built->mesh.positions, std::max(4e-7 * size, built->leastGap)).empty());
+    }
+}
+
+/// Twigs that end at nothing, pieces shorter than anything, and a least radius beyond what a tree can have.
+void TestBranchMesh::nothingIsFinerThanTheLeastRadius()
+{
+    Skeleton s = stem();
+    s.a1[0] = 0.0;
+    for (int k = 0; k < 40; ++k) {
+        const auto last = static_cast<Index>(s.size() - 1);
+        const glm::dvec3 way = 1e-5 * double(k) * glm::dvec3(std::sin(0.7 * k), 1.0, std::cos(0.7 * k));
+        s.add(last, s.p1[last], s.p1[last] + way, 1e-4, 0.0, 1);
+    }
+    struct Divisions
+    {
+        int sides, sections, budget;
+        double gap; ///< of the least radius
+    };
+    for (const auto& [sides, sections, budget, gap] : {Divisions{8, 4, 0, 0.48},
+                                                       {3, 2, 0, 0.48},
+                                                       {12, 64, 0, 0.48},
+                                                       {60, 4, 0, 0.1},
+                                                       {60, 64, 5000, 0.48}})
+        for (const double leastRadius : {1e-4, 5e-4, 1e-2, 1.0}) {
+            BranchMeshOptions options;
+            options.radialDivisions = sides;
+            options.lengthDivisions = sections;
+            options.targetTriangles = budget;
+            options.leastRadius = leastRadius;
+            const auto built = buildBranchMesh(s, options);
+            QVERIFY2(built, why(built));
+            QCOMPARE(branchMeshFaults(s, *built), std::string());
+            const double least = std::min(leastRadius, 5e-4); // the tree is a metre high
+            QVERIFY(built->leastGap >= gap * least * (1.0 - 1e-12));
+            QVERIFY(findNearPositions(built->mesh.positions, built->leastGap).empty());
+            for (const TubeAxis& axis : built->axes)
+                QVERIFY(std::min(axis.a0, axis.a1) >= least);
+        }
 }
 
 RAMURE_SUITE(TestBranchMesh)

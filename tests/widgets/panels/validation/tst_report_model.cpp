@@ -3,6 +3,7 @@
 #include "widgets/base/texts/branch_names.h"
 #include "widgets/panels/validation/kind_texts.h"
 #include "widgets/panels/validation/report_model.h"
+#include "widgets/panels/validation/report_text.h"
 #include <QAbstractItemModelTester>
 #include <QSignalSpy>
 
@@ -72,6 +73,7 @@ class TestReportModel : public QObject
     Q_OBJECT
 private slots:
     void init() { test::failOnAnyWarning(); }
+    void nearVerticesAreALineOfTheirOwn();
 
     void emptySourcesAreEmptyModels();
     void keepsTheRulesAndTheOrder();
@@ -198,6 +200,18 @@ void TestReportModel::tooltipsCallBranchesByName()
     QCOMPARE(model.index(0, 0, top).data(Qt::ToolTipRole).toString(),
              BranchNames().branch(rows, 1) + QStringLiteral("\n\n") + meaning);
     QCOMPARE(model.index(1, 0, top).data(Qt::ToolTipRole).toString(), meaning); // no such branch
+}
+
+void TestReportModel::nearVerticesAreALineOfTheirOwn()
+{
+    MeshQuality quality;
+    for (const auto& [pairs, number] : {std::pair(0U, "0"), std::pair(1U, "1"), std::pair(71U, "71")}) {
+        quality.nearPairs = pairs;
+        const QStringList lines = qualityText(quality).split(QLatin1Char('\n'));
+        QCOMPARE(lines.size(), 2);
+        QVERIFY2(lines[1].startsWith(QLatin1String(number) + QLatin1Char(' ')), qPrintable(lines[1]));
+        QVERIFY2(lines[1].contains(QStringLiteral("0.1\u00a0mm")), qPrintable(lines[1]));
+    }
 }
 
 RAMURE_SUITE(TestReportModel)
