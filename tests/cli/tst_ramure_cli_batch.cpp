@@ -398,6 +398,15 @@ private slots:
             "none/seconds"));
         QVERIFY(isRefused(runCli(batchOf(table(test::smallTrees(1)), path("t.csv"))), "cannot be made"));
     }
+
+    void timingsWithoutRoomAreTold()
+    {
+        QVERIFY(QFile::link(QStringLiteral("/dev/full"), path("full.jsonl")));
+        const QStringList toFull{"--timings", path("full.jsonl")};
+        QVERIFY(isRefused(runCli(batchOf(table(test::smallTrees(2)), path("out"), toFull)), "full.jsonl"));
+        // The row whose seconds could not be written is kept.
+        QVERIFY(!linesOf(path("out/manifest.jsonl")).empty());
+    }
 };
 
 RAMURE_SUITE(TestRamureCliBatch)

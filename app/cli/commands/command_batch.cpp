@@ -119,6 +119,8 @@ public:
             m_timings.reset(std::fopen(systemPath(m_request.timings).c_str(), "w"));
             if (!m_timings)
                 return fail(writeError(systemPath(m_request.timings), errno));
+            // A line is on the disk, or known not to be, as soon as its row is done.
+            std::setvbuf(m_timings.get(), nullptr, _IOLBF, BUFSIZ);
         }
         const int signal = runJobs(
             m_request.plan.rows.size(), m_request.pool, [this](std::size_t job) { return work(job); },
@@ -184,10 +186,11 @@ private:
             clearStaging(m_request.plan, row);
         if (auto added = m_manifest.add(line); !added)
             m_problem = added.error();
-        if (m_timings)
+        if (m_timings &&
             std::fprintf(m_timings.get(), "{\"row\":%lld,\"seconds\":%.6f,\"peakKiB\":%lld}\n",
                          static_cast<long long>(row.number), told.value(QStringLiteral("seconds")).toDouble(),
-                         static_cast<long long>(told.value(QStringLiteral("peakKiB")).toInteger()));
+                         static_cast<long long>(told.value(QStringLiteral("peakKiB")).toInteger())) < 0)
+            m_problem = writeError(systemPath(m_request.timings), errno);
         const QJsonObject problem = line.value(QStringLiteral("error")).toObject();
         m_progress.rowEnded(problem.value(QStringLiteral("text")).toString());
         m_isDiskFull = problem.value(QStringLiteral("kind")) == QLatin1String(row_error::disk);
