@@ -3,6 +3,7 @@
 #include "core/base/file_writer.h"
 #include "core/base/kept_memory.h"
 #include "core/base/utf8.h"
+#include "core/base/version.h"
 #include "core/io/formats/file_format.h"
 #include "core/qt/session/export/exporter.h"
 #include "core/qt/session/jobs/job.h"

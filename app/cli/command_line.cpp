@@ -1,5 +1,6 @@
 #include "app/cli/command_line.h"
 #include "core/base/file_writer.h"
+#include "core/base/version.h"
 #include "core/io/formats/file_format.h"
 #include <QJsonArray>
 #include <QJsonDocument>

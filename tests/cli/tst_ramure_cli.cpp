@@ -1,3 +1,4 @@
+#include "core/base/version.h"
 #include "core/io/formats/file_format.h"
 #include "tests/cli/cli_support.h"
 #include <QElapsedTimer>

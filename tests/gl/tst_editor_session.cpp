@@ -1,5 +1,6 @@
 // The real window under a virtual X server: it opens, paints, follows keys, undoes; and the program itself,
 // from its command line.
+#include "core/base/version.h"
 #include "core/qt/session/jobs/recompute.h"
 #include "tests/support/cannot_run.h"
 #include "tests/widgets/base/fixture.h"

@@ -1,5 +1,6 @@
 #include "widgets/dialogs/about_dialog.h"
 
+#include "core/base/version.h"
 #include "widgets/view/render/gl_setup.h"
 #include <QClipboard>
 #include <QDialogButtonBox>

@@ -1,6 +1,7 @@
 #include "app/cli/commands/reference.h"
 #include "app/cli/commands/commands.h"
 #include "app/cli/editor_options.h"
+#include "core/base/version.h"
 #include "core/params/param_def.h"
 #include "core/params/presets.h"
 #include "core/scene/demo_scenes.h"

@@ -1,3 +1,4 @@
+#include "core/base/version.h"
 #include "tests/core/io/io_support.h"
 #include <QTemporaryDir>
 #include <QtEndian>

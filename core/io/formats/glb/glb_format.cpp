@@ -3,6 +3,7 @@
 /// EXT_mesh_manifold (Emmett Lalish, Khronos Group 2023), however its texture and its colours part it.
 
 #include "core/base/number_text.h"
+#include "core/base/version.h"
 #include "core/io/formats/file_format.h"
 #include "core/io/formats/glb/glb_motion.h"
 #include "core/io/formats/glb/glb_packed.h"

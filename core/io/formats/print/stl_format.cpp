@@ -3,6 +3,7 @@
 /// at one place become one vertex again.
 
 #include "core/base/plain_text.h"
+#include "core/base/version.h"
 #include "core/io/formats/file_format.h"
 #include "core/io/formats/text/blender_scene.h"
 #include "core/io/mesh_mending.h"

@@ -2,6 +2,7 @@
 /// 3MF: meshes as XML in a ZIP archive, with a unit (3MF core specification 1.3). lib3mf would write it too,
 /// but gives every object a number drawn by chance: the same tree would be another file each time.
 
+#include "core/base/version.h"
 #include "core/io/formats/file_format.h"
 #include "core/io/formats/print/three_mf_reader.h"
 #include "core/io/formats/text/blender_scene.h"

@@ -1,3 +1,4 @@
+#include "core/base/version.h"
 #include "core/io/formats/text/material_file.h"
 #include "core/io/material_maps.h"
 #include "core/io/write_parts.h"

@@ -1,3 +1,4 @@
+#include "core/base/version.h"
 #include "core/io/write_parts.h"
 #include <algorithm>
 #include <array>

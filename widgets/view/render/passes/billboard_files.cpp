@@ -1,6 +1,7 @@
 #include "widgets/view/render/passes/billboard_files.h"
 
 #include "core/base/file_writer.h"
+#include "core/base/version.h"
 #include "core/io/export_scene.h"
 #include "core/io/formats/file_format.h"
 #include "core/io/picture_file.h"
