@@ -45,17 +45,14 @@ struct NormalSkeleton
 /// - a branch shorter than 1e-6 of the scene, 1e-3 of its own radius or the least gap is contracted, its
 ///   children move to its parent;
 /// - limbs thin beside a sibling, the stem (stem_limbs.h): one that ends inside the stem is contracted, one
-/// that
-///   comes out near the stem's end starts there, and a stem that ends before it is clear of a limb is
+///   that comes out near the stem's end starts there, and a stem that ends before it is clear of a limb is
 ///   contracted where all limbs find room around the next;
 /// - other siblings within 1e-3 rad of each other, or closer at the shorter one's end than
-/// options.nearTwinRatio
-///   times their added radii, become one branch (about equal lengths) or a chain (the longer goes on from the
-///   shorter one's end);
+///   options.nearTwinRatio times their added radii, become one branch (about equal lengths) or a chain (the
+///   longer goes on from the shorter one's end);
 /// - a root without length becomes a stub of half its radius behind its first child;
 /// - roots that start within a radius of each other become the children of one root plate: a stub at the
-/// first
-///   one's start, turned away from all of them;
+///   first one's start, turned away from all of them;
 /// - limbs start where limbStart() says.
 /// Radii are at least 1e-4 of the scene and options.leastRadius, which is taken as 5e-4 of the scene where it
 /// is more: the promise of a least gap holds for trees from half a metre on, and smaller ones keep their

@@ -67,7 +67,8 @@ private slots:
                 const glm::dvec3 at(random.unit(), random.unit(), random.unit());
                 positions.emplace_back(centre + width * flat * at);
                 if (random.below(4) == 0)
-                    positions.push_back(positions[random.below(positions.size())]);
+                    positions.push_back(
+                        positions[random.below(static_cast<std::uint32_t>(positions.size()))]);
                 if (random.below(4) == 0)
                     positions.push_back(positions.back() + glm::vec3(float(distance), 0, 0));
             }
