@@ -1,6 +1,5 @@
 #include "core/qt/document/project/project_file.h"
 #include "core/qt/document/project/project_json.h"
-#include "core/qt/document/project/project_migrations.h"
 #include "core/scene/kinds/node_kinds.h"
 #include "tests/document/random_scene.h"
 #include "tests/support/cannot_run.h"
@@ -33,18 +32,6 @@ static QByteArray allOf(const QString& path)
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("<cannot be opened>");
 }
 
-static Expected<void> renameName(QJsonObject& root)
-{
-    root.insert("title", root.take("name"));
-    return {};
-}
-static Expected<void> refuseEmptyTitle(QJsonObject& root)
-{
-    if (root.value("title").toString().isEmpty())
-        return fail(ErrorCode::Invalid, "no title");
-    return {};
-}
-
 class TestProjectFile : public QObject
 {
     Q_OBJECT
@@ -69,11 +56,6 @@ private slots:
     void unknownKeysAreKept();
     void unknownKindsAreKept();
     void parentsMayStandBehind();
-    void migrationsRunInOrder();
-    void terrainsOfVersion1KeepTheirShape();
-    void treesOfVersion1LookAsTheyDid();
-    void treesOfVersion1StartUnloaded();
-    void treesOfVersion3KeepTheirTwigs();
 
     void savesAndLoads();
     void savingFailsWithoutHarm_data();
@@ -434,75 +416,6 @@ void TestProjectFile::parentsMayStandBehind()
         readProject(inProject(R"({"id":3,"kind":"tree","parent":1},{"id":1,"kind":"group"})"));
     QVERIFY2(project, test::why(project));
     QCOMPARE(project->scene.nodes().front().id, 1u);
-}
-
-void TestProjectFile::terrainsOfVersion1KeepTheirShape()
-{
-    const QByteArray old =
-        R"({"format":"ramure","version":1,"nodes":[{"id":1,"kind":"relief","name":"Hills",)"
-        R"("params":{"relief.height":3.5}}]})";
-    const auto project = readProject(old);
-    QVERIFY(project.has_value());
-    QCOMPARE(project->scene.nodes().front().kind, NodeKind::Terrain);
-    QCOMPARE(project->scene.nodes().front().params.terrain.height, 3.5);
-}
-
-void TestProjectFile::migrationsRunInOrder()
-{
-    const std::array<ProjectMigration, 2> steps{renameName, refuseEmptyTitle};
-    QJsonObject old{{"format", "ramure"}, {"version", 1}, {"name", "Oak"}};
-    QVERIFY(migrateProject(old, steps));
-    QCOMPARE(old.value("title").toString(), "Oak");
-    QCOMPARE(old.value("version").toInteger(), 3);
-    QJsonObject second{{"format", "ramure"}, {"version", 2}, {"name", "Oak"}};
-    QVERIFY(!migrateProject(second, steps)); // the first step is not for it
-    QJsonObject newer{{"format", "ramure"}, {"version", 4}};
-    QCOMPARE(migrateProject(newer, steps).error().code, ErrorCode::Version);
-    QCOMPARE(projectMigrations().size(), std::size_t{projectVersion - 1});
-}
-
-void TestProjectFile::treesOfVersion1LookAsTheyDid()
-{
-    const auto variation = [](const char* version, const char* params) {
-        const auto project = readProject(QByteArray(R"({"format":"ramure","version":)") + version +
-                                         R"(,"nodes":[{"id":1,"kind":"tree","params":{)" + params + "}}]}");
-        return project ? project->scene.nodes().front().params.variation : VariationParams{-1, -1, -1};
-    };
-    const VariationParams none{0.0, 0.0, 0.0};
-    const char* byChance = R"("grammar.stochastic":true)";
-    QCOMPARE(variation("1", byChance), none);
-    QCOMPARE(variation("2", byChance), VariationParams());
-    QCOMPARE(variation("1", R"("grammar.seed":7)"), VariationParams()); // nothing varies: the next one may
-    for (const char* broken : {"7", "{}", "[7]", R"([{"kind":"tree","params":7}])"}) // left to the reader
-        QVERIFY(!readProject(QByteArray(R"({"format":"ramure","version":1,"nodes":)") + broken + "}"));
-}
-
-void TestProjectFile::treesOfVersion1StartUnloaded()
-{
-    const QByteArray nodes = R"("nodes":[{"id":1,"kind":"tree"},{"id":2,"kind":"group"},)"
-                             R"({"id":3,"kind":"tree","params":{"physics.settled":true}}]})";
-    const auto old = readProject(R"({"format":"ramure","version":1,)" + nodes);
-    const auto now = readProject(R"({"format":"ramure","version":2,)" + nodes);
-    QVERIFY(old && now);
-    QVERIFY(!old->scene.find(1)->params.physics.settled);
-    QVERIFY(old->scene.find(2)->params.physics.settled); // a group has none
-    QVERIFY(old->scene.find(3)->params.physics.settled);
-    QVERIFY(now->scene.find(1)->params.physics.settled);
-    // Saved and opened again it stays what it was.
-    QVERIFY(!readProject(writeProject(*old))->scene.find(1)->params.physics.settled);
-}
-
-void TestProjectFile::treesOfVersion3KeepTheirTwigs()
-{
-    const auto leastRadius = [](const char* version, const char* params) {
-        const auto project = readProject(QByteArray(R"({"format":"ramure","version":)") + version +
-                                         R"(,"nodes":[{"id":1,"kind":"tree")" + params + "}]}");
-        return project ? project->scene.nodes().front().params.mesh.leastRadius : -1.0;
-    };
-    QCOMPARE(leastRadius("3", ""), 0.0);
-    QCOMPARE(leastRadius("1", R"(,"params":{"grammar.seed":7})"), 0.0);
-    QCOMPARE(leastRadius("3", R"(,"params":{"mesh.leastRadius":0.001})"), 0.001);
-    QCOMPARE(leastRadius("4", ""), MeshParams().leastRadius);
 }
 
 void TestProjectFile::savesAndLoads()

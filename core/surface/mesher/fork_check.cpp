@@ -92,12 +92,12 @@ std::size_t ForkCheck::count(const MeshSink& sink, std::size_t most) const
     return found;
 }
 
-void ForkCheck::find(const MeshSink& sink, std::vector<Index>& faces) const
+void ForkCheck::find(const MeshSink& sink, std::size_t most, std::vector<Index>& faces) const
 {
     visit(sink, [&](Index i, Index j) {
         faces.push_back(m_faces[i]);
         faces.push_back(m_faces[j]);
-        return true;
+        return --most > 0;
     });
 }
 

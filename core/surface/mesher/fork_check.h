@@ -18,8 +18,8 @@ public:
     [[nodiscard]] bool isFolded() const { return m_isFolded; }
     [[nodiscard]] std::size_t faceCount() const { return m_faces.size(); }
     [[nodiscard]] const std::vector<Index>& faces() const { return m_faces; }
-    /// Appends both triangles of each pair that runs through each other.
-    void find(const MeshSink& sink, std::vector<Index>& faces) const;
+    /// Appends both triangles of each pair that runs through each other. Stops at \p most pairs (at least 1).
+    void find(const MeshSink& sink, std::size_t most, std::vector<Index>& faces) const;
     /// How many pairs of the strips' triangles run through each other. Stops counting at \p most. Triangles
     /// without an area are left out.
     [[nodiscard]] std::size_t count(const MeshSink& sink, std::size_t most) const;

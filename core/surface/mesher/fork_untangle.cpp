@@ -87,8 +87,10 @@ void ForkUntangler::untangle(const ForkCheck& check, MeshSink& sink, Index first
     std::size_t least = std::numeric_limits<std::size_t>::max();
     for (int round = 0, idle = 0; round < mostRounds && idle < patience && least > 0; ++round, ++idle) {
         tangled.clear();
-        check.find(sink, tangled);
-        if (round == 0 && tangled.size() / 2 > check.faceCount()) // a knot, which stays one
+        // What begins with more pairs than triangles is a knot, which stays one.
+        check.find(sink, round == 0 ? check.faceCount() + 1 : std::numeric_limits<std::size_t>::max(),
+                   tangled);
+        if (round == 0 && tangled.size() / 2 > check.faceCount())
             return;
         if (tangled.size() / 2 < least) {
             least = tangled.size() / 2;
