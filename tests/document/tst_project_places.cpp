@@ -117,7 +117,9 @@ void TestProjectPlaces::thereAndBack()
 void TestProjectPlaces::olderFilesFindThePlaces()
 {
     test::TreeDocument trees;
-    const NodeId tree = trees.add(test::smallForks());
+    NodeParams forks = test::smallForks();
+    forks.mesh.leastRadius = 0.0; // what such files had
+    const NodeId tree = trees.add(forks);
     for (const Index branch : {2u, 5u, 12u})
         QVERIFY(
             edit::setBranchRoll(trees.document(), tree, {trees.skeleton(tree).name(branch)}, 0.1 * branch));

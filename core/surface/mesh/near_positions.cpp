@@ -196,7 +196,7 @@ std::vector<NearPair> findNearVertices(std::span<const glm::vec3> positions, dou
         return Search::NextVertex;
     });
     sort(found);
-    found.erase(std::ranges::unique(found).begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;
 }
 

@@ -181,8 +181,8 @@ std::vector<LimbHit> LimbFinder::selected(const Document& document)
         if (const auto hit = startOf(document, selection.branchNode, branch))
             hits.push_back(*hit);
     std::ranges::stable_sort(hits, {}, [](const LimbHit& hit) { return std::pair(hit.axis, hit.share); });
-    const auto again = std::ranges::unique(hits, {}, &LimbHit::axis);
-    hits.erase(again.begin(), again.end());
+    const auto isOfOneAxis = [](const LimbHit& a, const LimbHit& b) { return a.axis == b.axis; };
+    hits.erase(std::unique(hits.begin(), hits.end(), isOfOneAxis), hits.end());
     return hits;
 }
 
@@ -255,8 +255,7 @@ std::vector<Index> LimbFinder::inDocument(const Document& document, NodeId node,
     branches = followBranches(*shown->skeleton, *shown->simplified, branches, *result->tree.skeleton,
                               *result->tree.simplified);
     std::ranges::sort(branches);
-    const auto again = std::ranges::unique(branches);
-    branches.erase(again.begin(), again.end());
+    branches.erase(std::unique(branches.begin(), branches.end()), branches.end());
     std::erase(branches, noIndex);
     return branches;
 }

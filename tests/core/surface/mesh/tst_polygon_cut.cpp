@@ -104,7 +104,7 @@ private slots:
     {
         for (unsigned seed = 0; seed < 40; ++seed) {
             std::vector<glm::dvec2> points = letterU;
-            std::ranges::rotate(points, points.begin() + seed % 8);
+            std::rotate(points.begin(), points.begin() + seed % 8, points.end());
             const Corners corners = tilted(points, seed);
             QVERIFY(!isFan(corners));
             std::vector<glm::uvec3> triangles;
