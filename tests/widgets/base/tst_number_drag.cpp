@@ -112,6 +112,25 @@ private slots:
         QVERIFY(!m_field->hasFocus());
     }
 
+    /// Undone under the mouse, a number is not dragged away again.
+    void undoEndsTheDrag()
+    {
+        QSignalSpy edited(m_field, &NumberField::valueEdited), ended(m_field, &NumberField::gestureEnded);
+        for (const Qt::KeyboardModifiers also : {Qt::NoModifier, Qt::ShiftModifier}) { // undo, redo
+            m_field->setValue(1.0);
+            dragBy(m_text, 50.0);
+            edited.clear();
+            ended.clear();
+            QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier | also);
+            QCOMPARE(ended.count(), 1);
+            send(m_text, QEvent::MouseMove, 200);
+            send(m_text, QEvent::MouseButtonRelease, 200);
+            QCOMPARE(edited.count(), 0);
+            QCOMPARE(ended.count(), 1);
+            m_field->clearFocus();
+        }
+    }
+
     void aClickEdits()
     {
         QSignalSpy edited(m_field, &NumberField::valueEdited);

@@ -48,7 +48,10 @@ bool NumberDrag::eventFilter(QObject*, QEvent* event)
 {
     if (event->type() != QEvent::ShortcutOverride && event->type() != QEvent::KeyPress)
         return false;
-    if (static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape)
+    const auto& key = *static_cast<QKeyEvent*>(event);
+    if (key.matches(QKeySequence::Undo) || key.matches(QKeySequence::Redo))
+        end(); // what the key brings shall not be dragged away again
+    if (key.key() != Qt::Key_Escape)
         return false;
     event->accept();
     if (event->type() == QEvent::KeyPress) {

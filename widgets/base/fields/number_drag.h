@@ -39,7 +39,7 @@ public:
 signals:
     /// Another value; after Esc the one from before.
     void moved(double value);
-    /// Released, or given up with Esc.
+    /// Released, given up with Esc, or taken back by a key that undoes or redoes.
     void ended();
 
 protected:
