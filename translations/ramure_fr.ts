@@ -7627,6 +7627,10 @@
         <source>Branches of the mesh are made no thinner than this, and no two of its vertices lie closer together than about half of it: at 0.25 mm, programs that merge vertices within 0.1 mm keep the mesh closed. No more than a two-thousandth of the size of the tree is taken, and where branches have more than 12 points around, these may lie closer. 0 leaves the thinnest twigs as they are.</source>
         <translation>Dans le maillage, aucune branche n’est plus fine, et deux sommets ne sont jamais plus proches que la moitié environ&#xa0;: à 0,25 mm, les programmes qui fusionnent les sommets à moins de 0,1 mm gardent le maillage fermé. Au plus un deux-millième de la taille de l’arbre est pris, et là où les branches ont plus de 12 points sur leur tour, ceux-ci peuvent être plus proches. 0 laisse les rameaux les plus fins tels quels.</translation>
     </message>
+    <message>
+        <source>How far above a fork its branches narrow from the width of what carries them to their own, in diameters of the branch. At 0 they begin with their own width, which leaves a ledge below them where they are thinner.</source>
+        <translation>Hauteur au-dessus d’une fourche où ses branches passent de la largeur de ce qui les porte à la leur, en diamètres de la branche. À 0, elles commencent à leur propre largeur, ce qui laisse un rebord sous elles là où elles sont plus minces.</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>

@@ -134,6 +134,12 @@ inline constexpr std::array modelRows{
          RAMURE_NOOP("How far from the crease the branches of a fork begin to swell, as a share of the thinner one's "
                      "radius.")},
         ParamUnit::Ratio, {0, 4, 0, 2, 0.05, 3}, Stage::Mesh, paramNone, treeOnly, softensForks),
+    row<&NodeParams::mesh, &MeshParams::forkLength>(
+        {"mesh.forkLength", forksGroup, RAMURE_NOOP("Length"),
+         RAMURE_NOOP("How far above a fork its branches narrow from the width of what carries them to their own, in "
+                     "diameters of the branch. At 0 they begin with their own width, which leaves a ledge below them where "
+                     "they are thinner.")},
+        ParamUnit::Factor, {0, 10, 0, 3, 0.1, 2}, Stage::Mesh),
     row<&NodeParams::mesh, &MeshParams::clampOvershoot>(
         {"mesh.clampOvershoot", forksGroup, RAMURE_NOOP("Calm short branches"),
          RAMURE_NOOP("A branch much shorter than its parent swings out in a wide bow before it turns to its own direction. "

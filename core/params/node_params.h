@@ -88,6 +88,7 @@ struct MeshParams
     bool clampOvershoot = false;
     double nearTwinRatio = 0.25;  ///< of the added radii
     double leastRadius = 0.25e-3; ///< m
+    double forkLength = 1.0;      ///< diameters, within which branches above a fork come to their own radius
     bool operator==(const MeshParams&) const = default;
 };
 

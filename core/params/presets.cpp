@@ -274,8 +274,10 @@ std::vector<Preset> everyPreset()
                        {0.3142, 0.2, 0.88, {0.0, -1.0, 0.0}, 0.22}),
                  LeafShape::Olive, 1.2, FruitKind::Olive, 0.1, BarkFamily::Fibrous)},
     };
-    for (std::size_t i = 0; i < all.size(); ++i)
+    for (std::size_t i = 0; i < all.size(); ++i) {
         all[i].group = i < courseworkCount ? "Coursework" : RAMURE_NOOP("The Algorithmic Beauty of Plants");
+        all[i].params.mesh.forkLength = 0.0; // the book and the coursework say how thick their branches are
+    }
     for (std::size_t i = 0; i < courseworkCount; ++i) // the coursework says what their sections are
         all[i].params.mesh.leastRadius = 0.0;
     const auto filled = colonised();

@@ -34,7 +34,7 @@ private slots:
     void terrainsOfVersion1KeepTheirShape();
     void treesOfVersion1LookAsTheyDid();
     void treesOfVersion1StartUnloaded();
-    void treesOfVersion3KeepTheirTwigs();
+    void treesOfVersion3KeepTheirShape();
 };
 
 void TestProjectMigrations::terrainsOfVersion1KeepTheirShape()
@@ -93,17 +93,19 @@ void TestProjectMigrations::treesOfVersion1StartUnloaded()
     QVERIFY(!readProject(writeProject(*old))->scene.find(1)->params.physics.settled);
 }
 
-void TestProjectMigrations::treesOfVersion3KeepTheirTwigs()
+void TestProjectMigrations::treesOfVersion3KeepTheirShape()
 {
-    const auto leastRadius = [](const char* version, const char* params) {
+    const auto mesh = [](const char* version, const char* params) {
         const auto project = readProject(QByteArray(R"({"format":"ramure","version":)") + version +
                                          R"(,"nodes":[{"id":1,"kind":"tree")" + params + "}]}");
-        return project ? project->scene.nodes().front().params.mesh.leastRadius : -1.0;
+        return project ? project->scene.nodes().front().params.mesh : MeshParams{.leastRadius = -1.0};
     };
-    QCOMPARE(leastRadius("3", ""), 0.0);
-    QCOMPARE(leastRadius("1", R"(,"params":{"grammar.seed":7})"), 0.0);
-    QCOMPARE(leastRadius("3", R"(,"params":{"mesh.leastRadius":0.001})"), 0.001);
-    QCOMPARE(leastRadius("4", ""), MeshParams().leastRadius);
+    QCOMPARE(mesh("3", "").leastRadius, 0.0);
+    QCOMPARE(mesh("3", "").forkLength, 0.0);
+    QCOMPARE(mesh("1", R"(,"params":{"grammar.seed":7})").leastRadius, 0.0);
+    QCOMPARE(mesh("3", R"(,"params":{"mesh.leastRadius":0.001})").leastRadius, 0.001);
+    QCOMPARE(mesh("3", R"(,"params":{"mesh.forkLength":2})").forkLength, 2.0);
+    QCOMPARE(mesh("4", ""), MeshParams());
 }
 
 RAMURE_SUITE(TestProjectMigrations)

@@ -118,7 +118,7 @@ void TestProjectPlaces::olderFilesFindThePlaces()
 {
     test::TreeDocument trees;
     NodeParams forks = test::smallForks();
-    forks.mesh.leastRadius = 0.0; // what such files had
+    forks.mesh.leastRadius = forks.mesh.forkLength = 0.0; // what such files had
     const NodeId tree = trees.add(forks);
     for (const Index branch : {2u, 5u, 12u})
         QVERIFY(

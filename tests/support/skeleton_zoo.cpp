@@ -425,12 +425,15 @@ Specimen specimen(std::uint64_t number)
     s.options.forkReach = reach[random.below(reach.size())];
     static constexpr std::array<double, 4> leastRadius{0.0, 0.0, 0.25e-3, 0.05};
     s.options.leastRadius = leastRadius[random.below(leastRadius.size())];
+    static constexpr std::array<double, 4> forkLength{0.0, 1.0, 1.0, 5.0};
+    s.options.forkLength = forkLength[random.below(forkLength.size())];
     std::ostringstream name;
     name << "specimen " << number << ": " << zooName(family) << " seed " << seed << ", " << s.skeleton.size()
          << " branches, " << s.options.radialDivisions << " radial x " << s.options.lengthDivisions
          << " length, softness " << s.options.forkSoftness << " over " << s.options.forkReach << ", twins "
-         << s.options.nearTwinRatio << ", least radius " << s.options.leastRadius
-         << (s.options.clampOvershoot ? ", clamped" : "") << (s.rollRad.empty() ? "" : ", rolled");
+         << s.options.nearTwinRatio << ", least radius " << s.options.leastRadius << ", fork length "
+         << s.options.forkLength << (s.options.clampOvershoot ? ", clamped" : "")
+         << (s.rollRad.empty() ? "" : ", rolled");
     s.name = name.str();
     return s;
 }

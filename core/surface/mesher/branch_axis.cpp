@@ -44,8 +44,8 @@ BranchCurve meshCurve(const NormalSkeleton& skeleton, Index branch, bool clampOv
     return curve;
 }
 
-void AxisTable::build(const std::vector<glm::dvec3>& points, const std::vector<double>& distances, double a0,
-                      double a1)
+void AxisTable::build(const std::vector<glm::dvec3>& points, const std::vector<double>& distances,
+                      const MeshBranch& branch)
 {
     const std::size_t last = points.size() - 1;
     m_length = distances[last];
@@ -60,7 +60,7 @@ void AxisTable::build(const std::vector<glm::dvec3>& points, const std::vector<d
         const double part = span > 0.0 ? std::min((wanted - distances[at]) / span, 1.0) : 0.0;
         m_places[step].point = points[at] + (points[at + 1] - points[at]) * part;
         const double t = (static_cast<double>(at) + part) / static_cast<double>(last);
-        m_places[step].radius = a0 + (a1 - a0) * t;
+        m_places[step].radius = branch.radiusAt(t);
     }
     for (std::size_t i = 0; i <= steps; ++i) {
         const glm::dvec3 way =
@@ -85,7 +85,7 @@ void AxisBuilder::build(const BranchCurve& curve, const MeshBranch& branch, cons
         const CurvePoint at = hermite(curve.h0, curve.h1, curve.v0, curve.v1, section.t);
         section.centre = at.point;
         section.frame = frame = transported(frame, at.tangent);
-        section.radius = branch.a0 + (branch.a1 - branch.a0) * section.t;
+        section.radius = branch.radiusAt(section.t);
         section.along = k == 0 ? 0.0
                                : sections[static_cast<std::size_t>(k - 1)].along +
                                      glm::length(at.point - sections[static_cast<std::size_t>(k - 1)].centre);
@@ -106,7 +106,7 @@ void AxisBuilder::build(const BranchCurve& curve, const MeshBranch& branch, cons
     }
     for (int k = 0; k <= spans; ++k)
         sections[static_cast<std::size_t>(k)].along = m_distances[static_cast<std::size_t>(k * perSpan)];
-    table->build(m_points, m_distances, branch.a0, branch.a1);
+    table->build(m_points, m_distances, branch);
 }
 
 } // namespace ramure

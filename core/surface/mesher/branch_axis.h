@@ -81,8 +81,8 @@ public:
     [[nodiscard]] double footOf(const glm::dvec3& point, double guess) const;
 
     /// \param points samples of the curve, \param distances their arc lengths, first 0, not decreasing.
-    void build(const std::vector<glm::dvec3>& points, const std::vector<double>& distances, double a0,
-               double a1);
+    void build(const std::vector<glm::dvec3>& points, const std::vector<double>& distances,
+               const MeshBranch& branch);
 
 private:
     struct Cell

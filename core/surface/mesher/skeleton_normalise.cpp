@@ -1,6 +1,7 @@
 #include "core/surface/mesher/skeleton_normalise.h"
 
 #include "core/math/finite.h"
+#include "core/surface/mesher/fork_spread.h"
 #include "core/surface/mesher/mesh_divisions.h"
 #include "core/surface/mesher/stem_limbs.h"
 #include <algorithm>
@@ -568,6 +569,7 @@ Expected<NormalSkeleton> normaliseSkeleton(const Skeleton& skeleton, const Branc
     NormalSkeleton result;
     Normaliser normaliser(skeleton, options, result);
     RAMURE_TRY(normaliser.run(progress));
+    spreadAboveForks(result, options.forkLength);
     return result;
 }
 

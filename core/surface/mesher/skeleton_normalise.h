@@ -3,6 +3,7 @@
 /// without length, no two siblings in one place, no radius too small for the scene. Every change is noted.
 #pragma once
 
+#include "core/math/reproducible.h"
 #include "core/surface/mesher/branch_mesh.h"
 #include <vector>
 
@@ -13,6 +14,9 @@ struct MeshBranch
 {
     glm::dvec3 p0{0.0}, p1{0.0}; ///< p0 is the parent's p1, but for limbs: those may start higher
     double a0 = 0.0, a1 = 0.0;
+    /// The branch begins wider than a0, by this share of it (fork_spread.h). Towards its end the share falls
+    /// by exp(-spreadDecay).
+    double spread = 0.0, spreadDecay = 0.0;
     double rollRad = 0.0;   ///< extra turn of this branch's frames
     Index parent = noIndex; ///< in NormalSkeleton::branches
     Index source = noIndex; ///< branch of the skeleton it was made from
@@ -21,6 +25,13 @@ struct MeshBranch
     bool isPlate = false;   ///< no branch of the skeleton: what stems stand on that start together
     Index firstChild = 0;   ///< its children are children[firstChild .. firstChild + childCount)
     Index childCount = 0;
+
+    /// m; \p t: share of the branch.
+    [[nodiscard]] double radiusAt(double t) const
+    {
+        const double own = a0 + (a1 - a0) * t;
+        return spread > 0.0 ? own * (1.0 + spread * maths::exp(-spreadDecay * t)) : own;
+    }
 };
 
 /// Branches in depth-first order, parents before children.

@@ -110,6 +110,7 @@ void TestParamTable::keysAreThePublicInterface()
                                             "mesh.leastRadius",
                                             "mesh.forkSoftness",
                                             "mesh.forkReach",
+                                            "mesh.forkLength",
                                             "mesh.clampOvershoot",
                                             "mesh.nearTwinRatio",
                                             "foliage.leaf",

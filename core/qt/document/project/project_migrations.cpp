@@ -84,14 +84,16 @@ static Expected<void> toVersion3(QJsonObject& /*root*/)
     return {};
 }
 
-/// Twigs were as thin as they had grown: the same file gives the same mesh.
+/// Twigs were as thin as they had grown, and branches left forks with their own radius: the same file gives
+/// the same mesh.
 static Expected<void> toVersion4(QJsonObject& root)
 {
     changeNodes(root, [](QJsonObject& node) {
         changeTree(node, [](QJsonObject& params) {
-            const QLatin1String key("mesh.leastRadius");
-            if (!params.contains(key))
-                params.insert(key, 0.0);
+            for (const QLatin1String key :
+                 {QLatin1String("mesh.leastRadius"), QLatin1String("mesh.forkLength")})
+                if (!params.contains(key))
+                    params.insert(key, 0.0);
         });
     });
     return {};

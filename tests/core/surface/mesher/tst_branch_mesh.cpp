@@ -99,6 +99,8 @@ void TestBranchMesh::badOptionsAreErrors()
         QVERIFY(refused([&](BranchMeshOptions& o) { o.nearTwinRatio = bad; }));
     for (const double bad : {double(NAN), double(INFINITY), -0.1, 4.1})
         QVERIFY(refused([&](BranchMeshOptions& o) { o.forkReach = bad; }));
+    for (const double bad : {double(NAN), double(INFINITY), -0.1, 10.1})
+        QVERIFY(refused([&](BranchMeshOptions& o) { o.forkLength = bad; }));
     for (const double bad : {double(NAN), double(INFINITY), -0.1, 1.1}) {
         QVERIFY(refused([&](BranchMeshOptions& o) { o.forkSoftness = bad; }));
         QVERIFY(refused([&](BranchMeshOptions& o) { o.leastRadius = bad; }));

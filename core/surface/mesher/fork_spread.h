@@ -1,0 +1,19 @@
+/// \file
+/// How branches leave a fork: not at once with their own radius, which would leave a ledge around the end of
+/// what carries them, but as wide as that end, and narrowing from there.
+#pragma once
+
+#include "core/surface/mesher/skeleton_normalise.h"
+
+namespace ramure {
+
+/// Sets MeshBranch::spread and spreadDecay of all branches but limbs beside a stem and what stands on a root
+/// plate. All children of a fork begin so many times as wide as the thickest of them has to be to fill the
+/// parent's end, at most mostSpread. What a branch has more than its own radius falls to 1/e within \p length
+/// times the mean of the diameters that it begins with and that it has of its own; its children go on with
+/// what is left at its end. \param length 0: every branch has its own radius everywhere.
+void spreadAboveForks(NormalSkeleton& skeleton, double length);
+
+inline constexpr double mostSpread = 2.0; ///< of a branch's own radius, beyond it
+
+} // namespace ramure
