@@ -267,7 +267,7 @@ void greet(MainWindow& window, Recovery& recovery, const Preferences& preference
 int edit(QApplication& application, const Arguments& arguments)
 {
     Preferences preferences;
-    const Language language(&preferences);
+    const Language language(preferences);
     new Theme(&application, &preferences);
     QGuiApplication::setWindowIcon(QIcon(QStringLiteral(":/theme/org.ramure.Ramure.svg")));
     Document document;

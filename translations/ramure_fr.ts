@@ -11932,6 +11932,10 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
         <source>With less, fewer moments of a long run are kept: a jump within it computes a few steps more.</source>
         <translation>Avec moins, on garde moins d’instants d’un long calcul : un saut recalcule quelques pas de plus.</translation>
     </message>
+    <message>
+        <source>The language changes when Ramure is started again.</source>
+        <translation>La langue change au prochain démarrage de Ramure.</translation>
+    </message>
 </context>
 <context>
     <name>ramure::PresetGallery</name>
@@ -14051,6 +14055,10 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
     <message>
         <source>Wind of a ga&amp;me</source>
         <translation>Vent d’un &amp;jeu</translation>
+    </message>
+    <message>
+        <source>The language changes when Ramure is started again.</source>
+        <translation>La langue change au prochain démarrage de Ramure.</translation>
     </message>
 </context>
 <context>

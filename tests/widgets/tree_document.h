@@ -105,4 +105,17 @@ public:
     }
 };
 
+/// While it lives, what is made speaks the language of stars.
+class InStars
+{
+public:
+    InStars() { QCoreApplication::installTranslator(&m_language); }
+    ~InStars() { QCoreApplication::removeTranslator(&m_language); }
+    InStars(const InStars&) = delete;
+    InStars& operator=(const InStars&) = delete;
+
+private:
+    StarLanguage m_language;
+};
+
 } // namespace ramure::test

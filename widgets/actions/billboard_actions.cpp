@@ -104,11 +104,6 @@ void BillboardActions::update()
     m_set->setTip(m_action, reason);
 }
 
-void BillboardActions::retranslate()
-{
-    update();
-}
-
 /// What, then where to.
 void BillboardActions::ask()
 {

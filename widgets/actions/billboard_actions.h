@@ -27,8 +27,6 @@ public:
     [[nodiscard]] QAction* action() const { return m_action; }
     /// That draws and writes a billboard: how far it is, and its end before time.
     [[nodiscard]] Job* job() { return &m_job; }
-    /// After the set's.
-    void retranslate();
 
 signals:
     /// It ended without anything that can be seen: a line for the status bar.

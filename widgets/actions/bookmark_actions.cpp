@@ -122,23 +122,12 @@ void BookmarkActions::update()
 
 void BookmarkActions::fillMenu(QMenu* menu)
 {
-    m_menu = menu->addMenu(QString());
-    m_menu->addActions(m_go);
-    m_menu->addSeparator();
-    m_keepMenu = m_menu->addMenu(QString());
-    m_keepMenu->addActions(m_keep);
-    m_forgetMenu = m_menu->addMenu(QString());
+    QMenu* own = menu->addMenu(tr("&Bookmarks"));
+    own->addActions(m_go);
+    own->addSeparator();
+    own->addMenu(tr("&Keep the view"))->addActions(m_keep);
+    m_forgetMenu = own->addMenu(tr("&Forget"));
     m_forgetMenu->addActions(m_forget);
-    retranslate();
-}
-
-void BookmarkActions::retranslate()
-{
-    if (!m_menu)
-        return;
-    m_menu->setTitle(tr("&Bookmarks"));
-    m_keepMenu->setTitle(tr("&Keep the view"));
-    m_forgetMenu->setTitle(tr("&Forget"));
     update();
 }
 

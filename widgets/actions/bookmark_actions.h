@@ -29,7 +29,6 @@ public:
     BookmarkActions(Document* document, ViewportHost* host, ActionSet* set, QObject* parent);
 
     void fillMenu(QMenu* menu);
-    void retranslate();
 
 signals:
     /// What was kept, or why there is nothing to go to.
@@ -43,8 +42,6 @@ private:
     Document* m_document;
     ViewportHost* m_host;
     QList<QAction*> m_go, m_keep, m_forget; ///< by place
-    QMenu* m_menu = nullptr;
-    QMenu* m_keepMenu = nullptr;
     QMenu* m_forgetMenu = nullptr;
 };
 

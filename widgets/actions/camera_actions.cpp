@@ -92,15 +92,7 @@ void CameraActions::moveHere()
 
 void CameraActions::fillMenu(QMenu* menu)
 {
-    m_menu = menu->addMenu(QString());
-    m_menu->addActions({m_through, m_here});
-    retranslate();
-}
-
-void CameraActions::retranslate()
-{
-    if (m_menu)
-        m_menu->setTitle(tr("&Camera"));
+    menu->addMenu(tr("&Camera"))->addActions({m_through, m_here});
 }
 
 } // namespace ramure

@@ -22,7 +22,6 @@ public:
     CameraActions(Document* document, ViewportHost* host, ActionSet* set, QObject* parent);
 
     void fillMenu(QMenu* menu);
-    void retranslate();
 
 signals:
     /// Why there is nothing to look through.
@@ -37,7 +36,6 @@ private:
     ViewportHost* m_host;
     QAction* m_through;
     QAction* m_here;
-    QMenu* m_menu = nullptr;
 };
 
 } // namespace ramure

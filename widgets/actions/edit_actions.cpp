@@ -106,48 +106,33 @@ void EditActions::fillMenu(QMenu* menu)
     menu->addActions({m_undo, m_redo});
     menu->addSeparator();
     menu->addAction(m_newTree);
-    m_addMenu = menu->addMenu(QString());
+    m_addMenu = menu->addMenu(tr("&Add to the scene"));
     for (const Preset& preset : presets()) {
         const QString name = QString::fromLatin1(preset.name);
         auto* add = new QAction(icon("tree"), QString(), this);
+        describePreset(preset, add);
         addPreset(m_addMenu, preset, add);
-        m_addPresets.push_back(add);
         add->setObjectName(QStringLiteral("edit.add.") + name);
         connect(add, &QAction::triggered, this, [this, name] { addTree(name); });
     }
+    sortGroups(m_addMenu);
     m_addMenu->addSeparator();
     for (const EnumItem& item : findParam("primitive.shape")->items) {
-        QAction* add = m_addMenu->addAction(icon("cube"), QString());
+        QAction* add = m_addMenu->addAction(icon("cube"), coreText(item.label));
         add->setObjectName(QStringLiteral("edit.add.") + QLatin1String(item.name));
         connect(add, &QAction::triggered, this,
                 [this, item] { addPrimitive(item.name, coreText(item.label)); });
-        m_addPrimitives.emplace_back(add, item.label);
     }
     m_addMenu->addSeparator();
     m_addMenu->addActions(m_addKinds);
     menu->addSeparator();
     menu->addActions(nodeActions());
     menu->addAction(m_straighten);
-    retranslate();
 }
 
 QList<QAction*> EditActions::nodeActions() const
 {
     return {m_more, m_variations, m_duplicate, m_rename, m_visible, m_locked, m_delete};
-}
-
-void EditActions::retranslate()
-{
-    for (std::size_t i = 0; i < m_addPresets.size(); ++i)
-        describePreset(presets()[i], m_addPresets[i]);
-    if (m_addMenu) {
-        m_addMenu->setTitle(tr("&Add to the scene"));
-        nameGroups(m_addMenu);
-    }
-    for (const auto& [action, label] : m_addPrimitives)
-        action->setText(coreText(label));
-    update();
-    updateUndoTexts();
 }
 
 void EditActions::follow(const Change& change)

@@ -34,7 +34,6 @@ public:
     [[nodiscard]] QAction* newTreeAction() const { return m_newTree; }
     /// What a right click on a node offers.
     [[nodiscard]] QList<QAction*> nodeActions() const;
-    void retranslate();
 
     /// From where the artist looks: a new camera stands there.
     void setEye(std::function<Camera()> eye) { m_eye = std::move(eye); }
@@ -103,8 +102,6 @@ private:
     QAction* m_visible;
     QAction* m_locked;
     QMenu* m_addMenu = nullptr;
-    std::vector<QAction*> m_addPresets;                            ///< as presets() has them
-    std::vector<std::pair<QAction*, const char*>> m_addPrimitives; ///< with their labels, context "core"
 };
 
 /// Keeps the space bar for the widgets that need it (check boxes, buttons), although it is the shortcut of

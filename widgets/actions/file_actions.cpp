@@ -64,10 +64,11 @@ FileActions::FileActions(Document* document, Preferences* preferences, Chooser* 
             action->setShortcut(QKeySequence::New);
         const QString name = QString::fromLatin1(preset.name);
         connect(action, &QAction::triggered, this, [this, name] { newFromPreset(name); });
+        describePreset(preset, action);
         m_presets.push_back(action);
     }
     for (const DemoScene& demo : demoScenes()) {
-        auto* action = new QAction(this);
+        auto* action = new QAction(coreText(demo.label), this);
         const QString name = QString::fromLatin1(demo.name);
         action->setObjectName(QStringLiteral("file.demo.") + name);
         connect(action, &QAction::triggered, this, [this, name] { newFromDemo(name); });
@@ -87,15 +88,14 @@ FileActions::FileActions(Document* document, Preferences* preferences, Chooser* 
 void FileActions::fillMenu(QMenu* menu, QAction* welcome, const QList<QAction*>& pictures,
                            const QList<QAction*>& imports)
 {
-    m_newMenu = menu->addMenu(icon("new"), QString());
-    m_newMenu->setToolTipsVisible(true);
+    QMenu* newMenu = menu->addMenu(icon("new"), tr("&New from preset"));
+    newMenu->setToolTipsVisible(true);
     for (std::size_t i = 0; i < m_presets.size(); ++i)
-        addPreset(m_newMenu, presets()[i], m_presets[i]);
-    m_demoMenu = menu->addMenu(QString());
-    for (QAction* demo : m_demos)
-        m_demoMenu->addAction(demo);
+        addPreset(newMenu, presets()[i], m_presets[i]);
+    sortGroups(newMenu);
+    menu->addMenu(tr("New from &demo"))->addActions(m_demos);
     menu->addAction(m_open);
-    m_recentMenu = menu->addMenu(QString());
+    m_recentMenu = menu->addMenu(tr("Open &recent"));
     connect(m_recentMenu, &QMenu::aboutToShow, this, &FileActions::fillRecentMenu);
     if (welcome)
         menu->addAction(welcome);
@@ -111,12 +111,10 @@ void FileActions::fillMenu(QMenu* menu, QAction* welcome, const QList<QAction*>&
     menu->addSeparator();
     menu->addAction(m_quit);
     fillRecentMenu();
-    retranslate();
 }
 
 void FileActions::setLastExport(const QString& path)
 {
-    m_lastExport = path;
     m_again->setEnabled(!path.isEmpty());
     QString name = QFileInfo(path).fileName();
     name.replace(u'&', QStringLiteral("&&"));
@@ -125,25 +123,6 @@ void FileActions::setLastExport(const QString& path)
                   path.isEmpty()
                       ? tr("Nothing was exported yet since this scene was opened: there is nothing to repeat")
                       : tr("Write %1 once more, with the same choices").arg(QDir::toNativeSeparators(path)));
-}
-
-void FileActions::retranslate()
-{
-    setLastExport(m_lastExport);
-    std::size_t at = 0;
-    for (const Preset& preset : presets())
-        describePreset(preset, m_presets[at++]);
-    at = 0;
-    for (const DemoScene& demo : demoScenes())
-        m_demos[at++]->setText(coreText(demo.label));
-    if (m_newMenu) {
-        m_newMenu->setTitle(tr("&New from preset"));
-        nameGroups(m_newMenu);
-    }
-    if (m_demoMenu)
-        m_demoMenu->setTitle(tr("New from &demo"));
-    if (m_recentMenu)
-        m_recentMenu->setTitle(tr("Open &recent"));
 }
 
 void FileActions::fillRecentMenu()

@@ -33,7 +33,6 @@ public:
     [[nodiscard]] QAction* exportAction() const { return m_export; }
     /// What was written last, as the entry that writes it again names it; empty: there is nothing to repeat.
     void setLastExport(const QString& path);
-    void retranslate();
     /// What opens objects that are no projects; without it projects alone open. Not owned.
     void setImports(ImportActions* imports) { m_imports = imports; }
 
@@ -84,13 +83,10 @@ private:
     QAction* m_pack;
     QAction* m_export;
     QAction* m_again;
-    QString m_lastExport;
     QAction* m_quit;
-    QMenu* m_newMenu = nullptr;
-    QMenu* m_demoMenu = nullptr;
     QMenu* m_recentMenu = nullptr;
     std::vector<QAction*> m_presets;
-    std::vector<QAction*> m_demos;
+    QList<QAction*> m_demos;
 };
 
 } // namespace ramure

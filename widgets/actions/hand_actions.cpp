@@ -55,13 +55,12 @@ HandActions::HandActions(Document* document, ViewportHost* host, QActionGroup* t
 
 void HandActions::fillMenu(QMenu* editMenu)
 {
-    m_menu = editMenu->addMenu(QString());
+    m_menu = editMenu->addMenu(tr("Shape &by hand"));
     for (const QList<QAction*>& group : toolGroups()) {
         m_menu->addActions(group);
         m_menu->addSeparator();
     }
     m_menu->addActions({m_keep, m_leaves});
-    retranslate();
 }
 
 QList<QList<QAction*>> HandActions::toolGroups() const
@@ -81,12 +80,6 @@ QList<QAction*> HandActions::branchActions() const
     if (m_menu)
         actions += m_menu->menuAction();
     return actions;
-}
-
-void HandActions::retranslate()
-{
-    if (m_menu)
-        m_menu->setTitle(tr("Shape &by hand"));
 }
 
 void HandActions::followTool()

@@ -29,7 +29,6 @@ public:
     [[nodiscard]] QList<QList<QAction*>> toolGroups() const;
     /// What the menus of a branch offer: what is done to it at once, and the menu of tools.
     [[nodiscard]] QList<QAction*> branchActions() const;
-    void retranslate();
 
 signals:
     void messageRaised(const QString& text);

@@ -16,7 +16,7 @@ void addPreset(QMenu* menu, const Preset& preset, QAction* action)
     const QString group = QString::fromUtf8(preset.group);
     auto* submenu = menu->findChild<QMenu*>(group, Qt::FindDirectChildrenOnly);
     if (!submenu) {
-        submenu = new QMenu(menu);
+        submenu = new QMenu(presetGroupTitle(preset.group), menu);
         submenu->setObjectName(group);
         submenu->setToolTipsVisible(true);
         submenu->menuAction()->setProperty(isSpeciesKey, isSpecies(preset));
@@ -36,14 +36,13 @@ void describePreset(const Preset& preset, QAction* action)
     action->setStatusTip(action->toolTip());
 }
 
-void nameGroups(QMenu* menu)
+void sortGroups(QMenu* menu)
 {
     QCollator collator{QLocale()};
     collator.setNumericMode(true);
     for (QMenu* submenu : menu->findChildren<QMenu*>(QString(), Qt::FindDirectChildrenOnly)) {
         if (!submenu->menuAction()->property(isSpeciesKey).isValid())
             continue;
-        submenu->setTitle(presetGroupTitle(submenu->objectName().toUtf8().constData()));
         QList<QAction*> actions = submenu->actions();
         std::ranges::stable_sort(actions, [&collator](const QAction* a, const QAction* b) {
             return collator.compare(a->text(), b->text()) < 0;

@@ -10,10 +10,9 @@ class QMenu;
 namespace ramure {
 
 void addPreset(QMenu* menu, const Preset& preset, QAction* action);
-/// Its name and its tips, in the language of now.
+/// Sets its name and its tips.
 void describePreset(const Preset& preset, QAction* action);
-/// The submenus' titles, and their presets in the order of the alphabet, in the language of now. After
-/// describePreset() of each.
-void nameGroups(QMenu* menu);
+/// Brings the presets of each submenu into the order of the alphabet, after describePreset() of each.
+void sortGroups(QMenu* menu);
 
 } // namespace ramure

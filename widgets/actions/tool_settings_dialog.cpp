@@ -3,7 +3,6 @@
 #include "widgets/view/tools/gizmo_settings.h"
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
-#include <QEvent>
 #include <QFormLayout>
 #include <QGroupBox>
 #include <QLabel>
@@ -16,9 +15,6 @@ namespace ramure {
 ToolSettingsDialog::ToolSettingsDialog(GizmoSettings* settings, QWidget* parent)
     : QDialog(parent)
     , m_settings(settings)
-    , m_stepsGroup(new QGroupBox(this))
-    , m_ghostsGroup(new QGroupBox(this))
-    , m_labels{}
     , m_move(new QDoubleSpinBox(this))
     , m_turn(new QDoubleSpinBox(this))
     , m_scale(new QDoubleSpinBox(this))
@@ -45,7 +41,19 @@ ToolSettingsDialog::ToolSettingsDialog(GizmoSettings* settings, QWidget* parent)
     m_after->setRange(0, GizmoSettings::mostGhosts);
     m_step->setRange(1, GizmoSettings::mostGhostStep);
     build();
-    retranslate();
+    setWindowTitle(tr("Steps and ghosts"));
+    m_move->setSuffix(tr(" m"));
+    m_turn->setSuffix(tr("°"));
+    m_step->setSuffix(tr(" frames"));
+    m_move->setToolTip(tr("Moves go in steps of so many metres"));
+    m_turn->setToolTip(tr("Turns go in steps of so many degrees"));
+    m_scale->setToolTip(tr("Factors go in steps of so much"));
+    m_before->setToolTip(
+        tr("How many copies show where the node was, from 0 to %1").arg(GizmoSettings::mostGhosts));
+    m_after->setToolTip(
+        tr("How many copies show where the node will be, from 0 to %1").arg(GizmoSettings::mostGhosts));
+    m_step->setToolTip(tr("Frames from one copy to the next"));
+    take();
     for (QDoubleSpinBox* box : {m_move, m_turn, m_scale})
         connect(box, &QDoubleSpinBox::valueChanged, this, &ToolSettingsDialog::applySteps);
     for (QSpinBox* box : {m_before, m_after, m_step})
@@ -58,21 +66,23 @@ void ToolSettingsDialog::build()
     auto* layout = new QVBoxLayout(this);
     layout->setSpacing(12);
     layout->setSizeConstraint(QLayout::SetFixedSize);
-    QAbstractSpinBox* fields[6] = {m_move, m_turn, m_scale, m_before, m_after, m_step};
-    for (int part = 0; part < 2; ++part) {
-        QGroupBox* group = part == 0 ? m_stepsGroup : m_ghostsGroup;
+    using Row = std::pair<QString, QAbstractSpinBox*>;
+    const auto add = [this, layout](const QString& title, std::initializer_list<Row> rows) {
+        auto* group = new QGroupBox(title, this);
         auto* form = new QFormLayout(group);
-        for (int i = 3 * part; i < 3 * part + 3; ++i) {
-            m_labels[i] = new QLabel(group);
-            m_labels[i]->setBuddy(fields[i]);
-            fields[i]->setKeyboardTracking(false);
-            form->addRow(m_labels[i], fields[i]);
+        for (const auto& [label, field] : rows) {
+            field->setKeyboardTracking(false);
+            form->addRow(label, field);
         }
         layout->addWidget(group);
-    }
+    };
+    add(tr("Dragging snaps to"),
+        {{tr("&Move:"), m_move}, {tr("&Rotate:"), m_turn}, {tr("&Scale:"), m_scale}});
+    add(tr("Ghosts of moving nodes"), {{tr("&Before the playhead:"), m_before},
+                                       {tr("&After the playhead:"), m_after},
+                                       {tr("&Every:"), m_step}});
     auto* buttons = new QDialogButtonBox(this);
-    m_close = buttons->addButton(QString(), QDialogButtonBox::RejectRole);
-    m_close->setDefault(true);
+    buttons->addButton(tr("Close"), QDialogButtonBox::RejectRole)->setDefault(true);
     layout->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
 }
@@ -101,41 +111,6 @@ void ToolSettingsDialog::applyGhosts()
 {
     if (!m_taking)
         m_settings->setGhostFrames({m_before->value(), m_after->value(), m_step->value()});
-}
-
-void ToolSettingsDialog::retranslate()
-{
-    setWindowTitle(tr("Steps and ghosts"));
-    m_stepsGroup->setTitle(tr("Dragging snaps to"));
-    m_ghostsGroup->setTitle(tr("Ghosts of moving nodes"));
-    m_labels[0]->setText(tr("&Move:"));
-    m_labels[1]->setText(tr("&Rotate:"));
-    m_labels[2]->setText(tr("&Scale:"));
-    m_labels[3]->setText(tr("&Before the playhead:"));
-    m_labels[4]->setText(tr("&After the playhead:"));
-    m_labels[5]->setText(tr("&Every:"));
-    for (QDoubleSpinBox* box : {m_move, m_turn, m_scale})
-        box->setLocale(QLocale()); // its own is of the language it was made in
-    m_move->setSuffix(tr(" m"));
-    m_turn->setSuffix(tr("°"));
-    m_step->setSuffix(tr(" frames"));
-    m_move->setToolTip(tr("Moves go in steps of so many metres"));
-    m_turn->setToolTip(tr("Turns go in steps of so many degrees"));
-    m_scale->setToolTip(tr("Factors go in steps of so much"));
-    m_before->setToolTip(
-        tr("How many copies show where the node was, from 0 to %1").arg(GizmoSettings::mostGhosts));
-    m_after->setToolTip(
-        tr("How many copies show where the node will be, from 0 to %1").arg(GizmoSettings::mostGhosts));
-    m_step->setToolTip(tr("Frames from one copy to the next"));
-    m_close->setText(tr("Close"));
-    take();
-}
-
-void ToolSettingsDialog::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QDialog::changeEvent(event);
 }
 
 } // namespace ramure

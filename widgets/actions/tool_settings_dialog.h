@@ -21,27 +21,19 @@ public:
     /// \p settings are not owned and must outlive the dialog.
     explicit ToolSettingsDialog(GizmoSettings* settings, QWidget* parent = nullptr);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void build();
     void take();
     void applySteps();
     void applyGhosts();
-    void retranslate();
 
     GizmoSettings* m_settings;
-    QGroupBox* m_stepsGroup;
-    QGroupBox* m_ghostsGroup;
-    QLabel* m_labels[6];
     QDoubleSpinBox* m_move;
     QDoubleSpinBox* m_turn;
     QDoubleSpinBox* m_scale;
     QSpinBox* m_before;
     QSpinBox* m_after;
     QSpinBox* m_step;
-    QPushButton* m_close = nullptr;
     bool m_taking = false;
 };
 

@@ -179,22 +179,21 @@ void TransformActions::take()
 
 void TransformActions::fillMenu(QMenu* editMenu)
 {
-    m_menu = editMenu->addMenu(QString());
-    m_menu->addActions(m_gestures);
-    m_menu->addSeparator();
-    m_menu->addActions(m_own);
-    m_menu->addSeparator();
-    m_menu->addActions(m_spaces->actions());
-    m_menu->addSeparator();
-    m_menu->addActions({m_snap, m_edit});
-    retranslate();
+    QMenu* menu = editMenu->addMenu(tr("Trans&form"));
+    menu->addActions(m_gestures);
+    menu->addSeparator();
+    menu->addActions(m_own);
+    menu->addSeparator();
+    menu->addActions(m_spaces->actions());
+    menu->addSeparator();
+    menu->addActions({m_snap, m_edit});
 }
 
 void TransformActions::fillToolBar(QToolBar* bar)
 {
     m_spaceBox = new QComboBox(bar);
     m_spaceBox->setObjectName(QStringLiteral("transformSpace"));
-    m_spaceBox->addItems({QString(), QString(), QString()});
+    m_spaceBox->addItems({tr("Local"), tr("Parent"), tr("World")});
     m_spaceBox->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_spaceBox->setFocusPolicy(Qt::TabFocus); // a click leaves the keys with the view
     m_spaceBox->setEnabled(m_host->viewport() != nullptr);
@@ -202,21 +201,9 @@ void TransformActions::fillToolBar(QToolBar* bar)
             [this](int index) { m_settings->setSpace(static_cast<TransformSpace>(index)); });
     bar->addWidget(m_spaceBox);
     bar->addActions({m_snap, m_edit});
-    retranslate();
-    take();
-}
-
-void TransformActions::retranslate()
-{
-    if (m_menu)
-        m_menu->setTitle(tr("Trans&form"));
-    if (!m_spaceBox)
-        return;
-    m_spaceBox->setItemText(0, tr("Local"));
-    m_spaceBox->setItemText(1, tr("Parent"));
-    m_spaceBox->setItemText(2, tr("World"));
     m_spaceBox->setToolTip(tr("Axes along which nodes are moved, turned and scaled"));
     m_spaceBox->setAccessibleName(tr("Axes of the tools"));
+    take();
 }
 
 void TransformActions::nameTarget(const QString& words)

@@ -34,7 +34,6 @@ public:
     [[nodiscard]] QList<QAction*> toolActions() const;
     /// Of the View menu.
     [[nodiscard]] QList<QAction*> viewActions() const;
-    void retranslate();
     /// Move, rotate, scale with the mouse.
     [[nodiscard]] QList<QAction*> gestures() const { return m_gestures; }
     /// What the gestures move is called so: "tree", "3 nodes".
@@ -61,7 +60,6 @@ private:
     QAction* m_path = nullptr;
     QAction* m_ghosts = nullptr;
     QAction* m_edit = nullptr;
-    QMenu* m_menu = nullptr;
     QComboBox* m_spaceBox = nullptr;
     bool m_taking = false;
 };

@@ -315,8 +315,10 @@ void ViewActions::addPreferences(ActionSet* set)
         action->setData(code);
         m_languages->addAction(action);
     }
-    connect(m_languages, &QActionGroup::triggered, this,
-            [this](QAction* action) { m_preferences->setLanguage(action->data().toString()); });
+    connect(m_languages, &QActionGroup::triggered, this, [this](QAction* action) {
+        m_preferences->setLanguage(action->data().toString());
+        emit messageRaised(tr("The language changes when Ramure is started again."));
+    });
 }
 
 void ViewActions::takePreferences()
@@ -338,10 +340,8 @@ QList<QAction*> ViewActions::modeActions() const
 void ViewActions::fillMenu(QMenu* menu, const QList<QAction*>& panels, QAction* resetLayout)
 {
     menu->addActions({m_frameAll, m_frameSelection});
-    m_axisMenu = menu->addMenu(QString());
-    m_axisMenu->addActions(m_axes);
-    m_moveMenu = menu->addMenu(QString());
-    m_moveMenu->addActions(m_moves);
+    menu->addMenu(tr("&View from"))->addActions(m_axes);
+    menu->addMenu(tr("M&ove the view"))->addActions(m_moves);
     m_bookmarks->fillMenu(menu);
     m_cameras->fillMenu(menu);
     menu->addSeparator();
@@ -353,38 +353,19 @@ void ViewActions::fillMenu(QMenu* menu, const QList<QAction*>& panels, QAction* 
     menu->addSeparator();
     menu->addActions(m_switches);
     menu->addActions(m_trail);
-    m_gameWindMenu = menu->addMenu(QString());
-    m_gameWindMenu->addActions(m_gameWinds->actions());
-    m_gameWindMenu->addSeparator();
-    m_gameWindMenu->addActions(m_gameWindStrengths->actions());
+    QMenu* gameWind = menu->addMenu(tr("Wind of a ga&me"));
+    gameWind->addActions(m_gameWinds->actions());
+    gameWind->addSeparator();
+    gameWind->addActions(m_gameWindStrengths->actions());
     menu->addAction(m_light);
     menu->addSeparator();
-    m_panelMenu = menu->addMenu(QString());
-    m_panelMenu->addActions(panels);
-    m_panelMenu->addSeparator();
-    m_panelMenu->addAction(resetLayout);
-    m_themeMenu = menu->addMenu(QString());
-    m_themeMenu->addActions(m_themes->actions());
-    m_unitMenu = menu->addMenu(QString());
-    m_unitMenu->addActions(m_units->actions());
-    m_languageMenu = menu->addMenu(QString());
-    m_languageMenu->addActions(m_languages->actions());
-    retranslate();
-}
-
-void ViewActions::retranslate()
-{
-    if (!m_axisMenu)
-        return;
-    m_axisMenu->setTitle(tr("&View from"));
-    m_moveMenu->setTitle(tr("M&ove the view"));
-    m_bookmarks->retranslate();
-    m_cameras->retranslate();
-    m_gameWindMenu->setTitle(tr("Wind of a ga&me"));
-    m_panelMenu->setTitle(tr("Pa&nels"));
-    m_themeMenu->setTitle(tr("&Theme"));
-    m_unitMenu->setTitle(tr("&Angles in"));
-    m_languageMenu->setTitle(tr("&Language"));
+    QMenu* panelMenu = menu->addMenu(tr("Pa&nels"));
+    panelMenu->addActions(panels);
+    panelMenu->addSeparator();
+    panelMenu->addAction(resetLayout);
+    menu->addMenu(tr("&Theme"))->addActions(m_themes->actions());
+    menu->addMenu(tr("&Angles in"))->addActions(m_units->actions());
+    menu->addMenu(tr("&Language"))->addActions(m_languages->actions());
 }
 
 } // namespace ramure

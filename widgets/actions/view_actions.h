@@ -35,7 +35,6 @@ public:
     [[nodiscard]] QAction* frameSelectionAction() const { return m_frameSelection; }
     /// The path and the ghosts of moving nodes: below the other switches. Before fillMenu.
     void setTrailActions(const QList<QAction*>& actions) { m_trail = actions; }
-    void retranslate();
 
 signals:
     /// What an action did, or why it did nothing.
@@ -70,13 +69,6 @@ private:
     QActionGroup* m_languages = nullptr;
     QList<QAction*> m_switches;
     QList<QAction*> m_trail;
-    QMenu* m_axisMenu = nullptr;
-    QMenu* m_moveMenu = nullptr;
-    QMenu* m_gameWindMenu = nullptr;
-    QMenu* m_panelMenu = nullptr;
-    QMenu* m_themeMenu = nullptr;
-    QMenu* m_unitMenu = nullptr;
-    QMenu* m_languageMenu = nullptr;
 };
 
 } // namespace ramure

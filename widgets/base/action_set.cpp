@@ -20,7 +20,7 @@ QAction* ActionSet::add(const ActionSpec& spec)
     if (spec.icon)
         action->setIcon(icon(spec.icon));
     m_entries.push_back({spec, action});
-    translate(m_entries.back());
+    setTexts(m_entries.back());
     return action;
 }
 
@@ -42,7 +42,7 @@ void ActionSet::setShortcuts(const QMap<QString, QKeySequence>& changed)
 {
     for (const Entry& entry : m_entries) {
         entry.action->setShortcut(changed.value(entry.action->objectName(), entry.spec.shortcut));
-        translate(entry);
+        setTexts(entry);
     }
 }
 
@@ -53,7 +53,7 @@ void ActionSet::setTip(QAction* action, const QString& tip)
     if (found == m_entries.end() || found->tip == tip)
         return;
     found->tip = tip;
-    translate(*found);
+    setTexts(*found);
 }
 
 void ActionSet::setText(QAction* action, const QString& text)
@@ -63,7 +63,7 @@ void ActionSet::setText(QAction* action, const QString& text)
     if (found == m_entries.end() || found->text == text)
         return;
     found->text = text;
-    translate(*found);
+    setTexts(*found);
 }
 
 QAction* ActionSet::find(const QString& id) const
@@ -81,16 +81,10 @@ QList<QAction*> ActionSet::actions() const
     return all;
 }
 
-void ActionSet::retranslate()
-{
-    for (const Entry& entry : m_entries)
-        translate(entry);
-}
-
-void ActionSet::translate(const Entry& entry)
+void ActionSet::setTexts(const Entry& entry)
 {
     if (!entry.spec.text)
-        return; // its maker translates it
+        return; // its maker names it
     const auto text = [&entry](const char* english) {
         return QCoreApplication::translate(entry.spec.context, english);
     };

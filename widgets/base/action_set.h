@@ -1,6 +1,6 @@
 /// \file
 /// Every action of the program in one list: texts, icons and shortcuts stand in tables, so that they can be
-/// translated again, shown in a dialog and tested together.
+/// shown in a dialog and tested together.
 #pragma once
 
 #include <QAction>
@@ -46,8 +46,6 @@ public:
     /// Null where there is none.
     [[nodiscard]] QAction* find(const QString& id) const;
     [[nodiscard]] QList<QAction*> actions() const;
-    /// Texts in the present language.
-    void retranslate();
 
 private:
     struct Entry
@@ -57,7 +55,7 @@ private:
         QString tip = {};  ///< for now; empty: the spec's
         QString text = {}; ///< for now; empty: the spec's
     };
-    static void translate(const Entry& entry);
+    static void setTexts(const Entry& entry);
 
     std::vector<Entry> m_entries;
 };

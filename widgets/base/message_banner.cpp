@@ -34,8 +34,8 @@ MessageBanner::MessageBanner(QWidget* parent)
     , m_icon(new QLabel(this))
     , m_text(new QLabel(this))
     , m_button(new QPushButton(this))
-    , m_close(new QToolButton(this))
 {
+    auto* close = new QToolButton(this);
     setObjectName(QStringLiteral("banner"));
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(10, 6, 6, 6);
@@ -43,20 +43,21 @@ MessageBanner::MessageBanner(QWidget* parent)
     m_text->setWordWrap(true);
     m_text->setTextFormat(Qt::PlainText);
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    m_close->setAutoRaise(true);
-    m_close->setIcon(icon("close"));
-    m_close->setIconSize({14, 14});
+    close->setAutoRaise(true);
+    close->setIcon(icon("close"));
+    close->setIconSize({14, 14});
     layout->addWidget(m_icon);
     layout->addWidget(m_text, 1);
     m_button->setObjectName(QStringLiteral("bannerAction"));
     layout->addWidget(m_button, 0, Qt::AlignTop);
-    layout->addWidget(m_close, 0, Qt::AlignTop);
+    layout->addWidget(close, 0, Qt::AlignTop);
     connect(m_button, &QPushButton::clicked, this, [this] {
         if (m_action)
             m_action();
     });
-    connect(m_close, &QToolButton::clicked, this, &QWidget::hide);
-    retranslate();
+    connect(close, &QToolButton::clicked, this, &QWidget::hide);
+    close->setToolTip(tr("Close this message"));
+    close->setAccessibleName(tr("Close this message"));
     hide();
 }
 
@@ -120,8 +121,6 @@ QString MessageBanner::text() const
 
 void MessageBanner::changeEvent(QEvent* event)
 {
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
     if (event->type() == QEvent::PaletteChange)
         m_icon->setPixmap(icon(iconName(m_severity)).pixmap(18, 18));
     QFrame::changeEvent(event);
@@ -133,12 +132,6 @@ void MessageBanner::keyPressEvent(QKeyEvent* event)
         hide();
     else
         QFrame::keyPressEvent(event);
-}
-
-void MessageBanner::retranslate()
-{
-    m_close->setToolTip(tr("Close this message"));
-    m_close->setAccessibleName(tr("Close this message"));
 }
 
 } // namespace ramure

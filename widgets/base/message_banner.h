@@ -35,7 +35,6 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    void retranslate();
     void place();
 
     QPointer<QWidget> m_place;
@@ -43,7 +42,6 @@ private:
     QLabel* m_text;
     QPushButton* m_button;
     std::function<void()> m_action;
-    QToolButton* m_close;
     Severity m_severity = Severity::Info;
 };
 

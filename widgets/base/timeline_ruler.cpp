@@ -424,8 +424,6 @@ void TimelineRuler::contextMenuEvent(QContextMenuEvent* event)
 
 bool TimelineRuler::event(QEvent* event)
 {
-    if (event->type() == QEvent::LanguageChange)
-        setAccessibleName(tr("Timeline ruler"));
     if (event->type() == QEvent::ShortcutOverride) {
         // Home and the arrows mean the ruler while it has the focus.
         const auto* key = static_cast<QKeyEvent*>(event);

@@ -4,7 +4,6 @@
 #include "widgets/view/viewport.h"
 #include <QCheckBox>
 #include <QDialogButtonBox>
-#include <QEvent>
 #include <QPushButton>
 #include <QVBoxLayout>
 
@@ -13,8 +12,7 @@ namespace ramure {
 PictureDialog::PictureDialog(QSize view, const QVariantMap& kept, QWidget* parent)
     : QDialog(parent)
     , m_form(new PictureForm(this))
-    , m_grid(new QCheckBox(this))
-    , m_buttons(new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel, this))
+    , m_grid(new QCheckBox(tr("Grid and axes"), this))
 {
     setObjectName(QStringLiteral("pictureDialog"));
     m_grid->setObjectName(QStringLiteral("pictureGrid"));
@@ -25,7 +23,10 @@ PictureDialog::PictureDialog(QSize view, const QVariantMap& kept, QWidget* paren
     layout->addWidget(m_form);
     layout->addWidget(m_grid);
     layout->addSpacing(8);
-    layout->addWidget(m_buttons);
+    auto* buttons = new QDialogButtonBox(this);
+    buttons->addButton(QDialogButtonBox::Save)->setText(tr("Save…"));
+    buttons->addButton(QDialogButtonBox::Cancel)->setText(tr("Cancel"));
+    layout->addWidget(buttons);
     m_form->setViewSize(view);
     const QSize size(kept.value(QStringLiteral("width")).toInt(),
                      kept.value(QStringLiteral("pixels")).toInt());
@@ -33,12 +34,13 @@ PictureDialog::PictureDialog(QSize view, const QVariantMap& kept, QWidget* paren
         m_form->setPictureSize(size);
     m_form->setTransparent(kept.value(QStringLiteral("transparent")).toBool());
     m_grid->setChecked(kept.value(QStringLiteral("grid")).toBool());
-    connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     // Both are parts of the world.
     connect(m_form, &PictureForm::changed, this, [this] { m_grid->setEnabled(!m_form->isTransparent()); });
     m_grid->setEnabled(!m_form->isTransparent());
-    retranslate();
+    setWindowTitle(tr("Save a picture"));
+    m_grid->setToolTip(tr("The lines on the ground"));
 }
 
 ViewPicture PictureDialog::wish() const
@@ -53,22 +55,6 @@ QVariantMap PictureDialog::settings() const
     if (!m_form->isLikeView())
         kept.insert({{"width", m_form->pictureSize().width()}, {"pixels", m_form->pictureSize().height()}});
     return kept;
-}
-
-void PictureDialog::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QDialog::changeEvent(event);
-}
-
-void PictureDialog::retranslate()
-{
-    setWindowTitle(tr("Save a picture"));
-    m_grid->setText(tr("Grid and axes"));
-    m_grid->setToolTip(tr("The lines on the ground"));
-    m_buttons->button(QDialogButtonBox::Save)->setText(tr("Save…"));
-    m_buttons->button(QDialogButtonBox::Cancel)->setText(tr("Cancel"));
 }
 
 } // namespace ramure

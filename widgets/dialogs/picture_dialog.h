@@ -24,15 +24,9 @@ public:
     [[nodiscard]] ViewPicture wish() const;
     [[nodiscard]] QVariantMap settings() const;
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
-    void retranslate();
-
     PictureForm* m_form;
     QCheckBox* m_grid;
-    QDialogButtonBox* m_buttons;
 };
 
 } // namespace ramure

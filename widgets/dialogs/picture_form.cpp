@@ -2,7 +2,6 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
@@ -16,12 +15,12 @@ static constexpr QSize usualSizes[] = {{1280, 720}, {1920, 1080}, {2560, 1440}, 
 PictureForm::PictureForm(QWidget* parent)
     : QWidget(parent)
     , m_width(new QSpinBox(this))
-    , m_times(new QLabel(QStringLiteral("×"), this))
     , m_height(new QSpinBox(this))
     , m_sizes(new QComboBox(this))
-    , m_locked(new QCheckBox(this))
-    , m_transparent(new QCheckBox(this))
+    , m_locked(new QCheckBox(tr("Keep the view's ratio"), this))
+    , m_transparent(new QCheckBox(tr("Transparent background"), this))
 {
+    auto* times = new QLabel(QStringLiteral("×"), this);
     m_width->setObjectName(QStringLiteral("pictureWidth"));
     m_height->setObjectName(QStringLiteral("pictureHeight"));
     m_transparent->setObjectName(QStringLiteral("pictureTransparent"));
@@ -33,14 +32,14 @@ PictureForm::PictureForm(QWidget* parent)
         });
     }
     m_height->setSuffix(QStringLiteral(" px"));
-    m_sizes->addItem(QString());
+    m_sizes->addItem(tr("Own size"));
     for (const QSize& size : usualSizes)
         m_sizes->addItem(QStringLiteral("%1 × %2").arg(size.width()).arg(size.height()), size);
     setPictureSize({1920, 1080});
     auto* row = new QHBoxLayout;
     row->setSpacing(6);
     row->addWidget(m_width);
-    row->addWidget(m_times);
+    row->addWidget(times);
     row->addWidget(m_height);
     row->addSpacing(8);
     row->addWidget(m_sizes);
@@ -62,16 +61,24 @@ PictureForm::PictureForm(QWidget* parent)
             [this] { m_sizes->setCurrentIndex(std::max(0, m_sizes->findData(pictureSize()))); });
     connect(m_transparent, &QCheckBox::toggled, this, &PictureForm::changed);
     setFocusProxy(m_width);
-    retranslate();
+    m_width->setToolTip(tr("Width of the pictures in pixels, 16 to 8192"));
+    m_height->setToolTip(tr("Height of the pictures in pixels, 16 to 8192"));
+    m_width->setAccessibleName(tr("Width"));
+    m_height->setAccessibleName(tr("Height"));
+    m_sizes->setToolTip(tr("Common sizes"));
+    m_sizes->setAccessibleName(tr("Common sizes"));
+    m_locked->setToolTip(tr("One side follows the other, so that the picture shows what the view shows; "
+                            "else it shows more or less at its sides"));
+    m_transparent->setToolTip(tr("Without sky and ground, to put the trees in front of something else"));
     emit changed();
 }
 
 void PictureForm::setViewSize(QSize pixels)
 {
     m_viewSize = pixels.boundedTo({mostSide, mostSide}).expandedTo({leastSide, leastSide});
-    m_sizes->insertItem(1, QString(), m_viewSize);
+    m_sizes->insertItem(1, tr("As the view, %1 × %2").arg(m_viewSize.width()).arg(m_viewSize.height()),
+                        m_viewSize);
     m_locked->show();
-    retranslate();
     setPictureSize(m_viewSize);
     m_locked->setChecked(true);
 }
@@ -116,31 +123,6 @@ bool PictureForm::isTransparent() const
 void PictureForm::setTransparent(bool transparent)
 {
     m_transparent->setChecked(transparent);
-}
-
-void PictureForm::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QWidget::changeEvent(event);
-}
-
-void PictureForm::retranslate()
-{
-    m_width->setToolTip(tr("Width of the pictures in pixels, 16 to 8192"));
-    m_height->setToolTip(tr("Height of the pictures in pixels, 16 to 8192"));
-    m_width->setAccessibleName(tr("Width"));
-    m_height->setAccessibleName(tr("Height"));
-    m_sizes->setItemText(0, tr("Own size"));
-    m_sizes->setToolTip(tr("Common sizes"));
-    m_sizes->setAccessibleName(tr("Common sizes"));
-    if (!m_viewSize.isEmpty())
-        m_sizes->setItemText(1, tr("As the view, %1 × %2").arg(m_viewSize.width()).arg(m_viewSize.height()));
-    m_locked->setText(tr("Keep the view's ratio"));
-    m_locked->setToolTip(tr("One side follows the other, so that the picture shows what the view shows; "
-                            "else it shows more or less at its sides"));
-    m_transparent->setText(tr("Transparent background"));
-    m_transparent->setToolTip(tr("Without sky and ground, to put the trees in front of something else"));
 }
 
 } // namespace ramure

@@ -29,15 +29,10 @@ public:
 signals:
     void changed();
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
-    void retranslate();
     void keepRatio(QSpinBox* edited);
 
     QSpinBox* m_width;
-    QLabel* m_times;
     QSpinBox* m_height;
     QComboBox* m_sizes;
     QCheckBox* m_locked; ///< to the ratio of the view

@@ -5,7 +5,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
-#include <QEvent>
 #include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -17,24 +16,21 @@ namespace {
 
 constexpr int hintWidth = 320;
 
-QLabel* hint(QWidget* parent)
+QLabel* hint(const QString& text, QWidget* parent)
 {
-    auto* label = new QLabel(parent);
+    auto* label = new QLabel(text, parent);
     label->setObjectName(QStringLiteral("hint"));
     label->setWordWrap(true);
     label->setMinimumWidth(hintWidth);
     return label;
 }
 
-/// Replaces the texts of \p box and keeps what is chosen.
-void setTexts(QComboBox* box, const QStringList& texts)
+QComboBox* choice(const char* name, const QStringList& texts, QWidget* parent)
 {
-    if (box->count() == 0) {
-        box->addItems(texts);
-        return;
-    }
-    for (int i = 0; i < texts.size(); ++i)
-        box->setItemText(i, texts[i]);
+    auto* box = new QComboBox(parent);
+    box->setObjectName(QLatin1String(name));
+    box->addItems(texts);
+    return box;
 }
 
 } // namespace
@@ -42,40 +38,36 @@ void setTexts(QComboBox* box, const QStringList& texts)
 PreferencesDialog::PreferencesDialog(Preferences* preferences, QWidget* parent)
     : QDialog(parent)
     , m_preferences(preferences)
-    , m_themeLabel(new QLabel(this))
-    , m_theme(new QComboBox(this))
-    , m_languageLabel(new QLabel(this))
-    , m_language(new QComboBox(this))
-    , m_unitsLabel(new QLabel(this))
-    , m_units(new QComboBox(this))
-    , m_timesLabel(new QLabel(this))
-    , m_times(new QComboBox(this))
-    , m_navigationLabel(new QLabel(this))
-    , m_navigation(new QComboBox(this))
-    , m_navigationHint(hint(this))
-    , m_autosaveLabel(new QLabel(this))
+    , m_theme(choice("theme", {tr("As the system"), tr("Light"), tr("Dark")}, this))
+    , m_language(choice("language", {tr("As the system")}, this))
+    , m_units(choice("units", {tr("Degrees"), tr("Radians")}, this))
+    , m_times(choice("times", {tr("Frames"), tr("Seconds"), tr("Timecode")}, this))
+    , m_navigation(choice("navigation", {tr("Like Blender"), tr("Like Maya")}, this))
+    , m_navigationHint(hint({}, this))
     , m_autosave(new QSpinBox(this))
-    , m_autosaveHint(hint(this))
-    , m_memoryLabel(new QLabel(this))
     , m_memory(new QSpinBox(this))
-    , m_memoryHint(hint(this))
-    , m_welcome(new QCheckBox(this))
+    , m_welcome(new QCheckBox(tr("Show the &welcome page at the start"), this))
 {
-    m_navigation->setObjectName(QStringLiteral("navigation"));
-    m_units->setObjectName(QStringLiteral("units"));
+    setWindowTitle(tr("Preferences"));
+    m_language->setItemData(0, QString());
+    // Languages are called by their own names in every language.
+    for (const auto& [code, name] : Language::available())
+        m_language->addItem(name, code);
     m_autosave->setObjectName(QStringLiteral("autosave"));
-    m_theme->setObjectName(QStringLiteral("theme"));
-    m_language->setObjectName(QStringLiteral("language"));
-    m_welcome->setObjectName(QStringLiteral("welcome"));
-    m_times->setObjectName(QStringLiteral("times"));
+    m_autosave->setRange(0, Preferences::maxAutosaveMinutes);
+    m_autosave->setSuffix(tr(" min"));
+    m_autosave->setSpecialValueText(tr("Off"));
     m_memory->setObjectName(QStringLiteral("motionMemory"));
     m_memory->setRange(Preferences::leastMotionMb, Preferences::mostMotionMb);
     m_memory->setSingleStep(256);
     m_memory->setGroupSeparatorShown(true);
     m_memory->setKeyboardTracking(false); // half a number must not throw motion away
-    m_autosave->setRange(0, Preferences::maxAutosaveMinutes);
+    m_memory->setSuffix(tr(" MB"));
+    m_memory->setToolTip(tr("Megabytes for computed frames, of all trees together: %L1 to %L2")
+                             .arg(Preferences::leastMotionMb)
+                             .arg(Preferences::mostMotionMb));
+    m_welcome->setObjectName(QStringLiteral("welcome"));
     build();
-    retranslate();
     take();
     connectFields();
 }
@@ -89,36 +81,38 @@ void PreferencesDialog::build()
     auto* form = new QFormLayout;
     form->setHorizontalSpacing(16);
     form->setVerticalSpacing(10);
-    const auto add = [form](QLabel* label, QWidget* field, QLabel* below = nullptr) {
+    const auto add = [this, form](const QString& text, QWidget* field, QLabel* below) {
+        auto* label = new QLabel(text, this);
         label->setBuddy(field);
-        if (!below) {
-            form->addRow(label, field);
-            return;
-        }
         auto* column = new QVBoxLayout;
         column->setSpacing(4);
         column->addWidget(field);
         column->addWidget(below);
         form->addRow(label, column);
     };
-    add(m_themeLabel, m_theme);
-    add(m_languageLabel, m_language);
-    add(m_unitsLabel, m_units);
-    add(m_timesLabel, m_times);
-    add(m_navigationLabel, m_navigation, m_navigationHint);
-    add(m_autosaveLabel, m_autosave, m_autosaveHint);
-    add(m_memoryLabel, m_memory, m_memoryHint);
+    form->addRow(tr("&Theme:"), m_theme);
+    add(tr("&Language:"), m_language, hint(tr("The language changes when Ramure is started again."), this));
+    form->addRow(tr("&Angles in:"), m_units);
+    form->addRow(tr("T&imes in:"), m_times);
+    add(tr("&Navigation:"), m_navigation, m_navigationHint);
+    add(tr("A&utosave every:"), m_autosave,
+        hint(tr("Unsaved changes are kept aside, so that a crash costs no more than that. Your own file is "
+                "written only when you save it."),
+             this));
+    add(tr("&Memory for motion:"), m_memory,
+        hint(tr("With less, fewer moments of a long run are kept: a jump within it computes "
+                "a few steps more."),
+             this));
     form->addRow(QString(), m_welcome);
     layout->addLayout(form);
     auto* buttons = new QDialogButtonBox(this);
-    m_defaults = buttons->addButton(QString(), QDialogButtonBox::ResetRole);
-    m_defaults->setObjectName(QStringLiteral("defaults"));
-    m_defaults->setAutoDefault(false);
-    m_close = buttons->addButton(QString(), QDialogButtonBox::RejectRole);
-    m_close->setDefault(true);
+    QPushButton* defaults = buttons->addButton(tr("Restore defaults"), QDialogButtonBox::ResetRole);
+    defaults->setObjectName(QStringLiteral("defaults"));
+    defaults->setAutoDefault(false);
+    buttons->addButton(tr("Close"), QDialogButtonBox::RejectRole)->setDefault(true);
     layout->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    connect(m_defaults, &QPushButton::clicked, m_preferences, &Preferences::restoreDefaults);
+    connect(defaults, &QPushButton::clicked, m_preferences, &Preferences::restoreDefaults);
 }
 
 void PreferencesDialog::connectFields()
@@ -166,52 +160,6 @@ void PreferencesDialog::take()
         m_preferences->navigationStyle() == NavigationStyle::Maya
             ? tr("Alt with the left button orbits, with the middle one pans, with the right one zooms.")
             : tr("The middle button orbits, with Shift it pans, with Ctrl it zooms."));
-}
-
-void PreferencesDialog::retranslate()
-{
-    setWindowTitle(tr("Preferences"));
-    m_themeLabel->setText(tr("&Theme:"));
-    setTexts(m_theme, {tr("As the system"), tr("Light"), tr("Dark")});
-    m_languageLabel->setText(tr("&Language:"));
-    if (m_language->count() == 0) {
-        m_language->addItem(QString(), QString());
-        // Languages are called by their own names in every language.
-        for (const auto& [code, name] : Language::available())
-            m_language->addItem(name, code);
-    }
-    m_language->setItemText(0, tr("As the system"));
-    m_unitsLabel->setText(tr("&Angles in:"));
-    setTexts(m_units, {tr("Degrees"), tr("Radians")});
-    m_timesLabel->setText(tr("T&imes in:"));
-    setTexts(m_times, {tr("Frames"), tr("Seconds"), tr("Timecode")});
-    m_navigationLabel->setText(tr("&Navigation:"));
-    setTexts(m_navigation, {tr("Like Blender"), tr("Like Maya")});
-    m_autosaveLabel->setText(tr("A&utosave every:"));
-    m_autosave->setSuffix(tr(" min"));
-    m_autosave->setSpecialValueText(tr("Off"));
-    m_autosaveHint->setText(
-        tr("Unsaved changes are kept aside, so that a crash costs no more than that. Your own file is "
-           "written only when you save it."));
-    m_memoryLabel->setText(tr("&Memory for motion:"));
-    m_memory->setLocale(QLocale()); // its own is of the language it was made in
-    m_memory->setSuffix(tr(" MB"));
-    m_memory->setToolTip(tr("Megabytes for computed frames, of all trees together: %L1 to %L2")
-                             .arg(Preferences::leastMotionMb)
-                             .arg(Preferences::mostMotionMb));
-    m_memoryHint->setText(tr("With less, fewer moments of a long run are kept: a jump within it computes "
-                             "a few steps more."));
-    m_welcome->setText(tr("Show the &welcome page at the start"));
-    m_defaults->setText(tr("Restore defaults"));
-    m_close->setText(tr("Close"));
-    take();
-}
-
-void PreferencesDialog::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QDialog::changeEvent(event);
 }
 
 } // namespace ramure

@@ -21,38 +21,23 @@ public:
     /// \param preferences is not owned and must outlive the dialog.
     explicit PreferencesDialog(Preferences* preferences, QWidget* parent = nullptr);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void build();
     void connectFields();
     void take();
-    void retranslate();
 
     Preferences* m_preferences;
     bool m_taking = false; ///< the fields follow the preferences and must not answer
     // In the order of the form, which is that of the Tab key.
-    QLabel* m_themeLabel;
     QComboBox* m_theme;
-    QLabel* m_languageLabel;
     QComboBox* m_language;
-    QLabel* m_unitsLabel;
     QComboBox* m_units;
-    QLabel* m_timesLabel;
     QComboBox* m_times;
-    QLabel* m_navigationLabel;
     QComboBox* m_navigation;
     QLabel* m_navigationHint;
-    QLabel* m_autosaveLabel;
     QSpinBox* m_autosave;
-    QLabel* m_autosaveHint;
-    QLabel* m_memoryLabel;
     QSpinBox* m_memory;
-    QLabel* m_memoryHint;
     QCheckBox* m_welcome;
-    QPushButton* m_defaults;
-    QPushButton* m_close;
 };
 
 } // namespace ramure

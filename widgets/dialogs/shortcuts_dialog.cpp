@@ -47,14 +47,18 @@ ShortcutsDialog::ShortcutsDialog(ActionSet* set, const QList<QMenu*>& menus, Pre
     , m_preferences(preferences)
     , m_search(new QLineEdit(this))
     , m_tree(new QTreeWidget(this))
-    , m_editLabel(new QLabel(this))
     , m_edit(new QKeySequenceEdit(this))
     , m_conflict(new QLabel(this))
-    , m_remove(new QPushButton(this))
-    , m_reset(new QPushButton(this))
+    , m_remove(new QPushButton(tr("No keys"), this))
+    , m_reset(new QPushButton(tr("Reset"), this))
 {
     build();
-    retranslate();
+    setWindowTitle(tr("Keyboard shortcuts"));
+    m_tree->setAccessibleName(tr("Keyboard shortcuts"));
+    m_search->setPlaceholderText(tr("Search actions or keys"));
+    m_search->setAccessibleName(m_search->placeholderText());
+    m_tree->setHeaderLabels({tr("Action"), tr("Keys")});
+    fill();
     connect(m_search, &QLineEdit::textChanged, this, &ShortcutsDialog::filter);
     connect(m_tree, &QTreeWidget::currentItemChanged, this, &ShortcutsDialog::showSelected);
     connect(m_tree, &QTreeWidget::itemDoubleClicked, m_edit, qOverload<>(&QWidget::setFocus));
@@ -92,9 +96,10 @@ void ShortcutsDialog::build()
     layout->addWidget(m_tree, 1);
     auto* line = new QHBoxLayout;
     line->setSpacing(8);
-    m_editLabel->setBuddy(m_edit);
+    auto* label = new QLabel(tr("&Keys:"), this);
+    label->setBuddy(m_edit);
     m_edit->setObjectName(QStringLiteral("keys"));
-    line->addWidget(m_editLabel);
+    line->addWidget(label);
     line->addWidget(m_edit, 1);
     line->addWidget(m_remove);
     line->addWidget(m_reset);
@@ -103,11 +108,11 @@ void ShortcutsDialog::build()
     m_conflict->setWordWrap(true);
     layout->addWidget(m_conflict);
     auto* buttons = new QDialogButtonBox(this);
-    m_resetAll = buttons->addButton(QString(), QDialogButtonBox::ResetRole);
-    m_close = buttons->addButton(QString(), QDialogButtonBox::RejectRole);
+    m_resetAll = buttons->addButton(tr("Reset all"), QDialogButtonBox::ResetRole);
+    QPushButton* close = buttons->addButton(tr("Close"), QDialogButtonBox::RejectRole);
     layout->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    for (QPushButton* button : {m_remove, m_reset, m_resetAll, m_close})
+    for (QPushButton* button : {m_remove, m_reset, m_resetAll, close})
         button->setAutoDefault(false); // Enter belongs to the fields
 }
 
@@ -330,28 +335,6 @@ void ShortcutsDialog::keyPressEvent(QKeyEvent* event)
         return;
     }
     QDialog::keyPressEvent(event);
-}
-
-void ShortcutsDialog::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QDialog::changeEvent(event);
-}
-
-void ShortcutsDialog::retranslate()
-{
-    setWindowTitle(tr("Keyboard shortcuts"));
-    m_tree->setAccessibleName(tr("Keyboard shortcuts"));
-    m_search->setPlaceholderText(tr("Search actions or keys"));
-    m_search->setAccessibleName(m_search->placeholderText());
-    m_tree->setHeaderLabels({tr("Action"), tr("Keys")});
-    m_editLabel->setText(tr("&Keys:"));
-    m_remove->setText(tr("No keys"));
-    m_reset->setText(tr("Reset"));
-    m_resetAll->setText(tr("Reset all"));
-    m_close->setText(tr("Close"));
-    fill();
 }
 
 } // namespace ramure

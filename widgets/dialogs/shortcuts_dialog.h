@@ -35,7 +35,6 @@ public:
     [[nodiscard]] QString conflict() const;
 
 protected:
-    void changeEvent(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
@@ -49,7 +48,6 @@ private:
     void showSelected();
     void showKeys();
     void store(QAction* action, const QKeySequence& keys);
-    void retranslate();
     [[nodiscard]] QAction* selectedAction() const;
     [[nodiscard]] QString ownerOf(const QKeySequence& keys, const QAction* except) const;
 
@@ -59,13 +57,11 @@ private:
     QList<ListedAction> m_listed;
     QLineEdit* m_search;
     QTreeWidget* m_tree;
-    QLabel* m_editLabel;
     QKeySequenceEdit* m_edit;
     QLabel* m_conflict;
     QPushButton* m_remove;
     QPushButton* m_reset;
     QPushButton* m_resetAll;
-    QPushButton* m_close;
 };
 
 } // namespace ramure

@@ -27,9 +27,9 @@ Callout::Callout(QWidget* window)
     , m_title(new QLabel(this))
     , m_text(new QLabel(this))
     , m_count(new QLabel(this))
-    , m_done(new QLabel(this))
-    , m_leave(new QPushButton(this))
-    , m_back(new QPushButton(this))
+    , m_done(new QLabel(QStringLiteral("✓ ") + tr("Done"), this)) // a mark, not a button
+    , m_leave(new QPushButton(tr("Skip"), this))
+    , m_back(new QPushButton(tr("Back"), this))
     , m_next(new QPushButton(this))
 {
     setObjectName(QStringLiteral("callout"));
@@ -42,7 +42,6 @@ Callout::Callout(QWidget* window)
     connect(m_next, &QPushButton::clicked, this, &Callout::nextRequested);
     connect(this, &QObject::destroyed, m_mark, &QObject::deleteLater);
     window->installEventFilter(this);
-    retranslate();
 }
 
 void Callout::build()
@@ -54,6 +53,8 @@ void Callout::build()
     m_done->setProperty("state", QStringLiteral("good"));
     m_leave->setObjectName(QStringLiteral("calloutLeave"));
     m_next->setObjectName(QStringLiteral("calloutNext"));
+    m_leave->setToolTip(tr("Ends the tour (Esc); the Help menu starts it again"));
+    m_next->setToolTip(tr("Return"));
     for (QPushButton* button : {m_leave, m_back, m_next})
         button->setAutoDefault(false);
     auto* head = new QHBoxLayout;
@@ -132,27 +133,17 @@ void Callout::setTexts(const QString& title, const QString& text, int step, int 
     m_text->setText(text);
     m_count->setText(tr("%1 of %2").arg(step + 1).arg(steps));
     m_back->setVisible(step > 0);
-    m_last = step + 1 == steps;
-    retranslate();
+    const bool isLast = step + 1 == steps;
+    m_leave->setVisible(!isLast);
+    m_next->setText(isLast ? tr("Finish") : tr("Next"));
+    setAccessibleName(title);
+    setAccessibleDescription(text);
+    place();
 }
 
 void Callout::setDone(bool done)
 {
     m_done->setVisible(done);
-}
-
-void Callout::retranslate()
-{
-    m_done->setText(QStringLiteral("✓ ") + tr("Done")); // a mark, not a button
-    m_leave->setText(tr("Skip"));
-    m_leave->setToolTip(tr("Ends the tour (Esc); the Help menu starts it again"));
-    m_leave->setVisible(!m_last);
-    m_back->setText(tr("Back"));
-    m_next->setText(m_last ? tr("Finish") : tr("Next"));
-    m_next->setToolTip(tr("Return"));
-    setAccessibleName(m_title->text());
-    setAccessibleDescription(m_text->text());
-    place();
 }
 
 void Callout::paintEvent(QPaintEvent*)

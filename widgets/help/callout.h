@@ -22,7 +22,6 @@ public:
     void setTexts(const QString& title, const QString& text, int step, int steps);
     /// What was asked for has been done.
     void setDone(bool done);
-    void retranslate();
 
 signals:
     void nextRequested();
@@ -48,7 +47,6 @@ private:
     QPushButton* m_leave;
     QPushButton* m_back;
     QPushButton* m_next;
-    bool m_last = false;
 };
 
 } // namespace ramure

@@ -34,7 +34,6 @@ HandbookWindow::HandbookWindow()
     , m_forward(new QToolButton(this))
     , m_start(new QToolButton(this))
     , m_search(new QLineEdit(this))
-    , m_parts(new QSplitter(this))
     , m_lists(new QStackedWidget(this))
     , m_contents(new QTreeWidget(this))
     , m_found(new QTreeWidget(this))
@@ -53,7 +52,8 @@ HandbookWindow::HandbookWindow()
     connect(m_search, &QLineEdit::textChanged, this, &HandbookWindow::search);
     for (QTreeWidget* list : {m_contents, m_found})
         connect(list, &QTreeWidget::currentItemChanged, this, &HandbookWindow::openItem);
-    readPages();
+    m_browser->setPages(readHandbook());
+    fillContents();
     resize(startSize);
 }
 
@@ -61,15 +61,24 @@ void HandbookWindow::build()
 {
     auto* bar = new QHBoxLayout;
     bar->setContentsMargins(8, 6, 8, 6);
-    for (const auto& [button, name] :
-         {std::pair(m_back, "back"), std::pair(m_forward, "forward"), std::pair(m_start, "handbook")}) {
+    const std::tuple<QToolButton*, const char*, QString> buttons[] = {
+        {m_back, "back", tr("Back (Alt+Left)")},
+        {m_forward, "forward", tr("Forward (Alt+Right)")},
+        {m_start, "handbook", tr("First page")}};
+    for (const auto& [button, name, tip] : buttons) {
         button->setIcon(icon(name));
+        button->setToolTip(tip);
         button->setAutoRaise(true);
         bar->addWidget(button);
     }
     m_back->setEnabled(false);
     m_forward->setEnabled(false);
     m_search->setObjectName(QStringLiteral("handbookSearch"));
+    m_search->setPlaceholderText(tr("Search all pages"));
+    m_search->setAccessibleName(tr("Search all pages"));
+    m_browser->setAccessibleName(tr("Page"));
+    m_contents->setAccessibleName(tr("Contents"));
+    m_found->setAccessibleName(tr("Found"));
     m_search->setClearButtonEnabled(true);
     m_search->addAction(icon("search"), QLineEdit::LeadingPosition);
     m_search->installEventFilter(this);
@@ -81,23 +90,16 @@ void HandbookWindow::build()
         list->setHeaderHidden(true);
         m_lists->addWidget(list);
     }
-    m_parts->addWidget(m_lists);
-    m_parts->addWidget(m_browser);
-    m_parts->setStretchFactor(1, 1);
-    m_parts->setSizes({contentsWidth, startSize.width() - contentsWidth});
+    auto* parts = new QSplitter(this);
+    parts->addWidget(m_lists);
+    parts->addWidget(m_browser);
+    parts->setStretchFactor(1, 1);
+    parts->setSizes({contentsWidth, startSize.width() - contentsWidth});
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addLayout(bar);
-    layout->addWidget(m_parts, 1);
-}
-
-void HandbookWindow::readPages()
-{
-    m_sections.clear();
-    m_browser->setPages(readHandbook());
-    fillContents();
-    retranslate();
+    layout->addWidget(parts, 1);
 }
 
 void HandbookWindow::fillContents()
@@ -226,26 +228,6 @@ void HandbookWindow::keyPressEvent(QKeyEvent* event)
     } else {
         QWidget::keyPressEvent(event);
     }
-}
-
-void HandbookWindow::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange)
-        readPages();
-    QWidget::changeEvent(event);
-}
-
-void HandbookWindow::retranslate()
-{
-    const std::pair<QToolButton*, QString> names[] = {
-        {m_back, tr("Back (Alt+Left)")}, {m_forward, tr("Forward (Alt+Right)")}, {m_start, tr("First page")}};
-    for (const auto& [button, name] : names)
-        button->setToolTip(name);
-    m_search->setPlaceholderText(tr("Search all pages"));
-    m_search->setAccessibleName(tr("Search all pages"));
-    m_browser->setAccessibleName(tr("Page"));
-    m_contents->setAccessibleName(tr("Contents"));
-    m_found->setAccessibleName(tr("Found"));
 }
 
 } // namespace ramure

@@ -28,26 +28,22 @@ public:
     [[nodiscard]] PageBrowser* browser() const { return m_browser; }
 
 protected:
-    void changeEvent(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void build();
-    void readPages();
     void fillContents();
     void follow();
     void search(const QString& typed);
     void openItem(const QTreeWidgetItem* item);
     void step(bool down);
     void focusSearch();
-    void retranslate();
 
     QToolButton* m_back;
     QToolButton* m_forward;
     QToolButton* m_start;
     QLineEdit* m_search;
-    QSplitter* m_parts;
     QStackedWidget* m_lists;
     QTreeWidget* m_contents;
     QTreeWidget* m_found;

@@ -179,10 +179,6 @@ void Tour::done()
 /// Esc leaves from everywhere in the window; menus and dialogs have their own.
 bool Tour::eventFilter(QObject* watched, QEvent* event)
 {
-    if (event->type() == QEvent::LanguageChange && watched == m_window) {
-        m_callout->retranslate();
-        showTexts();
-    }
     if (event->type() != QEvent::ShortcutOverride && event->type() != QEvent::KeyPress)
         return false;
     const auto* widget = qobject_cast<QWidget*>(watched);

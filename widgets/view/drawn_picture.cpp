@@ -123,11 +123,4 @@ void DrawnPicture::paintEvent(QPaintEvent*)
     }
 }
 
-void DrawnPicture::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QWidget::changeEvent(event);
-}
-
 } // namespace ramure

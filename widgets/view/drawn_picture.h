@@ -42,12 +42,10 @@ protected:
     QPointF movedBy(const QMouseEvent& event);
 
     virtual void redraw() = 0; ///< it has another size, or is seen
-    virtual void retranslate() = 0;
     /// What stands over the picture: the reason why there is none, or what is waited for.
     [[nodiscard]] virtual QString waitText() const = 0;
     virtual void paintOver(QPainter& /*painter*/) {}
 
-    void changeEvent(QEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;

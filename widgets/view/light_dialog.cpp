@@ -6,7 +6,6 @@
 #include <QDateTimeEdit>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
-#include <QEvent>
 #include <QFormLayout>
 #include <QGroupBox>
 #include <QHBoxLayout>
@@ -44,7 +43,19 @@ void setUp(QSpinBox* box, QSlider* slider, int pageStep)
     QObject::connect(box, &QSpinBox::valueChanged, slider, &QSlider::setValue);
 }
 
-void addRow(QFormLayout* form, QSlider* slider, QWidget* box)
+/// The label names its field, also to who cannot see it.
+void addRow(QFormLayout* form, const QString& text, QWidget* field, QLayout* row = nullptr)
+{
+    auto* label = new QLabel(text, form->parentWidget());
+    label->setBuddy(field);
+    field->setAccessibleName(QString(text).remove(u'&'));
+    if (row)
+        form->addRow(label, row);
+    else
+        form->addRow(label, field);
+}
+
+void addRow(QFormLayout* form, const QString& text, QSlider* slider, QWidget* box, const QString& tip)
 {
     slider->setMinimumWidth(220);
     box->setMinimumWidth(100);
@@ -52,7 +63,10 @@ void addRow(QFormLayout* form, QSlider* slider, QWidget* box)
     row->setSpacing(10);
     row->addWidget(slider, 1);
     row->addWidget(box);
-    form->addRow(new QLabel(form->parentWidget()), row);
+    addRow(form, text, box, row);
+    slider->setAccessibleName(box->accessibleName());
+    slider->setToolTip(tip);
+    box->setToolTip(tip);
 }
 
 QFormLayout* spaced(QFormLayout* form)
@@ -60,18 +74,6 @@ QFormLayout* spaced(QFormLayout* form)
     form->setHorizontalSpacing(14);
     form->setVerticalSpacing(10);
     return form;
-}
-
-/// Labels of a form's rows; each names its field, also to who cannot see it.
-void setLabels(QFormLayout* form, std::initializer_list<std::pair<QString, QWidget*>> rows)
-{
-    int row = 0;
-    for (const auto& [text, field] : rows) {
-        auto* label = qobject_cast<QLabel*>(form->itemAt(row++, QFormLayout::LabelRole)->widget());
-        label->setText(text);
-        label->setBuddy(field);
-        field->setAccessibleName(QString(text).remove(u'&'));
-    }
 }
 
 } // namespace
@@ -88,7 +90,7 @@ LightDialog::LightDialog(ViewSettings* settings, QWidget* parent)
     , m_haze(new QDoubleSpinBox(this))
     , m_exposureSlider(new QSlider(Qt::Horizontal, this))
     , m_exposure(new QDoubleSpinBox(this))
-    , m_moment(new QGroupBox(this))
+    , m_moment(new QGroupBox(tr("The sun of a day and a place"), this))
     , m_time(new QDateTimeEdit(QDateTime(QDate::currentDate(), QTime(15, 0)), this))
     , m_latitude(new QDoubleSpinBox(this))
     , m_longitude(new QDoubleSpinBox(this))
@@ -104,13 +106,19 @@ LightDialog::LightDialog(ViewSettings* settings, QWidget* parent)
     m_latitude->setObjectName(QStringLiteral("latitude"));
     m_longitude->setObjectName(QStringLiteral("longitude"));
     m_momentText->setObjectName(QStringLiteral("momentText"));
-    for (int i = 0; i < backdropCount; ++i)
-        m_backdrop->addItem(QString());
+    m_backdrop->addItems({tr("Landscape"), tr("Natural sky"), tr("Light studio"), tr("Dark studio")});
+    m_backdrop->setToolTip(
+        tr("What lies behind and below the trees: sky and meadow, the sky and the light of "
+           "a clear day as the sun's height makes them, or one colour that takes shadows"));
     m_direction->setRange(0, 359);
     m_direction->setWrapping(true);
     m_height->setRange(int(SceneLight::leastHeightDeg), 90);
+    m_direction->setSuffix(tr("°"));
+    m_height->setSuffix(tr("°"));
+    m_exposure->setSuffix(tr(" stops"));
     build();
-    retranslate();
+    tellMoment();
+    take();
     connect(m_backdrop, &QComboBox::currentIndexChanged, this, &LightDialog::apply);
     for (QSpinBox* box : {m_direction, m_height})
         connect(box, &QSpinBox::valueChanged, this, &LightDialog::apply);
@@ -124,19 +132,24 @@ LightDialog::LightDialog(ViewSettings* settings, QWidget* parent)
 
 void LightDialog::build()
 {
+    setWindowTitle(tr("Light and backdrop"));
     auto* layout = new QVBoxLayout(this);
     layout->setSpacing(14);
-    m_form = spaced(new QFormLayout);
-    layout->addLayout(m_form);
-    m_form->addRow(new QLabel(this), m_backdrop);
+    auto* form = spaced(new QFormLayout);
+    layout->addLayout(form);
+    addRow(form, tr("&Backdrop"), m_backdrop);
     setUp(m_direction, m_directionSlider, 15);
     setUp(m_height, m_heightSlider, 5);
     setUp(m_haze, m_hazeSlider, Sky::leastTurbidity, Sky::mostTurbidity);
     setUp(m_exposure, m_exposureSlider, -SceneLight::mostStops, SceneLight::mostStops);
-    addRow(m_form, m_directionSlider, m_direction);
-    addRow(m_form, m_heightSlider, m_height);
-    addRow(m_form, m_hazeSlider, m_haze);
-    addRow(m_form, m_exposureSlider, m_exposure);
+    addRow(form, tr("Sun &from"), m_directionSlider, m_direction,
+           tr("Where the sun stands, in degrees clockwise from the north (−Z): 90 is the east (X)"));
+    addRow(form, tr("Sun &height"), m_heightSlider, m_height,
+           tr("Height of the sun over the horizon, 2 to 90 degrees: a low one is warm"));
+    addRow(form, tr("Ha&ze"), m_hazeSlider, m_haze,
+           tr("Dust and water in the air of the natural sky: 2 is very clear, 8 hazy"));
+    addRow(form, tr("E&xposure"), m_exposureSlider, m_exposure,
+           tr("Brighter or darker by so many f-stops: 1 is twice the light"));
     buildMoment();
     layout->addWidget(m_moment);
     buildButtons();
@@ -151,25 +164,29 @@ void LightDialog::buildMoment()
     m_longitude->setValue(2.3);
     for (QDoubleSpinBox* box : {m_latitude, m_longitude})
         box->setDecimals(2);
-    m_momentForm = spaced(new QFormLayout(m_moment));
-    for (QWidget* field : {static_cast<QWidget*>(m_time), static_cast<QWidget*>(m_latitude),
-                           static_cast<QWidget*>(m_longitude)})
-        m_momentForm->addRow(new QLabel(this), field);
-    m_takeMoment = new QPushButton(this);
+    m_latitude->setSuffix(tr("°"));
+    m_longitude->setSuffix(tr("°"));
+    m_time->setToolTip(tr("Day and time, in this computer's time zone"));
+    m_latitude->setToolTip(tr("Degrees north of the equator; south of it negative"));
+    m_longitude->setToolTip(tr("Degrees east of Greenwich; west of it negative"));
+    auto* form = spaced(new QFormLayout(m_moment));
+    addRow(form, tr("&Day and time"), m_time);
+    addRow(form, tr("&Latitude"), m_latitude);
+    addRow(form, tr("L&ongitude"), m_longitude);
+    m_takeMoment = new QPushButton(tr("&Put the sun there"), this);
     m_takeMoment->setAutoDefault(false);
     m_takeMoment->setObjectName(QStringLiteral("takeMoment"));
     m_momentText->setWordWrap(true);
-    m_momentForm->addRow(m_momentText);
-    m_momentForm->addRow(m_takeMoment);
+    form->addRow(m_momentText);
+    form->addRow(m_takeMoment);
     connect(m_takeMoment, &QPushButton::clicked, this, &LightDialog::takeMoment);
 }
 
 void LightDialog::buildButtons()
 {
     auto* buttons = new QDialogButtonBox(this);
-    m_usual = buttons->addButton(QString(), QDialogButtonBox::ResetRole);
-    m_close = buttons->addButton(QString(), QDialogButtonBox::RejectRole);
-    m_close->setDefault(true);
+    m_usual = buttons->addButton(tr("Usual light"), QDialogButtonBox::ResetRole);
+    buttons->addButton(tr("Close"), QDialogButtonBox::RejectRole)->setDefault(true);
     m_usual->setAutoDefault(false);
     m_usual->setObjectName(QStringLiteral("usualLight"));
     layout()->addWidget(buttons);
@@ -225,65 +242,6 @@ void LightDialog::takeMoment()
     light.azimuthDeg = sun.azimuthDeg;
     light.heightDeg = std::max(sun.heightDeg, SceneLight::leastHeightDeg);
     m_settings->setLight(light);
-}
-
-void LightDialog::retranslate()
-{
-    setWindowTitle(tr("Light and backdrop"));
-    m_backdrop->setItemText(int(Backdrop::Landscape), tr("Landscape"));
-    m_backdrop->setItemText(int(Backdrop::Sky), tr("Natural sky"));
-    m_backdrop->setItemText(int(Backdrop::LightStudio), tr("Light studio"));
-    m_backdrop->setItemText(int(Backdrop::DarkStudio), tr("Dark studio"));
-    m_backdrop->setToolTip(
-        tr("What lies behind and below the trees: sky and meadow, the sky and the light of "
-           "a clear day as the sun's height makes them, or one colour that takes shadows"));
-    const std::pair<QWidget*, QString> tips[] = {
-        {m_direction,
-         tr("Where the sun stands, in degrees clockwise from the north (−Z): 90 is the east (X)")},
-        {m_height, tr("Height of the sun over the horizon, 2 to 90 degrees: a low one is warm")},
-        {m_haze, tr("Dust and water in the air of the natural sky: 2 is very clear, 8 hazy")},
-        {m_exposure, tr("Brighter or darker by so many f-stops: 1 is twice the light")}};
-    QSlider* const sliders[] = {m_directionSlider, m_heightSlider, m_hazeSlider, m_exposureSlider};
-    for (std::size_t i = 0; i < std::size(tips); ++i) {
-        tips[i].first->setToolTip(tips[i].second);
-        sliders[i]->setToolTip(tips[i].second);
-    }
-    m_direction->setSuffix(tr("°"));
-    m_height->setSuffix(tr("°"));
-    m_exposure->setSuffix(tr(" stops"));
-    setLabels(m_form, {{tr("&Backdrop"), m_backdrop},
-                       {tr("Sun &from"), m_direction},
-                       {tr("Sun &height"), m_height},
-                       {tr("Ha&ze"), m_haze},
-                       {tr("E&xposure"), m_exposure}});
-    for (std::size_t i = 0; i < std::size(tips); ++i)
-        sliders[i]->setAccessibleName(tips[i].first->accessibleName());
-    m_usual->setText(tr("Usual light"));
-    m_close->setText(tr("Close"));
-    retranslateMoment();
-    take();
-}
-
-void LightDialog::retranslateMoment()
-{
-    m_moment->setTitle(tr("The sun of a day and a place"));
-    m_time->setToolTip(tr("Day and time, in this computer's time zone"));
-    m_latitude->setToolTip(tr("Degrees north of the equator; south of it negative"));
-    m_longitude->setToolTip(tr("Degrees east of Greenwich; west of it negative"));
-    m_latitude->setSuffix(tr("°"));
-    m_longitude->setSuffix(tr("°"));
-    setLabels(
-        m_momentForm,
-        {{tr("&Day and time"), m_time}, {tr("&Latitude"), m_latitude}, {tr("L&ongitude"), m_longitude}});
-    m_takeMoment->setText(tr("&Put the sun there"));
-    tellMoment();
-}
-
-void LightDialog::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QDialog::changeEvent(event);
 }
 
 } // namespace ramure

@@ -26,24 +26,18 @@ public:
     /// \p settings are not owned and must outlive the dialog.
     explicit LightDialog(ViewSettings* settings, QWidget* parent = nullptr);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void build();
     void buildMoment();
     void buildButtons();
     void take();
     void apply();
-    void retranslate();
-    void retranslateMoment();
     /// Where the sun stands at the moment and the place of the fields.
     [[nodiscard]] SunPosition momentsSun() const;
     void tellMoment();
     void takeMoment();
 
     ViewSettings* m_settings;
-    QFormLayout* m_form = nullptr;
     QComboBox* m_backdrop;
     QSlider* m_directionSlider;
     QSpinBox* m_direction;
@@ -54,14 +48,12 @@ private:
     QSlider* m_exposureSlider;
     QDoubleSpinBox* m_exposure;
     QGroupBox* m_moment;
-    QFormLayout* m_momentForm = nullptr;
     QDateTimeEdit* m_time;
     QDoubleSpinBox* m_latitude;
     QDoubleSpinBox* m_longitude;
     QLabel* m_momentText;
     QPushButton* m_takeMoment = nullptr;
     QPushButton* m_usual = nullptr;
-    QPushButton* m_close = nullptr;
     bool m_taking = false;
 };
 

@@ -2,7 +2,6 @@
 
 #include "widgets/view/render/gl_setup.h"
 #include "widgets/view/viewport.h"
-#include <QEvent>
 #include <QLabel>
 #include <QVBoxLayout>
 
@@ -22,30 +21,16 @@ ViewportHost::ViewportHost(Document* document, QWidget* parent)
         setFocusProxy(m_viewport);
         return;
     }
-    m_placeholder = new QLabel(this);
-    m_placeholder->setObjectName(QStringLiteral("viewportPlaceholder"));
-    m_placeholder->setAlignment(Qt::AlignCenter);
-    m_placeholder->setWordWrap(true);
-    m_placeholder->setMargin(24);
-    m_placeholder->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    layout->addWidget(m_placeholder);
-    retranslate();
-}
-
-void ViewportHost::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QWidget::changeEvent(event);
-}
-
-void ViewportHost::retranslate()
-{
-    if (!m_placeholder)
-        return;
-    m_placeholder->setText(
+    auto* placeholder = new QLabel(
         tr("<h3>No 3D view</h3><p>%1</p><p>Everything else works: parameters, undo, saving and export.</p>")
-            .arg(probeOpenGl().reason.toHtmlEscaped()));
+            .arg(probe.reason.toHtmlEscaped()),
+        this);
+    placeholder->setObjectName(QStringLiteral("viewportPlaceholder"));
+    placeholder->setAlignment(Qt::AlignCenter);
+    placeholder->setWordWrap(true);
+    placeholder->setMargin(24);
+    placeholder->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    layout->addWidget(placeholder);
 }
 
 } // namespace ramure

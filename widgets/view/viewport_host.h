@@ -26,15 +26,9 @@ public:
     /// Always there.
     [[nodiscard]] ViewSettings* settings() const { return m_settings; }
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
-    void retranslate();
-
     ViewSettings* m_settings;
     Viewport* m_viewport = nullptr;
-    QLabel* m_placeholder = nullptr;
 };
 
 } // namespace ramure

@@ -262,11 +262,6 @@ bool Viewport::giveToTools(QEvent* event)
         d->setCamera(to);
         return true;
     }
-    case QEvent::LanguageChange:
-        setAccessibleName(tr("3D view"));
-        d->updateHint();
-        update(); // the labels of the cube
-        return false;
     default:
         return false;
     }

@@ -2,7 +2,6 @@
 
 #include "widgets/base/theme/icons.h"
 #include "widgets/panels/scene/isolation.h"
-#include <QEvent>
 
 namespace ramure {
 
@@ -30,13 +29,6 @@ void IsolationButton::update()
     setToolTip(tr("Only these branches are shown. A click shows the whole tree again."));
     setAccessibleName(text());
     setVisible(m_isolation->isActive());
-}
-
-void IsolationButton::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange)
-        update();
-    QToolButton::changeEvent(event);
 }
 
 } // namespace ramure

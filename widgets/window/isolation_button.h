@@ -15,9 +15,6 @@ public:
     /// \p isolation is not owned and must outlive the button.
     explicit IsolationButton(Isolation* isolation, QWidget* parent = nullptr);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void update();
 

@@ -3,7 +3,6 @@
 #include "core/qt/session/jobs/job.h"
 #include "widgets/base/progress_steps.h"
 #include "widgets/base/theme/icons.h"
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
@@ -53,7 +52,8 @@ JobPanel::JobPanel(Job* job, const QString& name, QWidget* parent)
     });
     connect(m_job, &Job::progress, this,
             [this](double fraction) { m_progress->setValue(static_cast<int>(fraction * progressSteps)); });
-    retranslate();
+    m_cancel->setToolTip(tr("Give this up; no half-written file stays"));
+    m_cancel->setAccessibleName(tr("Cancel"));
     hide();
 }
 
@@ -61,19 +61,6 @@ void JobPanel::setText(const QString& text)
 {
     m_text->setText(text);
     m_progress->setAccessibleName(text);
-}
-
-void JobPanel::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QWidget::changeEvent(event);
-}
-
-void JobPanel::retranslate()
-{
-    m_cancel->setToolTip(tr("Give this up; no half-written file stays"));
-    m_cancel->setAccessibleName(tr("Cancel"));
 }
 
 } // namespace ramure

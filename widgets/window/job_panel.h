@@ -24,12 +24,7 @@ public:
     /// "Baking the motion"; in the present language.
     void setText(const QString& text);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
-    void retranslate();
-
     Job* m_job;
     QLabel* m_text;
     QProgressBar* m_progress;

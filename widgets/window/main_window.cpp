@@ -110,7 +110,7 @@ MainWindow::MainWindow(Document* document, Recompute* recompute, Preferences* pr
     connect(m_document->undoStack(), &QUndoStack::cleanChanged, this, &MainWindow::updateTitle);
     qApp->installEventFilter(new SpaceKeeper(this));
     new FieldLeaver(this, m_host);
-    retranslate();
+    updateTitle();
     restoreLayout();
 }
 
@@ -308,13 +308,6 @@ void MainWindow::closeEvent(QCloseEvent* event)
     }
     m_preferences->setWindow(saveGeometry(), saveState(layoutVersion));
     event->accept();
-}
-
-void MainWindow::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QMainWindow::changeEvent(event);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)

@@ -26,6 +26,7 @@ class HelpActions;
 class HintLine;
 class Isolation;
 class IsolationButton;
+class Job;
 class JobPanel;
 class KeyActions;
 class KeyCommands;
@@ -103,7 +104,6 @@ public:
 
 protected:
     void closeEvent(QCloseEvent* event) override;
-    void changeEvent(QEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dragMoveEvent(QDragMoveEvent* event) override;
     void dropEvent(QDropEvent* event) override;
@@ -149,6 +149,7 @@ private:
     void buildToolBar();
     void buildHandBar(QVBoxLayout* column);
     void buildStatusBar();
+    JobPanel* addJob(Job* job, const char* name);
     void connectPanels();
     void connectViewport(Viewport* view);
     void connectTimeline();
@@ -158,7 +159,6 @@ private:
     void follow(const Change& change);
     void updateTitle();
     void restoreLayout();
-    void retranslate();
 
     Document* m_document;
     Recompute* m_recompute;
@@ -177,14 +177,9 @@ private:
     TimelinePanel* m_timeline = nullptr;
     PlayActions* m_plays = nullptr;
     BakeActions* m_bakes = nullptr;
-    JobPanel* m_bakeProgress = nullptr;
-    JobPanel* m_billboardProgress = nullptr;
-    JobPanel* m_armProgress = nullptr;
-    JobPanel* m_wearProgress = nullptr;
     SequenceTask* m_sequences = nullptr;
     QVariantMap m_lastExport; ///< ExportDialog::settings
     QString m_lastExportPath;
-    JobPanel* m_sequenceProgress = nullptr;
     KeyModel* m_keyModel = nullptr;
     KeyCommands* m_keyCommands = nullptr;
     KeyActions* m_keyActions = nullptr;
@@ -214,15 +209,7 @@ private:
     QAction* m_previousSection = nullptr;
     QAction* m_roll = nullptr;
     QAction* m_separate = nullptr;
-    QMenu* m_fileMenu = nullptr;
-    QMenu* m_editMenu = nullptr;
-    QMenu* m_selectMenu = nullptr;
-    QMenu* m_viewMenu = nullptr;
-    QMenu* m_playMenu = nullptr;
-    QMenu* m_keysMenu = nullptr;
-    QMenu* m_helpMenu = nullptr;
     QToolBar* m_toolBar = nullptr;
-    ToolBox* m_handBar = nullptr; ///< at the view's left edge
     ToolStrip* m_strip = nullptr; ///< over the view
     ArmPanel* m_arm = nullptr;
     QList<QDockWidget*> m_docks; ///< one for each row of panels()

@@ -80,7 +80,7 @@ void MainWindow::showPanel(const QWidget* panel)
 
 void MainWindow::addPanel(const PanelRow& row, QWidget* content)
 {
-    auto* dock = new QDockWidget(this);
+    auto* dock = new QDockWidget(tr(row.title), this);
     m_docks += dock;
     dock->setObjectName(QString::fromLatin1(row.dock));
     dock->toggleViewAction()->setObjectName(QStringLiteral("view.panel.") + dock->objectName());
@@ -332,40 +332,39 @@ void MainWindow::buildBranchActions()
 
 void MainWindow::buildMenus()
 {
-    m_fileMenu = menuBar()->addMenu(QString());
-    m_files->fillMenu(m_fileMenu, m_program->welcomeAction(),
+    QMenu* file = menuBar()->addMenu(tr("&File"));
+    m_files->fillMenu(file, m_program->welcomeAction(),
                       QList{m_billboards->action()} + m_pictures->pictureActions(), m_imports->actions());
-    m_editMenu = menuBar()->addMenu(QString());
-    m_edits->fillMenu(m_editMenu);
-    m_editMenu->addSeparator();
-    m_transforms->fillMenu(m_editMenu);
-    m_hands->fillMenu(m_editMenu);
-    m_editMenu->addAction(m_separate);
-    m_editMenu->addAction(m_search);
-    m_editMenu->addSeparator();
-    m_editMenu->addAction(m_program->preferencesAction());
-    m_selectMenu = menuBar()->addMenu(QString());
-    m_selectMenu->addActions(m_pictures->selectionActions());
-    m_selects->fillMenu(m_selectMenu);
-    m_selectMenu->addSeparator();
-    m_selectMenu->addActions(branchActions());
-    m_viewMenu = menuBar()->addMenu(QString());
+    QMenu* edit = menuBar()->addMenu(tr("&Edit"));
+    m_edits->fillMenu(edit);
+    edit->addSeparator();
+    m_transforms->fillMenu(edit);
+    m_hands->fillMenu(edit);
+    edit->addAction(m_separate);
+    edit->addAction(m_search);
+    edit->addSeparator();
+    edit->addAction(m_program->preferencesAction());
+    QMenu* select = menuBar()->addMenu(tr("&Select"));
+    select->addActions(m_pictures->selectionActions());
+    m_selects->fillMenu(select);
+    select->addSeparator();
+    select->addActions(branchActions());
+    QMenu* view = menuBar()->addMenu(tr("&View"));
     QList<QAction*> shownPanels;
     for (const QDockWidget* dock : m_docks)
         shownPanels += dock->toggleViewAction();
-    m_views->fillMenu(m_viewMenu, shownPanels, m_resetLayout);
-    m_playMenu = menuBar()->addMenu(QString());
-    m_plays->fillMenu(m_playMenu);
-    m_playMenu->addSeparator();
-    m_bakes->fillMenu(m_playMenu);
-    m_keysMenu = menuBar()->addMenu(QString());
-    m_keyActions->fillMenu(m_keysMenu);
-    m_helpMenu = menuBar()->addMenu(QString());
-    m_helpMenu->addActions(m_help->actions());
-    m_helpMenu->addSeparator();
-    m_helpMenu->addActions(m_program->helpActions());
-    const QList<QMenu*> menus{m_fileMenu, m_editMenu, m_selectMenu, m_viewMenu,
-                              m_playMenu, m_keysMenu, m_helpMenu};
+    m_views->fillMenu(view, shownPanels, m_resetLayout);
+    QMenu* play = menuBar()->addMenu(tr("&Play"));
+    m_plays->fillMenu(play);
+    play->addSeparator();
+    m_bakes->fillMenu(play);
+    QMenu* keys = menuBar()->addMenu(tr("&Keys"));
+    m_keyActions->fillMenu(keys);
+    QMenu* help = menuBar()->addMenu(tr("He&lp"));
+    help->addActions(m_help->actions());
+    help->addSeparator();
+    help->addActions(m_program->helpActions());
+    const QList<QMenu*> menus{file, edit, select, view, play, keys, help};
     m_program->setMenus(menus);
     m_help->setMenus(menus);
     m_scene->setMenuActions(m_edits->nodeActions(), m_selects, m_hands->branchActions());
@@ -373,7 +372,7 @@ void MainWindow::buildMenus()
 
 void MainWindow::buildToolBar()
 {
-    m_toolBar = addToolBar(QString());
+    m_toolBar = addToolBar(tr("Toolbar"));
     m_toolBar->setObjectName(QStringLiteral("mainToolBar"));
     m_toolBar->setMovable(false);
     m_toolBar->setIconSize({18, 18});
@@ -395,11 +394,12 @@ void MainWindow::buildHandBar(QVBoxLayout* column)
 {
     QWidget* centre = centralWidget();
     const QList<QAction*> tools = m_transforms->toolActions() + m_hands->toolActions();
-    m_handBar = new ToolBox(centre);
-    m_handBar->setObjectName(QStringLiteral("handBar"));
-    m_handBar->addGroup(m_transforms->toolActions());
+    auto* handBar = new ToolBox(centre);
+    handBar->setObjectName(QStringLiteral("handBar"));
+    handBar->setAccessibleName(tr("Tools"));
+    handBar->addGroup(m_transforms->toolActions());
     for (const QList<QAction*>& group : m_hands->toolGroups())
-        m_handBar->addGroup(group);
+        handBar->addGroup(group);
     auto* transforms = new QToolBar(centre);
     transforms->setObjectName(QStringLiteral("transformBar"));
     transforms->setIconSize({18, 18});
@@ -408,7 +408,7 @@ void MainWindow::buildHandBar(QVBoxLayout* column)
     column->addWidget(m_strip);
     auto* view = new QHBoxLayout;
     view->setSpacing(0);
-    view->addWidget(m_handBar);
+    view->addWidget(handBar);
     view->addWidget(m_host, 1);
     column->addLayout(view, 1);
 }
@@ -428,6 +428,13 @@ static QToolButton* newAutoKeyMark(QAction* action, QWidget* parent)
     return mark;
 }
 
+JobPanel* MainWindow::addJob(Job* job, const char* name)
+{
+    auto* panel = new JobPanel(job, QLatin1String(name), this);
+    statusBar()->addPermanentWidget(panel);
+    return panel;
+}
+
 void MainWindow::buildStatusBar()
 {
     statusBar()->setSizeGripEnabled(false);
@@ -441,18 +448,11 @@ void MainWindow::buildStatusBar()
     statusBar()->addPermanentWidget(new UnplacedButton(m_document, m_preferences, this));
     statusBar()->addPermanentWidget(new IsolationButton(m_isolation, this));
     statusBar()->addPermanentWidget(newAutoKeyMark(m_keyActions->autoAction(), this));
-    m_bakeProgress = new JobPanel(m_bakes->job(), QStringLiteral("bakeProgress"), this);
-    statusBar()->addPermanentWidget(m_bakeProgress);
-    m_armProgress = new JobPanel(m_arm->bakeJob(), QStringLiteral("armProgress"), this);
-    statusBar()->addPermanentWidget(m_armProgress);
-    m_wearProgress = new JobPanel(m_arm->meshRow()->job(), QStringLiteral("wearProgress"), this);
-    statusBar()->addPermanentWidget(m_wearProgress);
-    auto* picture = new JobPanel(m_pictures->job(), QStringLiteral("pictureProgress"), this);
-    statusBar()->addPermanentWidget(picture);
-    connect(m_pictures->job(), &Job::runningChanged, picture,
-            [picture] { picture->setText(tr("Drawing a picture")); });
-    m_billboardProgress = new JobPanel(m_billboards->job(), QStringLiteral("billboardProgress"), this);
-    statusBar()->addPermanentWidget(m_billboardProgress);
+    addJob(m_bakes->job(), "bakeProgress")->setText(tr("Baking the motion"));
+    addJob(m_arm->bakeJob(), "armProgress")->setText(tr("Baking the arm to keys"));
+    addJob(m_arm->meshRow()->job(), "wearProgress")->setText(tr("Putting the mesh on the arm"));
+    addJob(m_pictures->job(), "pictureProgress")->setText(tr("Drawing a picture"));
+    addJob(m_billboards->job(), "billboardProgress")->setText(tr("Drawing a billboard"));
     buildSequences();
     m_status->follow(m_player);
     if (Viewport* view = m_host->viewport())
@@ -465,11 +465,10 @@ void MainWindow::buildStatusBar()
 void MainWindow::buildSequences()
 {
     m_sequences = new SequenceTask(this);
-    m_sequenceProgress = new JobPanel(m_sequences, QStringLiteral("sequenceProgress"), this);
-    statusBar()->addPermanentWidget(m_sequenceProgress);
-    connect(m_sequences, &Job::runningChanged, this, [this](bool running) {
+    JobPanel* progress = addJob(m_sequences, "sequenceProgress");
+    connect(m_sequences, &Job::runningChanged, this, [this, progress](bool running) {
         if (running)
-            m_sequenceProgress->setText(tr("Writing %Ln file(s)", nullptr, int(m_sequences->fileCount())));
+            progress->setText(tr("Writing %Ln file(s)", nullptr, int(m_sequences->fileCount())));
     });
     connect(m_sequences, &Job::finished, this, [this](const std::optional<Error>& error) {
         const QString folder = QDir::toNativeSeparators(QFileInfo(m_sequences->path()).absolutePath());
@@ -487,36 +486,6 @@ void MainWindow::buildSequences()
                 tr("%Ln file(s) written to %1", nullptr, int(m_sequences->fileCount())).arg(folder),
                 tr("Show in folder"), [this, path = m_sequences->path()] { showInFolder(path); });
     });
-}
-
-void MainWindow::retranslate()
-{
-    m_actions->retranslate();
-    m_files->retranslate();
-    m_billboards->retranslate();
-    m_billboardProgress->setText(tr("Drawing a billboard"));
-    m_edits->retranslate();
-    m_views->retranslate();
-    m_transforms->retranslate();
-    m_hands->retranslate();
-    m_fileMenu->setTitle(tr("&File"));
-    m_editMenu->setTitle(tr("&Edit"));
-    m_selectMenu->setTitle(tr("&Select"));
-    m_viewMenu->setTitle(tr("&View"));
-    m_playMenu->setTitle(tr("&Play"));
-    m_keysMenu->setTitle(tr("&Keys"));
-    m_helpMenu->setTitle(tr("He&lp"));
-    m_toolBar->setWindowTitle(tr("Toolbar"));
-    m_handBar->setAccessibleName(tr("Tools"));
-    for (std::size_t i = 0; i < panels().size(); ++i)
-        m_docks[qsizetype(i)]->setWindowTitle(tr(panels()[i].title));
-    m_keyActions->retranslate();
-    m_plays->retranslate();
-    m_bakes->retranslate();
-    m_bakeProgress->setText(tr("Baking the motion"));
-    m_armProgress->setText(tr("Baking the arm to keys"));
-    m_wearProgress->setText(tr("Putting the mesh on the arm"));
-    updateTitle();
 }
 
 } // namespace ramure

@@ -3,7 +3,6 @@
 #include "core/params/param_def.h"
 #include "widgets/base/texts/core_text.h"
 #include "widgets/base/theme/icons.h"
-#include <QEvent>
 
 namespace ramure {
 
@@ -75,13 +74,6 @@ void ProblemButton::resizeEvent(QResizeEvent* event)
 {
     QToolButton::resizeEvent(event);
     elide();
-}
-
-void ProblemButton::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange)
-        update();
-    QToolButton::changeEvent(event);
 }
 
 } // namespace ramure

@@ -23,7 +23,6 @@ signals:
     void paramRequested(const QString& key);
 
 protected:
-    void changeEvent(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 
 private:

@@ -93,7 +93,7 @@ StatusPanel::StatusPanel(Document* document, Recompute* recompute, Analysis* ana
     , m_analysis(analysis)
     , m_progress(new QProgressBar(this))
     , m_cancel(new QToolButton(this))
-    , m_bark(new QLabel(this))
+    , m_bark(new QLabel(tr("Making the bark…"), this))
     , m_counts(new QLabel(this))
     , m_time(new QLabel(this))
     , m_hash(new QLabel(this))
@@ -131,16 +131,22 @@ StatusPanel::StatusPanel(Document* document, Recompute* recompute, Analysis* ana
         layout->addWidget(widget);
         widget->hide();
     }
-    layout->addWidget(m_counts);
-    layout->addWidget(m_time);
-    layout->addWidget(m_hash);
-    layout->addWidget(m_badge);
+    for (QLabel* label : {m_counts, m_time, m_hash, m_badge})
+        layout->addWidget(label);
     for (QTimer* patience : {m_patience, m_barkPatience}) {
         patience->setSingleShot(true);
         patience->setInterval(patienceMs);
     }
     follow();
-    retranslate();
+    m_cancel->setToolTip(tr("Stop computing; the draft stays"));
+    m_cancel->setAccessibleName(tr("Stop computing"));
+    m_progress->setAccessibleName(tr("Progress of the computation"));
+    m_bark->setToolTip(
+        tr("The picture of the bark is being made; until it is there, the bark has one colour."));
+    m_time->setToolTip(tr(
+        "Time to build the trees, without drawing. “cached”: nothing had to be built, the results of before "
+        "still hold."));
+    measureAnew();
 }
 
 /// What there is to say comes from the work, the checks and the document.
@@ -388,8 +394,6 @@ void StatusPanel::showBadge(const SceneTotals& totals)
 
 void StatusPanel::changeEvent(QEvent* event)
 {
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
     QWidget::changeEvent(event);
     if (event->type() == QEvent::StyleChange)
         measureAnew();
@@ -429,20 +433,6 @@ void StatusPanel::measureAnew()
     for (QLabel* label : {m_counts, m_time, m_badge, m_hash})
         forgetRoom(label);
     update();
-}
-
-void StatusPanel::retranslate()
-{
-    m_cancel->setToolTip(tr("Stop computing; the draft stays"));
-    m_cancel->setAccessibleName(tr("Stop computing"));
-    m_progress->setAccessibleName(tr("Progress of the computation"));
-    m_bark->setText(tr("Making the bark…"));
-    m_bark->setToolTip(
-        tr("The picture of the bark is being made; until it is there, the bark has one colour."));
-    m_time->setToolTip(tr(
-        "Time to build the trees, without drawing. “cached”: nothing had to be built, the results of before "
-        "still hold."));
-    measureAnew();
 }
 
 } // namespace ramure

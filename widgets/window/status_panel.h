@@ -74,7 +74,6 @@ private:
     void showBusy();
     [[nodiscard]] bool isBusy() const;
     void showHash();
-    void retranslate();
     void measureAnew();
     void fitWindow();
     [[nodiscard]] QString reportTip(const SceneTotals& totals) const;

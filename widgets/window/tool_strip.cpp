@@ -95,7 +95,7 @@ ToolStrip::ToolStrip(ViewSettings* settings, QList<QAction*> tools, QToolBar* tr
     }
     connect(m_settings, &HandSettings::toolChanged, this, &ToolStrip::follow);
     connect(m_settings, &HandSettings::optionsChanged, this, &ToolStrip::takeValues);
-    retranslate();
+    follow();
     takeValues();
 }
 
@@ -103,7 +103,10 @@ void ToolStrip::add(const Option& option, const char* id)
 {
     option.widget->setObjectName(QLatin1String(id));
     option.widget->hide();
+    option.widget->setToolTip(optionText(option.tip));
+    option.widget->setAccessibleName(optionText(option.text));
     if (option.label) {
+        option.label->setText(optionText(option.text));
         option.label->setBuddy(option.widget);
         option.label->hide();
     }
@@ -149,7 +152,7 @@ void ToolStrip::addNumbers()
 void ToolStrip::addFlags()
 {
     for (const HandFlag& row : handFlags()) {
-        auto* box = new QCheckBox(this);
+        auto* box = new QCheckBox(optionText(row.label), this);
         box->setFocusPolicy(Qt::TabFocus); // a click leaves the keys with the view
         connect(box, &QCheckBox::toggled, this, [this, member = row.member](bool on) {
             HandOptions options = m_settings->options();
@@ -164,8 +167,8 @@ void ToolStrip::addChoices()
 {
     for (const HandChoice& row : handChoices()) {
         auto* box = new QComboBox(this);
-        for (std::size_t item = 0; item < row.items.size(); ++item)
-            box->addItem(QString());
+        for (const auto& item : row.items)
+            box->addItem(optionText(item));
         box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
         box->setFocusPolicy(Qt::TabFocus);
         connect(box, &QComboBox::activated, this, [this, choose = row.choose](int item) {
@@ -185,6 +188,8 @@ void ToolStrip::addMore()
     m_more->setIconSize({stripIcon, stripIcon});
     m_more->setAutoRaise(true);
     m_more->setFocusPolicy(Qt::TabFocus);
+    m_more->setToolTip(tr("More options"));
+    m_more->setAccessibleName(m_more->toolTip());
     m_more->hide();
     m_rest = new QFrame(this, Qt::Popup);
     m_rest->setObjectName(QStringLiteral("restOfOptions"));
@@ -298,31 +303,6 @@ void ToolStrip::elide()
     m_tip->setToolTip(m_tip->text() == m_tipText ? QString() : m_tipText);
 }
 
-void ToolStrip::retranslate()
-{
-    for (const Option& option : m_options) {
-        if (option.label)
-            option.label->setText(optionText(option.text));
-        else
-            static_cast<QCheckBox*>(option.widget)->setText(optionText(option.text));
-        option.widget->setToolTip(optionText(option.tip));
-        option.widget->setAccessibleName(optionText(option.text));
-    }
-    for (const HandChoice& row : handChoices())
-        for (std::size_t item = 0; item < row.items.size(); ++item)
-            findChild<QComboBox*>(QLatin1String(row.id))->setItemText(int(item), optionText(row.items[item]));
-    auto field = m_numbers.begin();
-    for (const HandNumber& row : handNumbers())
-        (*field++)->setFormat(formatOf(row));
-    for (const HandCount& row : handCounts())
-        (*field++)->setFormat(formatOf(row));
-    m_more->setToolTip(tr("More options"));
-    m_more->setAccessibleName(m_more->toolTip());
-    m_inStrip.clear(); // texts have other widths
-    m_inRest.clear();
-    follow();
-}
-
 void ToolStrip::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
@@ -333,8 +313,6 @@ void ToolStrip::resizeEvent(QResizeEvent* event)
 void ToolStrip::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
     if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
         follow();
 }

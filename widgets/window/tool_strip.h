@@ -28,8 +28,6 @@ public:
     /// that move nodes have: shown with them. Nothing is owned but \p transforms.
     ToolStrip(ViewSettings* settings, QList<QAction*> tools, QToolBar* transforms, QWidget* parent);
 
-    void retranslate();
-
 protected:
     void resizeEvent(QResizeEvent* event) override;
     void changeEvent(QEvent* event) override;

@@ -4,7 +4,6 @@
 #include "widgets/base/theme/icons.h"
 #include "widgets/base/theme/preferences.h"
 #include "widgets/dialogs/unplaced_dialog.h"
-#include <QEvent>
 
 namespace ramure {
 
@@ -40,13 +39,6 @@ void UnplacedButton::update()
         tr("Rolls and bends of branches that are not there at present. They are kept. A click lists them."));
     setAccessibleName(text());
     setVisible(count > 0);
-}
-
-void UnplacedButton::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange)
-        update();
-    QToolButton::changeEvent(event);
 }
 
 } // namespace ramure

@@ -16,9 +16,6 @@ public:
     /// Neither is owned, and both must outlive the button.
     UnplacedButton(Document* document, const Preferences* preferences, QWidget* parent = nullptr);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void update();
 

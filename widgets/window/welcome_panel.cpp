@@ -11,7 +11,6 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QDir>
-#include <QEvent>
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QKeyEvent>
@@ -39,18 +38,13 @@ WelcomePanel::WelcomePanel(FileActions* files, ActionSet* set, Preferences* pref
     , m_set(set)
     , m_preferences(preferences)
     , m_page(new QWidget)
-    , m_title(new QLabel(m_page))
-    , m_intro(new QLabel(m_page))
     , m_close(new QToolButton(m_page))
-    , m_newHeading(heading())
     , m_gallery(new PresetGallery(PictureButton::usualWidth, preferences, m_page))
-    , m_add(new QAction(this))
-    , m_recentHeading(heading())
+    , m_add(new QAction(tr("&Add to the scene"), this))
     , m_recent(new QVBoxLayout)
-    , m_open(new QPushButton(m_page))
-    , m_keysHeading(heading())
+    , m_open(new QPushButton(tr("Open a file…"), m_page))
     , m_hints(new QGridLayout)
-    , m_atStart(new QCheckBox(this))
+    , m_atStart(new QCheckBox(tr("Show this page at the start"), this))
 {
     setObjectName(QStringLiteral("welcome"));
     build();
@@ -71,21 +65,27 @@ WelcomePanel::WelcomePanel(FileActions* files, ActionSet* set, Preferences* pref
     hide();
 }
 
-QLabel* WelcomePanel::heading()
+QLabel* WelcomePanel::heading(const QString& text)
 {
-    auto* label = new QLabel(m_page);
+    auto* label = new QLabel(text, m_page);
     label->setObjectName(QStringLiteral("panelTitle"));
     return label;
 }
 
 void WelcomePanel::build()
 {
-    m_title->setObjectName(QStringLiteral("welcomeTitle"));
-    m_intro->setObjectName(QStringLiteral("dim"));
-    m_intro->setWordWrap(true);
+    auto* title = new QLabel(tr("Welcome to Ramure"), m_page);
+    title->setObjectName(QStringLiteral("welcomeTitle"));
+    auto* intro = new QLabel(
+        tr("From a grammar to one clean mesh. The tree beside this page is ready to be changed."), m_page);
+    intro->setObjectName(QStringLiteral("dim"));
+    intro->setWordWrap(true);
     m_close->setAutoRaise(true);
     m_close->setIcon(icon("close"));
     m_close->setIconSize({14, 14});
+    m_close->setToolTip(tr("Close this page (File menu: Welcome page)"));
+    m_close->setAccessibleName(tr("Close"));
+    m_gallery->setClickText(tr("Click: new scene with it"));
     m_open->setAutoDefault(false);
     m_open->setObjectName(QStringLiteral("welcomeOpen"));
     m_atStart->setObjectName(QStringLiteral("welcomeAtStart"));
@@ -93,20 +93,20 @@ void WelcomePanel::build()
     page->setContentsMargins(sideMargin, 14, sideMargin, 10);
     page->setSpacing(6);
     auto* top = new QHBoxLayout;
-    top->addWidget(m_title, 1);
+    top->addWidget(title, 1);
     top->addWidget(m_close, 0, Qt::AlignTop);
     page->addLayout(top);
-    page->addWidget(m_intro);
+    page->addWidget(intro);
     page->addSpacing(6);
-    page->addWidget(m_newHeading);
+    page->addWidget(heading(tr("Begin a new scene with a tree")));
     page->addWidget(m_gallery);
     page->addSpacing(6);
-    page->addWidget(m_recentHeading);
+    page->addWidget(heading(tr("Recent files")));
     m_recent->setSpacing(0);
     page->addLayout(m_recent);
     page->addWidget(m_open, 0, Qt::AlignLeft);
     page->addSpacing(6);
-    page->addWidget(m_keysHeading);
+    page->addWidget(heading(tr("Keys to begin with")));
     m_hints->setHorizontalSpacing(16);
     m_hints->setVerticalSpacing(4);
     m_hints->setColumnStretch(1, 1);
@@ -131,7 +131,7 @@ void WelcomePanel::open()
 {
     fillRecent();
     m_gallery->showOwn(OwnPresets());
-    retranslate();
+    fillHints();
     setFixedWidth(m_page->sizeHint().width() + 14);
     show();
     if (QWidget* first = m_gallery->first())
@@ -190,32 +190,6 @@ void WelcomePanel::fillHints()
         m_hints->addWidget(keys, row, 0, Qt::AlignLeft);
         m_hints->addWidget(text, row++, 1);
     }
-}
-
-void WelcomePanel::retranslate()
-{
-    m_title->setText(tr("Welcome to Ramure"));
-    m_intro->setText(
-        tr("From a grammar to one clean mesh. The tree beside this page is ready to be changed."));
-    m_close->setToolTip(tr("Close this page (File menu: Welcome page)"));
-    m_close->setAccessibleName(tr("Close"));
-    m_newHeading->setText(tr("Begin a new scene with a tree"));
-    m_gallery->setClickText(tr("Click: new scene with it"));
-    m_add->setText(tr("&Add to the scene"));
-    m_recentHeading->setText(tr("Recent files"));
-    m_open->setText(tr("Open a file…"));
-    m_keysHeading->setText(tr("Keys to begin with"));
-    m_atStart->setText(tr("Show this page at the start"));
-    fillHints();
-}
-
-void WelcomePanel::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange && isVisible()) {
-        fillRecent();
-        retranslate();
-    }
-    QFrame::changeEvent(event);
 }
 
 void WelcomePanel::keyPressEvent(QKeyEvent* event)

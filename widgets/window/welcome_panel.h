@@ -29,7 +29,6 @@ public:
 
     /// With the files and keys of this moment, and the focus on the first picture.
     void open();
-    void retranslate();
     [[nodiscard]] QAction* addAction() const { return m_add; }
 
 signals:
@@ -38,7 +37,6 @@ signals:
     void addRequested(const QString& preset);
 
 protected:
-    void changeEvent(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void hideEvent(QHideEvent* event) override;
 
@@ -47,22 +45,17 @@ private:
     void takePreferences();
     void fillRecent();
     void fillHints();
-    [[nodiscard]] QLabel* heading();
+    [[nodiscard]] QLabel* heading(const QString& text);
 
     FileActions* m_files;
     ActionSet* m_set;
     Preferences* m_preferences;
     QWidget* m_page;
-    QLabel* m_title;
-    QLabel* m_intro;
     QToolButton* m_close;
-    QLabel* m_newHeading;
     PresetGallery* m_gallery;
     QAction* m_add;
-    QLabel* m_recentHeading;
     QVBoxLayout* m_recent;
     QPushButton* m_open;
-    QLabel* m_keysHeading;
     QGridLayout* m_hints;
     QCheckBox* m_atStart;
     QStringList m_shownRecent;

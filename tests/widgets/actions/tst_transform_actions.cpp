@@ -111,7 +111,6 @@ private:
         auto* actions = new TransformActions(m_host, m_preferences.get(), m_set, m_window.get());
         actions->fillMenu(new QMenu(m_window.get()));
         actions->fillToolBar(m_window->addToolBar(QString()));
-        m_set->retranslate();
         m_window->show();
     }
     [[nodiscard]] QAction* action(const char* id) const { return m_set->find(QLatin1String(id)); }

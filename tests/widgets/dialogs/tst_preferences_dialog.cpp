@@ -119,16 +119,26 @@ private slots:
         QCOMPARE(preferences.shortcuts().size(), 1);
     }
 
-    void theDialogChangesItsOwnLanguage()
+    void theLanguageChangesAtTheNextStart()
     {
         Preferences preferences;
         preferences.setLanguage(QStringLiteral("en"));
-        const Language language(&preferences);
-        PreferencesDialog dialog(&preferences);
-        QCOMPARE(dialog.windowTitle(), QStringLiteral("Preferences"));
-        auto* box = dialog.findChild<QComboBox*>(QStringLiteral("language"));
-        box->setCurrentIndex(box->findData(QStringLiteral("fr")));
-        QTRY_COMPARE(dialog.windowTitle(), QStringLiteral("Préférences"));
+        {
+            const Language language(preferences);
+            PreferencesDialog dialog(&preferences);
+            auto* box = dialog.findChild<QComboBox*>(QStringLiteral("language"));
+            box->setCurrentIndex(box->findData(QStringLiteral("fr")));
+            QCOMPARE(preferences.language(), QStringLiteral("fr"));
+            QCOMPARE(dialog.windowTitle(), QStringLiteral("Preferences"));
+            const auto hints = dialog.findChildren<QLabel*>(QStringLiteral("hint"));
+            QVERIFY(std::ranges::any_of(hints, [](const QLabel* each) {
+                return each->text() == QLatin1String("The language changes when Ramure is started again.");
+            }));
+        }
+        const Language language(preferences);
+        const PreferencesDialog dialog(&preferences);
+        QCOMPARE(dialog.windowTitle(), QStringLiteral("Préférences"));
+        const auto* box = dialog.findChild<QComboBox*>(QStringLiteral("language"));
         QCOMPARE(box->currentData().toString(), QStringLiteral("fr"));
         // Numbers, too, are written as in the new language.
         const auto* memory = dialog.findChild<QSpinBox*>(QStringLiteral("motionMemory"));
@@ -140,9 +150,9 @@ private slots:
     void nothingIsCutOffInEitherLanguage()
     {
         Preferences preferences;
-        const Language language(&preferences);
         for (const char* code : {"en", "fr"}) {
             preferences.setLanguage(QString::fromLatin1(code));
+            const Language language(preferences);
             PreferencesDialog dialog(&preferences);
             dialog.show();
             QVERIFY(QTest::qWaitForWindowExposed(&dialog));

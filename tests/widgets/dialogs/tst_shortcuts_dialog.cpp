@@ -103,10 +103,10 @@ private slots:
     /// Keys of gestures are found there too; they cannot be changed.
     void keysOfGesturesAreListed()
     {
-        const Language language(m_preferences.get());
         for (const char* code : {"en", "fr"}) {
             m_preferences->setLanguage(QString::fromLatin1(code));
-            QCoreApplication::processEvents();
+            const Language language(*m_preferences);
+            openWindow();
             auto shown = dialog();
             auto* tree = shown->findChild<QTreeWidget*>(QStringLiteral("shortcutList"));
             auto* edit = shown->findChild<QWidget*>(QStringLiteral("keys"));
@@ -147,10 +147,10 @@ private slots:
 
     void everyMenuHasAKeyOfItsOwn()
     {
-        const Language language(m_preferences.get());
         for (const char* code : {"en", "fr"}) {
             m_preferences->setLanguage(QString::fromLatin1(code));
-            QCoreApplication::processEvents();
+            const Language language(*m_preferences);
+            openWindow();
             QSet<QString> keys;
             for (const QAction* top : m_window->menuBar()->actions()) {
                 const QString key = QKeySequence::mnemonic(top->text()).toString();

@@ -295,7 +295,7 @@ private slots:
         m_preferences->setLanguage(language);
         m_preferences->setTheme(dark ? ThemeChoice::Dark : ThemeChoice::Light);
         m_preferences->addRecentFile(QStringLiteral("/home/someone/trees/oak.ramure"));
-        m_language = std::make_unique<Language>(m_preferences.get());
+        m_language = std::make_unique<Language>(*m_preferences);
         m_theme = std::make_unique<Theme>(qApp, m_preferences.get());
         m_document = std::make_unique<Document>();
         m_recompute = std::make_unique<Recompute>(m_document.get());

@@ -31,13 +31,14 @@ private:
     bool isDone() { return callout()->findChild<QLabel*>(QStringLiteral("badge"))->isVisible(); }
 
 private slots:
-    void init()
+    void init() { open("en"); }
+    void open(const char* language)
     {
         test::failOnWidgetWarning();
         QSettings().clear();
         m_preferences = std::make_unique<Preferences>();
-        m_preferences->setLanguage(QStringLiteral("en"));
-        m_language = std::make_unique<Language>(m_preferences.get());
+        m_preferences->setLanguage(QLatin1String(language));
+        m_language = std::make_unique<Language>(*m_preferences);
         m_document = std::make_unique<Document>();
         m_recompute = std::make_unique<Recompute>(m_document.get());
         m_window = std::make_unique<MainWindow>(m_document.get(), m_recompute.get(), m_preferences.get(),
@@ -113,12 +114,13 @@ private slots:
 
     void textsFitInBothLanguagesAndThemes()
     {
-        Theme theme(qApp, m_preferences.get());
         for (const ThemeChoice choice : {ThemeChoice::Light, ThemeChoice::Dark})
             for (const char* code : {"en", "fr"}) {
+                cleanup();
+                open(code);
+                const Theme theme(qApp, m_preferences.get());
                 m_preferences->setTheme(choice);
                 tour()->start();
-                m_preferences->setLanguage(QString::fromLatin1(code));
                 for (int step = 0; step < Tour::stepCount(); ++step) {
                     QCoreApplication::processEvents();
                     const QStringList wrong = test::misfits(callout());

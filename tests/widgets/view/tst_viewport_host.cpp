@@ -38,9 +38,6 @@ private slots:
         QVERIFY(host->settings());
         const auto* label = host->findChild<QLabel*>(QStringLiteral("viewportPlaceholder"));
         QVERIFY(label && label->isVisible() && label->text().contains(reason));
-        QEvent change(QEvent::LanguageChange);
-        QCoreApplication::sendEvent(host, &change);
-        QVERIFY(label->text().contains(reason));
     }
     void softwareRenderersAreKnown()
     {

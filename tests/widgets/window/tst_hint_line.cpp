@@ -1,5 +1,5 @@
 #include "tests/widgets/base/fixture.h"
-#include "widgets/base/fixed_hint.h"
+#include "widgets/base/hint_source.h"
 #include "widgets/window/hint_line.h"
 #include <QEnterEvent>
 #include <QSignalSpy>
@@ -18,7 +18,6 @@ private slots:
     void theWidgetUnderTheCursorSpeaks();
     void aGestureSpeaksWhereverTheCursorIs();
     void whatHasNoRoomIsInTheToolTip();
-    void fixedHintsFollowTheLanguage();
 };
 
 namespace {
@@ -89,17 +88,6 @@ void TestHintLine::whatHasNoRoomIsInTheToolTip()
     QVERIFY(line.text().endsWith(u'…'));
     QCOMPARE(line.toolTip(), text);
     QVERIFY(line.minimumSizeHint().width() < 20); // nothing else in the bar has to give way
-}
-
-void TestHintLine::fixedHintsFollowTheLanguage()
-{
-    QString word = QStringLiteral("drag");
-    QWidget widget;
-    const FixedHint hint(&widget, [&word] { return word; });
-    QCOMPARE(hint.hint(), word);
-    word = QStringLiteral("glisser");
-    send(&widget, QEvent::LanguageChange);
-    QCOMPARE(hint.hint(), word);
 }
 
 RAMURE_SUITE(TestHintLine)

@@ -44,6 +44,7 @@ private:
     std::unique_ptr<Recompute> m_recompute;
     test::FakeChooser m_chooser;
     std::unique_ptr<MainWindow> m_window;
+    std::unique_ptr<Language> m_language; ///< of the functions that ask for one
 
     QAction* action(const char* id) { return m_window->actionSet()->find(QString::fromLatin1(id)); }
     /// Whether branches cross is another question.
@@ -53,6 +54,14 @@ private:
         return closed.contains(m_window->status()->badgeState());
     }
     NodeId tree() { return m_document->scene().nodes().front().id; }
+    /// The program is started again, in this language.
+    void restart(const char* language)
+    {
+        cleanup();
+        Preferences().setLanguage(QLatin1String(language));
+        m_language = std::make_unique<Language>(Preferences());
+        init();
+    }
 
 private slots:
     void init()
@@ -76,6 +85,7 @@ private slots:
         m_window.reset();
         m_recompute.reset();
         m_document.reset();
+        m_language.reset();
     }
 
     void whatIsTypedIsDoneWithReturnOrEscape_data()
@@ -133,19 +143,18 @@ private slots:
 
     void speciesStandFirstInTheMenu()
     {
-        const auto* baobab = m_window->findChild<QAction*>(QStringLiteral("file.new.Baobab"));
-        const auto* coursework = m_window->findChild<QAction*>(QStringLiteral("file.new.SmallTree"));
-        const auto menuOf = [](const QAction* action) {
+        const auto menuOf = [this](const char* id) {
+            const auto* action = m_window->findChild<QAction*>(QLatin1String(id));
             return qobject_cast<QMenu*>(action->associatedObjects().constFirst());
         };
-        QMenu *species = menuOf(baobab), *grammars = menuOf(coursework);
+        QMenu *species = menuOf("file.new.Baobab"), *grammars = menuOf("file.new.SmallTree");
         QVERIFY(species && grammars && species != grammars);
         const QList<QAction*> groups = qobject_cast<QMenu*>(species->parent())->actions();
         QVERIFY(groups.indexOf(species->menuAction()) < groups.indexOf(grammars->menuAction()));
         QCOMPARE(grammars->title(), QStringLiteral("Grammar examples")); // scripts know it as "Coursework"
-        const Language language(m_preferences.get());
-        m_preferences->setLanguage(QStringLiteral("fr"));
-        QTRY_COMPARE(baobab->text(), QStringLiteral("Baobab africain"));
+        restart("fr");
+        species = menuOf("file.new.Baobab");
+        grammars = menuOf("file.new.SmallTree");
         QCOMPARE(grammars->title(), QStringLiteral("Exemples de grammaires"));
         QStringList names;
         for (const QAction* action : species->actions())
@@ -156,7 +165,7 @@ private slots:
         QCOMPARE(names, sorted);
         QVERIFY(names.contains(QStringLiteral("Baobab africain")) &&
                 names.front() != QStringLiteral("American Elm"));
-        m_preferences->setLanguage(QStringLiteral("en"));
+        Preferences().setLanguage(QStringLiteral("en"));
     }
 
     void wrongGrammarsShowWhereAndKeepTheTree()
@@ -494,17 +503,16 @@ private slots:
 
     void countsAreInTheRightNumber()
     {
-        QVERIFY(edit::setParam(*m_document, {tree()}, *findParam("grammar.axiom"), std::string("F")));
-        QVERIFY(edit::setParam(*m_document, {tree()}, *findParam("grammar.iterations"), std::int64_t{0}));
-        m_preferences->setLanguage(QStringLiteral("en"));
-        const Language language(m_preferences.get());
-        QVERIFY(m_recompute->waitForFull(20'000));
-        QTRY_VERIFY2(m_window->status()->countsText().endsWith(QStringLiteral("·  1 branch")),
-                     qPrintable(m_window->status()->countsText()));
-        m_preferences->setLanguage(QStringLiteral("fr"));
-        QTRY_VERIFY2(m_window->status()->countsText().endsWith(QStringLiteral("·  1 branche")),
-                     qPrintable(m_window->status()->countsText()));
-        m_preferences->setLanguage(QStringLiteral("en"));
+        const std::pair<const char*, QString> words[] = {{"fr", QStringLiteral("·  1 branche")},
+                                                         {"en", QStringLiteral("·  1 branch")}};
+        for (const auto& [language, one] : words) {
+            restart(language);
+            QVERIFY(edit::setParam(*m_document, {tree()}, *findParam("grammar.axiom"), std::string("F")));
+            QVERIFY(edit::setParam(*m_document, {tree()}, *findParam("grammar.iterations"), std::int64_t{0}));
+            QVERIFY(m_recompute->waitForFull(20'000));
+            QTRY_VERIFY2(m_window->status()->countsText().endsWith(one),
+                         qPrintable(m_window->status()->countsText()));
+        }
         QVERIFY(!StatusPanel::timeText(0.0).contains(u'0'));
         QCOMPARE(StatusPanel::timeText(0.0042), QStringLiteral("4.2 ms"));
     }
@@ -539,17 +547,20 @@ private slots:
         }
     }
 
-    void textsChangeWithTheLanguage()
+    void textsChangeWithTheLanguageAtTheNextStart()
     {
-        m_preferences->setLanguage(QStringLiteral("en"));
-        const Language language(m_preferences.get());
-        m_preferences->setLanguage(QStringLiteral("fr"));
-        QTRY_COMPARE(action("file.open")->text(), QStringLiteral("&Ouvrir…"));
+        QCOMPARE(action("file.open")->text(), QStringLiteral("&Open…"));
+        QSignalSpy said(m_window->statusBar(), &QStatusBar::messageChanged);
+        action("view.language.fr")->trigger();
+        QCOMPARE(m_preferences->language(), QStringLiteral("fr"));
+        QCOMPARE(action("file.open")->text(), QStringLiteral("&Open…"));
+        QVERIFY(said.constLast().constFirst().toString().contains(QStringLiteral("started again")));
+        restart("fr");
+        QCOMPARE(action("file.open")->text(), QStringLiteral("&Ouvrir…"));
         QVERIFY(m_window->menuBar()->actions().constFirst()->text().contains(QStringLiteral("Fichier")));
         const auto* label = m_window->properties()->row(*findParam("turtle.decay"))->findChild<QLabel*>();
         QCOMPARE(label->text(), QStringLiteral("Effilement"));
-        m_preferences->setLanguage(QStringLiteral("en"));
-        QTRY_COMPARE(action("file.open")->text(), QStringLiteral("&Open…"));
+        Preferences().setLanguage(QStringLiteral("en"));
     }
 
     void theBadgeOpensTheValidationPanel()

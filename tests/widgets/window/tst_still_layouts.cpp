@@ -87,7 +87,7 @@ private slots:
     void messagesMoveNothing()
     {
         setLanguage();
-        const Language language(&m_preferences);
+        const Language language(m_preferences);
         MainWindow window(m_document.get(), m_recompute.get(), &m_preferences, &m_chooser);
         test::openNodes(*m_document, {test::treeNode(1, "oak")});
         window.show();
@@ -120,7 +120,7 @@ private slots:
     void exportPagesKeepTheirPlaces()
     {
         setLanguage();
-        const Language language(&m_preferences);
+        const Language language(m_preferences);
         test::openNodes(*m_document, {test::treeNode(1, "oak")});
         QVERIFY(m_recompute->waitForFull(20'000));
         ExportDialog dialog(m_document.get(), m_recompute.get(), &m_preferences, &m_chooser);
@@ -163,7 +163,7 @@ private slots:
     void theArmPanelStaysWhileTheArmReaches()
     {
         setLanguage();
-        const Language language(&m_preferences);
+        const Language language(m_preferences);
         ArmReach reach(m_document.get());
         ArmPanel panel(m_document.get());
         panel.setReach(&reach);

@@ -166,9 +166,11 @@ private slots:
 
     void textsFitInEitherLanguage()
     {
-        const Language language(m_preferences.get());
         for (const char* code : {"en", "fr"}) {
-            m_preferences->setLanguage(QString::fromLatin1(code));
+            cleanup();
+            Preferences().setLanguage(QString::fromLatin1(code));
+            const Language language{Preferences()};
+            init();
             m_panel->resize(m_panel->width(), 700);
             m_panel->open();
             QCoreApplication::processEvents();

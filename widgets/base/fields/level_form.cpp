@@ -1,6 +1,5 @@
 #include "widgets/base/fields/level_form.h"
 
-#include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -23,8 +22,8 @@ static QString budgetsText(const LevelOptions& options)
 LevelForm::LevelForm(QWidget* parent)
     : QWidget(parent)
     , m_count(new QSpinBox(this))
-    , m_label(new QLabel(this))
-    , m_fromLabel(new QLabel(this))
+    , m_label(new QLabel(tr("Triangles"), this))
+    , m_fromLabel(new QLabel(tr("From"), this))
     , m_budgets(new QLineEdit(this))
     , m_from(new QLineEdit(this))
 {
@@ -47,7 +46,24 @@ LevelForm::LevelForm(QWidget* parent)
     connect(m_budgets, &QLineEdit::textChanged, this, &LevelForm::changed);
     connect(m_from, &QLineEdit::textChanged, this, &LevelForm::changed);
     setFocusProxy(m_count);
-    retranslate();
+    m_count->setToolTip(
+        tr("Meshes of each tree, 1 to 8, for less and less triangles. A GLB holds them all; of other "
+           "formats each is a file."));
+    m_count->setAccessibleName(tr("Number of levels"));
+    m_budgets->setPlaceholderText(tr("the tree as it is, then a quarter or less each"));
+    m_budgets->setToolTip(tr(
+        "Triangles of each level, with commas between them, such as 10000, 2500: bark, leaves and "
+        "fruit together, kept within 2 %. Nothing here: the first level is the tree as it is, each "
+        "further one has a quarter of the one before; less, often an eighth, where its bark would keep more "
+        "than half of its triangles, as in a tree full of leaves."));
+    m_budgets->setAccessibleName(tr("Triangles of each level"));
+    m_from->setPlaceholderText(tr("60 % of the picture's height, then half of it each"));
+    m_from->setToolTip(
+        tr("When each level but the first takes the place of the one before. Metres from the eye, rising, "
+           "such as 20; 60, for a vertical angle of view of 40°. Or shares of the picture's height that the "
+           "tree has, falling, such as 60 %; 30 %, as engines have them: they suit a tree of any size. "
+           "Nothing here: 60 %, then half of it each."));
+    m_from->setAccessibleName(tr("When each level is shown"));
 }
 
 LevelOptions LevelForm::options() const
@@ -123,8 +139,8 @@ LevelOptions LevelForm::optionsIn(const QVariantMap& settings)
 
 void LevelForm::setNarrow()
 {
-    m_isNarrow = true;
-    retranslate();
+    m_budgets->setPlaceholderText(tr("as it is, then a quarter or less", "the tree"));
+    m_from->setPlaceholderText(tr("60 %, then half of it each"));
 }
 
 Expected<void> LevelForm::check() const
@@ -138,39 +154,6 @@ Expected<void> LevelForm::check() const
         return read;
     wanted = options();
     return wanted.isWanted() ? checkLevels(wanted) : Expected<void>();
-}
-
-void LevelForm::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QWidget::changeEvent(event);
-}
-
-void LevelForm::retranslate()
-{
-    m_count->setToolTip(
-        tr("Meshes of each tree, 1 to 8, for less and less triangles. A GLB holds them all; of other "
-           "formats each is a file."));
-    m_count->setAccessibleName(tr("Number of levels"));
-    m_label->setText(tr("Triangles"));
-    m_budgets->setPlaceholderText(m_isNarrow ? tr("as it is, then a quarter or less", "the tree")
-                                             : tr("the tree as it is, then a quarter or less each"));
-    m_budgets->setToolTip(tr(
-        "Triangles of each level, with commas between them, such as 10000, 2500: bark, leaves and "
-        "fruit together, kept within 2 %. Nothing here: the first level is the tree as it is, each "
-        "further one has a quarter of the one before; less, often an eighth, where its bark would keep more "
-        "than half of its triangles, as in a tree full of leaves."));
-    m_budgets->setAccessibleName(tr("Triangles of each level"));
-    m_fromLabel->setText(tr("From"));
-    m_from->setPlaceholderText(m_isNarrow ? tr("60 %, then half of it each")
-                                          : tr("60 % of the picture's height, then half of it each"));
-    m_from->setToolTip(
-        tr("When each level but the first takes the place of the one before. Metres from the eye, rising, "
-           "such as 20; 60, for a vertical angle of view of 40°. Or shares of the picture's height that the "
-           "tree has, falling, such as 60 %; 30 %, as engines have them: they suit a tree of any size. "
-           "Nothing here: 60 %, then half of it each."));
-    m_from->setAccessibleName(tr("When each level is shown"));
 }
 
 } // namespace ramure

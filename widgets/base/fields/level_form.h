@@ -35,17 +35,12 @@ public:
 signals:
     void changed();
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
-    void retranslate();
     void takeCount();
 
     QSpinBox* m_count;
     QLabel *m_label, *m_fromLabel;
     QLineEdit *m_budgets, *m_from;
-    bool m_isNarrow = false;
 };
 
 } // namespace ramure

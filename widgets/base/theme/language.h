@@ -1,6 +1,6 @@
 /// \file
-/// The language of the interface. Widgets react to QEvent::LanguageChange, so it can change while the program
-/// runs.
+/// The language of the interface, from the start of the program to its end: widgets take their texts when
+/// they are made.
 #pragma once
 
 #include "widgets/base/theme/preferences.h"
@@ -10,24 +10,21 @@
 
 namespace ramure {
 
-class Language : public QObject
+class Language
 {
-    Q_OBJECT
 public:
-    /// Installs the translators for the preferred language and follows the preference.
-    /// \p preferences is not owned and must outlive the object.
-    explicit Language(Preferences* preferences, QObject* parent = nullptr);
-    ~Language() override;
+    /// Installs the translators for the preferred language.
+    explicit Language(const Preferences& preferences);
+    ~Language();
+    Language(const Language&) = delete;
+    Language& operator=(const Language&) = delete;
 
     /// Code and own name of each language there is: ("en", "English"), ("fr", "Français").
     static QList<std::pair<QString, QString>> available();
-    /// The code in use now.
+    /// The code in use.
     [[nodiscard]] QString current() const { return m_current; }
 
 private:
-    void apply();
-
-    Preferences* m_preferences;
     QTranslator m_program; ///< English too has a file: plurals
     QTranslator m_qt;      ///< Qt's own dialogs
     QString m_current;

@@ -22,12 +22,13 @@ Palette::Palette(QWidget* parent)
     , m_model(new PaletteModel(this))
     , m_field(new QLineEdit(this))
     , m_list(new QListView(this))
-    , m_none(new QLabel(this))
-    , m_hint(new QLabel(this))
+    , m_none(new QLabel(tr("Nothing is called like this."), this))
 {
     setObjectName(QStringLiteral("palette"));
     build();
-    retranslate();
+    m_field->setPlaceholderText(tr("Commands, parameters and the handbook"));
+    m_field->setAccessibleName(tr("Find a command, a parameter or a page of the handbook"));
+    m_list->setAccessibleName(tr("Found"));
     connect(m_field, &QLineEdit::textEdited, this, [this](const QString& typed) {
         m_model->setTyped(typed);
         showFound();
@@ -52,14 +53,15 @@ void Palette::build()
     m_none->setObjectName(QStringLiteral("dim"));
     m_none->setAlignment(Qt::AlignCenter);
     m_none->setFixedHeight(listHeight);
-    m_hint->setObjectName(QStringLiteral("dim"));
+    auto* hint = new QLabel(tr("Up and Down choose, Return runs or shows it, Esc closes"), this);
+    hint->setObjectName(QStringLiteral("dim"));
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 8, 8, 6);
     layout->setSpacing(6);
     layout->addWidget(m_field);
     layout->addWidget(m_list);
     layout->addWidget(m_none);
-    layout->addWidget(m_hint);
+    layout->addWidget(hint);
     setFixedWidth(paletteWidth);
 }
 
@@ -126,22 +128,6 @@ bool Palette::eventFilter(QObject* watched, QEvent* event)
     default:
         return false;
     }
-}
-
-void Palette::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QFrame::changeEvent(event);
-}
-
-void Palette::retranslate()
-{
-    m_field->setPlaceholderText(tr("Commands, parameters and the handbook"));
-    m_field->setAccessibleName(tr("Find a command, a parameter or a page of the handbook"));
-    m_list->setAccessibleName(tr("Found"));
-    m_none->setText(tr("Nothing is called like this."));
-    m_hint->setText(tr("Up and Down choose, Return runs or shows it, Esc closes"));
 }
 
 } // namespace ramure

@@ -31,20 +31,17 @@ signals:
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
-    void changeEvent(QEvent* event) override;
 
 private:
     void build();
     void place();
     void showFound();
     void chooseCurrent();
-    void retranslate();
 
     PaletteModel* m_model;
     QLineEdit* m_field;
     QListView* m_list;
     QLabel* m_none;
-    QLabel* m_hint;
 };
 
 } // namespace ramure

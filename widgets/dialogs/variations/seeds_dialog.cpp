@@ -10,7 +10,6 @@
 #include "widgets/panels/presets/picture_button.h"
 #include "widgets/panels/presets/preset_gallery.h"
 #include <QDialogButtonBox>
-#include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -37,7 +36,7 @@ SeedsDialog::SeedsDialog(Document* document, QWidget* parent)
         connect(m_choices[std::size_t(i)], &QAbstractButton::clicked, this, [this, i] { choose(i); });
     }
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
-    m_other = buttons->addButton(QString(), QDialogButtonBox::ActionRole);
+    m_other = buttons->addButton(tr("Nine &others"), QDialogButtonBox::ActionRole);
     m_other->setAutoDefault(false);
     connect(m_other, &QPushButton::clicked, this, [this] { begin(seedOf(count - 1) + 1, false); });
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -92,7 +91,7 @@ void SeedsDialog::begin(std::int64_t first, bool named)
     m_problem.clear();
     for (PictureButton* choice : m_choices)
         choice->setPicture({});
-    retranslate();
+    showTexts();
     drawNext();
 }
 
@@ -104,10 +103,10 @@ void SeedsDialog::drawNext()
     m_pictures.draw(reseeded(m_like.params, seedOf(m_drawn)), size, [this](Expected<QImage>&& made) {
         if (!made) { // the others would not fare better
             m_problem = errorText(made.error());
-            return retranslate();
+            return showTexts();
         }
         m_choices[std::size_t(m_drawn++)]->setPicture(QPixmap::fromImage(std::move(*made)));
-        retranslate();
+        showTexts();
         drawNext();
     });
 }
@@ -126,13 +125,12 @@ void SeedsDialog::choose(int choice)
     }
     if (problem)
         m_problem = errorText(*problem);
-    retranslate();
+    showTexts();
 }
 
-void SeedsDialog::retranslate()
+void SeedsDialog::showTexts()
 {
     setWindowTitle(tr("More like %1").arg(presetTitle(QString::fromStdString(m_like.name))));
-    m_other->setText(tr("Nine &others"));
     const QString choose = m_tree == noNode ? tr("Click a tree to add it to the scene.")
                                             : tr("Click a tree: the one in the scene grows like it.");
     const QString chance =
@@ -151,13 +149,6 @@ void SeedsDialog::retranslate()
             m_named && i < int(namedSeedCount)
                 ? tr("Seed %1: %2", "2: tall, wide …").arg(seedOf(i)).arg(coreText(seedNames[std::size_t(i)]))
                 : tr("Seed %1").arg(seedOf(i)));
-}
-
-void SeedsDialog::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QDialog::changeEvent(event);
 }
 
 /// Nobody sees what is not drawn yet.

@@ -35,7 +35,6 @@ public:
     [[nodiscard]] int drawn() const { return m_drawn; }
 
 protected:
-    void changeEvent(QEvent* event) override;
     void hideEvent(QHideEvent* event) override;
 
 private:
@@ -43,7 +42,7 @@ private:
     void begin(std::int64_t first, bool named);
     void drawNext();
     void choose(int choice);
-    void retranslate();
+    void showTexts();
 
     Document* m_document;
     Node m_like;

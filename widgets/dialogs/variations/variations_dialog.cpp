@@ -12,7 +12,6 @@
 #include "widgets/dialogs/variations/varied_params_form.h"
 #include <QAction>
 #include <QDir>
-#include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 #include <QListView>
@@ -39,15 +38,15 @@ VariationsDialog::VariationsDialog(Document* document, Preferences* preferences,
     , m_model(new VariationsModel(this))
     , m_view(new QListView(this))
     , m_form(new VariedParamsForm(this))
-    , m_countLabel(new QLabel(this))
+    , m_countLabel(new QLabel(tr("T&rees:"), this))
     , m_count(new QSpinBox(this))
     , m_hint(new QLabel(this))
     , m_progress(new QProgressBar(this))
-    , m_other(new QPushButton(this))
+    , m_other(new QPushButton(tr("Other &seeds"), this))
     , m_stop(new QPushButton(this))
-    , m_close(new QPushButton(this))
-    , m_openButton(new QPushButton(this))
-    , m_table(new QPushButton(this))
+    , m_close(new QPushButton(tr("&Close"), this))
+    , m_openButton(new QPushButton(tr("&Open in place"), this))
+    , m_table(new QPushButton(tr("Save as ta&ble"), this))
     , m_tableMenu(new QMenu(this))
 {
     setObjectName(QStringLiteral("variations"));
@@ -71,24 +70,33 @@ VariationsDialog::VariationsDialog(Document* document, Preferences* preferences,
     connect(m_model, &QAbstractItemModel::dataChanged, this, &VariationsDialog::follow);
     resize(usualSize);
     setMinimumSize(leastSize);
-    retranslate();
+    m_count->setToolTip(tr("How many, each with another seed; those with a star stay besides"));
+    m_other->setToolTip(tr("The seeds that follow; those with a star stay"));
+    m_open->setToolTip(tr("The tree in the scene becomes this one (Return)"));
+    m_openButton->setToolTip(m_open->toolTip());
+    m_keep->setToolTip(tr("Put it into the gallery"));
+    m_table->setToolTip(tr("Write a table, from which ramure-cli batch grows a file for each tree"));
+    m_view->setAccessibleName(tr("Variations"));
+    follow();
 }
 
 void VariationsDialog::buildActions()
 {
-    m_open = new QAction(icon("tree"), {}, this);
+    m_open = new QAction(icon("tree"), tr("&Open in place"), this);
     m_star = new QAction(this);
     m_star->setShortcut(Qt::Key_S);
     m_star->setShortcutContext(Qt::WidgetShortcut); // elsewhere it is a letter
-    m_keep = new QAction(icon("save"), {}, this);
+    m_keep = new QAction(icon("save"), tr("&Keep as preset"), this);
     connect(m_open, &QAction::triggered, this, &VariationsDialog::openCurrent);
     connect(m_star, &QAction::triggered, this, &VariationsDialog::starCurrent);
     connect(m_keep, &QAction::triggered, this, &VariationsDialog::keepCurrent);
     using Choice = VariationsModel::Choice;
-    for (const Choice choice : {Choice::All, Choice::Starred, Choice::Rest}) {
+    for (const auto& [choice, text] : {std::pair(Choice::All, tr("Save &all as a table…")),
+                                       {Choice::Starred, tr("Save those &with a star as a table…")},
+                                       {Choice::Rest, tr("Save those with&out a star as a table…")}}) {
         QAction*& action = m_save[std::size_t(choice)];
-        action = m_tableMenu->addAction(QString());
-        connect(action, &QAction::triggered, this, [this, choice] { save(choice); });
+        action = m_tableMenu->addAction(text);
+        connect(action, &QAction::triggered, this, [this, choice = choice] { save(choice); });
     }
     auto* line = new QAction(this);
     line->setSeparator(true);
@@ -174,7 +182,8 @@ void VariationsDialog::offerFor(NodeId tree)
     m_view->setFocus();
     if (!goesOn)
         begin(like->params.grammar.seed + 1);
-    retranslate();
+    setWindowTitle(tr("Variations of %1").arg(presetTitle(QString::fromStdString(m_like.name))));
+    follow();
 }
 
 void VariationsDialog::begin(std::int64_t firstSeed)
@@ -316,39 +325,6 @@ void VariationsDialog::follow()
     m_hint->setText(chance +
                     (goesOn ? tr("Growing %1 of %2 …").arg(drawn + 1).arg(count)
                             : tr("%Ln tree(s), ", nullptr, count) + tr("%Ln with a star", nullptr, starred)));
-}
-
-void VariationsDialog::retranslate()
-{
-    setWindowTitle(tr("Variations of %1").arg(presetTitle(QString::fromStdString(m_like.name))));
-    m_countLabel->setText(tr("T&rees:"));
-    m_count->setToolTip(tr("How many, each with another seed; those with a star stay besides"));
-    m_other->setText(tr("Other &seeds"));
-    m_other->setToolTip(tr("The seeds that follow; those with a star stay"));
-    m_close->setText(tr("&Close"));
-    m_open->setText(tr("&Open in place"));
-    m_open->setToolTip(tr("The tree in the scene becomes this one (Return)"));
-    m_openButton->setText(m_open->text());
-    m_openButton->setToolTip(m_open->toolTip());
-    m_keep->setText(tr("&Keep as preset"));
-    m_keep->setToolTip(tr("Put it into the gallery"));
-    m_table->setText(tr("Save as ta&ble"));
-    m_table->setToolTip(tr("Write a table, from which ramure-cli batch grows a file for each tree"));
-    const std::array texts{tr("Save &all as a table…"), tr("Save those &with a star as a table…"),
-                           tr("Save those with&out a star as a table…")};
-    for (std::size_t i = 0; i < texts.size(); ++i)
-        m_save[i]->setText(texts[i]);
-    m_view->setAccessibleName(tr("Variations"));
-    m_form->retranslate();
-    m_model->retranslate();
-    follow();
-}
-
-void VariationsDialog::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QDialog::changeEvent(event);
 }
 
 void VariationsDialog::showEvent(QShowEvent* event)

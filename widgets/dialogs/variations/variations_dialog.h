@@ -55,7 +55,6 @@ signals:
     void presetKept();
 
 protected:
-    void changeEvent(QEvent* event) override;
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
 
@@ -72,7 +71,6 @@ private:
     [[nodiscard]] int current() const;
     void follow();
     void say(const QString& text);
-    void retranslate();
 
     Document* m_document;
     Preferences* m_preferences;

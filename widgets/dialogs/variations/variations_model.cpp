@@ -84,12 +84,6 @@ void VariationsModel::setProblem(int row, const QString& problem)
     emit dataChanged(index(row), index(row), {ProblemRole, Qt::ToolTipRole});
 }
 
-void VariationsModel::retranslate()
-{
-    if (!m_items.empty())
-        emit dataChanged(index(0), index(rowCount() - 1));
-}
-
 int VariationsModel::rowCount(const QModelIndex& parent) const
 {
     return parent.isValid() ? 0 : int(m_items.size());

@@ -31,7 +31,6 @@ public:
     /// \param problem in the interface's language
     void setProblem(int row, const QString& problem);
     void setAngleUnit(bool degrees) { m_degrees = degrees; }
-    void retranslate();
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;

@@ -31,7 +31,9 @@ QString titleOf(const ParamDef& def)
 VariedParamsForm::VariedParamsForm(QWidget* parent)
     : QWidget(parent)
     , m_picker(new QComboBox(this))
-    , m_none(new QLabel(this))
+    , m_none(new QLabel(tr("Only chance varies: each tree has another seed. Add parameters above to spread "
+                           "their values too."),
+                        this))
     , m_list(new QWidget(this))
 {
     m_picker->setEditable(true);
@@ -59,7 +61,10 @@ VariedParamsForm::VariedParamsForm(QWidget* parent)
     setFocusProxy(m_picker);
     connect(m_picker, &QComboBox::activated, this, &VariedParamsForm::pickSoon);
     connect(m_picker->lineEdit(), &QLineEdit::returnPressed, this, &VariedParamsForm::pickSoon);
-    retranslate();
+    m_picker->lineEdit()->setPlaceholderText(tr("Vary a parameter…"));
+    m_picker->setToolTip(tr("Choose a parameter, or type a part of its name and press Return"));
+    m_picker->setAccessibleName(tr("Parameter to vary"));
+    fillPicker();
 }
 
 void VariedParamsForm::setTree(const NodeParams& params)
@@ -248,18 +253,6 @@ void VariedParamsForm::describe(const Row& row)
         field->setToolTip(accepted.isEmpty() ? text : text + u'\n' + accepted);
         field->setAccessibleName(titleOf(def) + QStringLiteral(", ") + text);
     }
-}
-
-void VariedParamsForm::retranslate()
-{
-    m_picker->lineEdit()->setPlaceholderText(tr("Vary a parameter…"));
-    m_picker->setToolTip(tr("Choose a parameter, or type a part of its name and press Return"));
-    m_picker->setAccessibleName(tr("Parameter to vary"));
-    m_none->setText(tr("Only chance varies: each tree has another seed. Add parameters above to spread "
-                       "their values too."));
-    fillPicker();
-    for (const Row& row : m_rows)
-        describe(row);
 }
 
 } // namespace ramure

@@ -30,7 +30,6 @@ public:
     [[nodiscard]] QComboBox* picker() const { return m_picker; }
     /// \returns null for a flag, a choice, and what is not varied
     [[nodiscard]] NumberField* field(const ParamDef& def, bool upper) const;
-    void retranslate();
 
 signals:
     void changed();

@@ -262,39 +262,27 @@ QMenu* KeyActions::extrapolationMenu(QWidget* parent) const
 
 void KeyActions::fillMenu(QMenu* menu)
 {
+    const auto add = [menu](QMenu* submenu, const QString& title) {
+        submenu->setTitle(title);
+        menu->addMenu(submenu);
+        return submenu;
+    };
     menu->setToolTipsVisible(true);
     menu->addAction(m_insert);
-    auto* inserts = new QMenu(menu);
+    QMenu* inserts = add(new QMenu(menu), QCoreApplication::translate("keys", "Insert &only"));
     inserts->addActions(m_inserts);
     inserts->setToolTipsVisible(true);
-    menu->addMenu(inserts);
     menu->addActions({m_removeHere, m_auto, m_previous, m_next});
     menu->addSeparator();
-    auto* selects = new QMenu(menu);
+    QMenu* selects = add(new QMenu(menu), QCoreApplication::translate("keys", "Select &keys"));
     selects->addActions(m_selects);
     selects->setToolTipsVisible(true);
-    menu->addMenu(selects);
     menu->addActions(m_edits);
     menu->addSeparator();
-    QMenu* modes = modeMenu(menu);
-    QMenu* easings = easingMenu(menu);
-    QMenu* handles = handleMenu(menu);
-    QMenu* ends = extrapolationMenu(menu);
-    for (QMenu* each : {modes, easings, handles, ends})
-        menu->addMenu(each);
-    m_titles.insert(m_titles.end(), {{inserts, QT_TRANSLATE_NOOP("keys", "Insert &only")},
-                                     {selects, QT_TRANSLATE_NOOP("keys", "Select &keys")},
-                                     {modes, QT_TRANSLATE_NOOP("keys", "In&terpolation")},
-                                     {easings, QT_TRANSLATE_NOOP("keys", "E&asing")},
-                                     {handles, QT_TRANSLATE_NOOP("keys", "&Handles")},
-                                     {ends, QT_TRANSLATE_NOOP("keys", "E&xtrapolation")}});
-    retranslate();
-}
-
-void KeyActions::retranslate()
-{
-    for (const auto& [menu, title] : m_titles)
-        menu->setTitle(QCoreApplication::translate("keys", title));
+    add(modeMenu(menu), QCoreApplication::translate("keys", "In&terpolation"));
+    add(easingMenu(menu), QCoreApplication::translate("keys", "E&asing"));
+    add(handleMenu(menu), QCoreApplication::translate("keys", "&Handles"));
+    add(extrapolationMenu(menu), QCoreApplication::translate("keys", "E&xtrapolation"));
 }
 
 } // namespace ramure

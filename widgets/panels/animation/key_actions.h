@@ -25,7 +25,7 @@ public:
     /// Neither is owned; both must outlive the object.
     KeyActions(KeyCommands* commands, ActionSet* set, QObject* parent = nullptr);
 
-    /// May be called for several menus; the submenus belong to them, and they must live as long as this.
+    /// May be called for several menus; the submenus belong to them.
     void fillMenu(QMenu* menu);
     [[nodiscard]] QAction* insertAction() const { return m_insert; }
     /// Checkable: edits of parameters become keys.
@@ -38,7 +38,6 @@ public:
     QMenu* easingMenu(QWidget* parent) const;
     QMenu* handleMenu(QWidget* parent) const;
     QMenu* extrapolationMenu(QWidget* parent) const;
-    void retranslate();
 
 private:
     void addInserts(ActionSet* set);
@@ -55,7 +54,6 @@ private:
     QList<QAction*> m_inserts;
     QList<QAction*> m_edits;
     QList<QAction*> m_selects;
-    std::vector<std::pair<QMenu*, const char*>> m_titles; ///< English, context "keys"
 };
 
 } // namespace ramure

@@ -321,8 +321,6 @@ bool KeyCurves::event(QEvent* event)
         QToolTip::showText(help->globalPos(), tipAt(help->pos()), this);
         return true;
     }
-    if (event->type() == QEvent::LanguageChange)
-        setAccessibleName(tr("Curves"));
     if (event->type() == QEvent::ShortcutOverride) {
         const auto* key = static_cast<QKeyEvent*>(event);
         static constexpr std::array plain{Qt::Key_Delete, Qt::Key_Home, Qt::Key_Escape, Qt::Key_Up,

@@ -10,7 +10,6 @@
 #include "widgets/panels/animation/key_values.h"
 #include <QAction>
 #include <QComboBox>
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
@@ -38,20 +37,22 @@ KeyPanel::KeyPanel(KeyModel* model, KeyCommands* commands, KeyActions* actions, 
     layout->addWidget(m_pages, 1);
     layout->setSizeConstraint(QLayout::SetNoConstraint); // see minimumSizeHint
     connectAll();
-    retranslate();
     showTimeline();
     showRows();
     showSelection();
 }
 
-void KeyPanel::addMenuButton(QToolButton*& button, QMenu* menu)
+QToolButton* KeyPanel::addMenuButton(QMenu* menu, const QString& text, const QString& tip)
 {
-    button = new QToolButton(m_tools);
+    auto* button = new QToolButton(m_tools);
+    button->setText(text);
+    button->setToolTip(tip);
     button->setAutoRaise(true);
     button->setPopupMode(QToolButton::InstantPopup);
     button->setFocusPolicy(Qt::TabFocus);
     button->setMenu(menu);
     m_row->addWidget(button);
+    return button;
 }
 
 void KeyPanel::buildTools()
@@ -75,45 +76,60 @@ void KeyPanel::buildTools()
         row->addWidget(button);
         return button;
     };
-    m_insert = addAction(m_actions->insertAction());
-    m_insert->setMenu(m_actions->insertMenu(m_insert));
-    m_insert->setPopupMode(QToolButton::MenuButtonPopup);
-    m_insert->setMinimumWidth(m_insert->sizeHint().width() + 16); // the arrow must not cover the picture
+    auto* insert = addAction(m_actions->insertAction());
+    insert->setMenu(m_actions->insertMenu(insert));
+    insert->setPopupMode(QToolButton::MenuButtonPopup);
+    insert->setMinimumWidth(insert->sizeHint().width() + 16); // the arrow must not cover the picture
     addAction(m_actions->autoAction());
     addAction(m_actions->previousAction());
     addAction(m_actions->nextAction());
     row->addSpacing(6);
-    addMenuButton(m_modes, m_actions->modeMenu(m_tools));
-    addMenuButton(m_easings, m_actions->easingMenu(m_tools));
-    addMenuButton(m_handles, m_actions->handleMenu(m_tools));
-    addMenuButton(m_extrapolations, m_actions->extrapolationMenu(m_tools));
-    row->addSpacing(6);
-    m_snapLabel = new QLabel(m_tools);
-    m_snap = new QComboBox(m_tools);
-    m_snap->addItems({QString(), QString(), QString()});
-    m_snapLabel->setBuddy(m_snap);
-    row->addWidget(m_snapLabel);
-    row->addSpacing(4);
-    row->addWidget(m_snap);
-    m_all = new QToolButton(m_tools);
-    m_all->setObjectName(QStringLiteral("allNodesButton"));
-    m_all->setAutoRaise(true);
-    m_all->setCheckable(true);
-    m_all->setFocusPolicy(Qt::TabFocus);
-    row->addWidget(m_all);
-    for (QToolButton** button : {&m_showCurves, &m_normalise}) {
-        *button = new QToolButton(m_tools);
-        (*button)->setAutoRaise(true);
-        (*button)->setCheckable(true);
-        (*button)->setFocusPolicy(Qt::TabFocus);
-        row->addWidget(*button);
-    }
-    m_showCurves->setObjectName(QStringLiteral("curvesButton"));
-    m_normalise->setObjectName(QStringLiteral("normaliseButton"));
-    m_normalise->hide();
+    m_modes = addMenuButton(m_actions->modeMenu(m_tools), tr("Mode"),
+                            tr("How the value goes from each selected key to the next"));
+    m_easings = addMenuButton(m_actions->easingMenu(m_tools), tr("Easing"),
+                              tr("At which end the easings of the selected keys show their character"));
+    m_handles = addMenuButton(m_actions->handleMenu(m_tools), tr("Handles"),
+                              tr("Where the handles of the selected Bézier keys stand"));
+    m_extrapolations = addMenuButton(m_actions->extrapolationMenu(m_tools), tr("Ends"),
+                                     tr("What the channels do before their first key and behind their last"));
+    buildChoices();
     row->addStretch(1);
     m_values = new KeyValues(m_model, m_tools);
     row->addWidget(m_values);
+}
+
+/// Snapping, and what the sheet shows.
+void KeyPanel::buildChoices()
+{
+    m_row->addSpacing(6);
+    m_snapLabel = new QLabel(tr("Snap to"), m_tools);
+    m_snap = new QComboBox(m_tools);
+    m_snap->addItems({tr("nothing"), tr("frames"), tr("seconds")});
+    m_snap->setCurrentIndex(static_cast<int>(m_commands->snapping()));
+    m_snap->setToolTip(tr("Where dragged keys land; hold Shift to drag freely"));
+    m_snap->setAccessibleName(tr("Snapping"));
+    m_snapLabel->setBuddy(m_snap);
+    m_row->addWidget(m_snapLabel);
+    m_row->addSpacing(4);
+    m_row->addWidget(m_snap);
+    const auto add = [this](const QString& name, const QString& text, const QString& tip) {
+        auto* button = new QToolButton(m_tools);
+        button->setObjectName(name);
+        button->setText(text);
+        button->setToolTip(tip);
+        button->setAutoRaise(true);
+        button->setCheckable(true);
+        button->setFocusPolicy(Qt::TabFocus);
+        m_row->addWidget(button);
+        return button;
+    };
+    m_all = add(QStringLiteral("allNodesButton"), tr("All nodes"),
+                tr("Show the keys of all nodes, not only of those selected in the scene"));
+    m_showCurves = add(QStringLiteral("curvesButton"), tr("Curves"),
+                       tr("Show the values over time instead of the dope sheet"));
+    m_normalise = add(QStringLiteral("normaliseButton"), tr("Normalise"),
+                      tr("Every curve over the same height, whatever its values"));
+    m_normalise->hide();
 }
 
 /// Languages differ: what has no room goes below, and the words before the list of steps go last of all.
@@ -139,6 +155,9 @@ void KeyPanel::buildSheet()
 {
     m_pages = new QStackedWidget(this);
     m_empty = new EmptyPage(m_pages);
+    m_empty->setText(
+        tr("No keys here. Select a node and press I to insert keys of its position, rotation and "
+           "scale at the frame on show."));
     auto* page = new QWidget(m_pages);
     auto* row = new QHBoxLayout(page);
     row->setContentsMargins(0, 0, 0, 0);
@@ -158,17 +177,17 @@ void KeyPanel::buildSheet()
         layout->addWidget(below, 1);
         m_splitter->addWidget(holder);
     };
-    m_corner = new QWidget(this);
-    m_corner->setFixedHeight(m_ruler->sizeHint().height());
-    auto* corner = new QHBoxLayout(m_corner);
-    corner->setContentsMargins(8, 0, 4, 0);
-    m_count = new QLabel(m_corner);
+    auto* corner = new QWidget(this);
+    corner->setFixedHeight(m_ruler->sizeHint().height());
+    auto* beside = new QHBoxLayout(corner);
+    beside->setContentsMargins(8, 0, 4, 0);
+    m_count = new QLabel(corner);
     m_count->setObjectName(QStringLiteral("dim"));
     m_count->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // names decide the width
-    corner->addWidget(m_count);
+    beside->addWidget(m_count);
     m_names = new KeyRowList(m_model, m_scroll, m_splitter);
     m_sheet = new KeySheet(m_model, m_commands, m_ruler, m_scroll, m_splitter);
-    column(m_corner, m_names);
+    column(corner, m_names);
     m_views = new QStackedWidget(m_splitter);
     m_curves = new KeyCurves(m_model, m_commands, m_ruler, m_views);
     m_views->addWidget(m_sheet);
@@ -264,41 +283,6 @@ void KeyPanel::resizeEvent(QResizeEvent* event)
     arrangeTools();
     layout()->activate();
     showRows();
-}
-
-void KeyPanel::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QWidget::changeEvent(event);
-}
-
-void KeyPanel::retranslate()
-{
-    const auto set = [](QToolButton* button, const QString& text, const QString& tip) {
-        button->setText(text);
-        button->setToolTip(tip);
-    };
-    set(m_modes, tr("Mode"), tr("How the value goes from each selected key to the next"));
-    set(m_easings, tr("Easing"), tr("At which end the easings of the selected keys show their character"));
-    set(m_handles, tr("Handles"), tr("Where the handles of the selected Bézier keys stand"));
-    set(m_extrapolations, tr("Ends"),
-        tr("What the channels do before their first key and behind their last"));
-    set(m_all, tr("All nodes"), tr("Show the keys of all nodes, not only of those selected in the scene"));
-    set(m_showCurves, tr("Curves"), tr("Show the values over time instead of the dope sheet"));
-    set(m_normalise, tr("Normalise"), tr("Every curve over the same height, whatever its values"));
-    m_snapLabel->setText(tr("Snap to"));
-    m_snap->setItemText(0, tr("nothing"));
-    m_snap->setItemText(1, tr("frames"));
-    m_snap->setItemText(2, tr("seconds"));
-    m_snap->setCurrentIndex(static_cast<int>(m_commands->snapping()));
-    m_snap->setToolTip(tr("Where dragged keys land; hold Shift to drag freely"));
-    m_snap->setAccessibleName(tr("Snapping"));
-    m_empty->setText(
-        tr("No keys here. Select a node and press I to insert keys of its position, rotation and "
-           "scale at the frame on show."));
-    m_actions->retranslate();
-    showSelection();
 }
 
 } // namespace ramure

@@ -43,7 +43,6 @@ public:
     [[nodiscard]] QSize minimumSizeHint() const override;
 
 protected:
-    void changeEvent(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 
 private:
@@ -51,11 +50,11 @@ private:
     void buildSheet();
     void connectAll();
     void arrangeTools();
-    void addMenuButton(QToolButton*& button, QMenu* menu);
+    QToolButton* addMenuButton(QMenu* menu, const QString& text, const QString& tip);
+    void buildChoices();
     void showTimeline();
     void showRows();
     void showSelection();
-    void retranslate();
 
     KeyModel* m_model;
     KeyCommands* m_commands;
@@ -65,7 +64,6 @@ private:
     QHBoxLayout* m_row = nullptr;   ///< of the tools
     QHBoxLayout* m_below = nullptr; ///< the values, where the row has no room for them
     bool m_valuesBelow = false;
-    QToolButton* m_insert = nullptr;
     QToolButton* m_modes = nullptr;
     QToolButton* m_easings = nullptr;
     QToolButton* m_handles = nullptr;
@@ -86,7 +84,6 @@ private:
     KeySheet* m_sheet = nullptr;
     KeyCurves* m_curves = nullptr;
     QStackedWidget* m_views = nullptr;
-    QWidget* m_corner = nullptr;
     QMenu* m_menu = nullptr;
 };
 

@@ -272,9 +272,6 @@ QString KeySheet::tipAt(const QPoint& position) const
 bool KeySheet::event(QEvent* event)
 {
     switch (event->type()) {
-    case QEvent::LanguageChange:
-        setAccessibleName(tr("Dope sheet"));
-        break;
     case QEvent::PaletteChange:
         m_glyphs.clear();
         break;

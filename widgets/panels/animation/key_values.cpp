@@ -4,7 +4,6 @@
 #include "widgets/base/texts/core_text.h"
 #include "widgets/panels/animation/key_model.h"
 #include "widgets/panels/animation/key_texts.h"
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <cmath>
@@ -42,12 +41,12 @@ glm::dvec3 anglesOf(const glm::dquat& q)
 KeyValues::KeyValues(KeyModel* model, QWidget* parent)
     : QWidget(parent)
     , m_model(model)
-    , m_label(new QLabel(this))
 {
+    auto* label = new QLabel(tr("Value"), this);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(3);
-    row->addWidget(m_label);
+    row->addWidget(label);
     for (int i = 0; i < 3; ++i) {
         auto* field = new NumberField(this);
         field->setObjectName(QStringLiteral("keyValue%1").arg(i));
@@ -59,9 +58,15 @@ KeyValues::KeyValues(KeyModel* model, QWidget* parent)
         connect(field, &NumberField::valueEdited, this,
                 [this, i](double value) { m_angles ? setAngle(i, value) : setNumber(value); });
     }
-    m_label->setBuddy(m_fields[0]);
+    label->setBuddy(m_fields[0]);
     connect(model, &KeyModel::selectionChanged, this, &KeyValues::showValues);
-    retranslate();
+    const QString axes[] = {tr("X"), tr("Y"), tr("Z")};
+    for (std::size_t i = 0; i < 3; ++i) {
+        m_fields[i]->setToolTip(
+            tr("Value of the selected keys: metres, a factor, the parameter's unit, or degrees about %1")
+                .arg(axes[i]));
+        m_fields[i]->setAccessibleName(tr("Key value %1").arg(axes[i]));
+    }
     showValues();
 }
 
@@ -151,25 +156,6 @@ void KeyValues::setAngle(int axis, double angleRad)
             return glm::quat_cast(rotationMatrix(angles));
         },
         tr("Change Key Values"), m_gesture));
-}
-
-void KeyValues::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QWidget::changeEvent(event);
-}
-
-void KeyValues::retranslate()
-{
-    m_label->setText(tr("Value"));
-    const QString axes[] = {tr("X"), tr("Y"), tr("Z")};
-    for (std::size_t i = 0; i < 3; ++i) {
-        m_fields[i]->setToolTip(
-            tr("Value of the selected keys: metres, a factor, the parameter's unit, or degrees about %1")
-                .arg(axes[i]));
-        m_fields[i]->setAccessibleName(tr("Key value %1").arg(axes[i]));
-    }
 }
 
 } // namespace ramure

@@ -24,19 +24,14 @@ public:
 signals:
     void messageRaised(const QString& text);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void showValues();
     [[nodiscard]] std::array<std::optional<double>, 3> commonAngles() const;
     void setNumber(double value);
     void setAngle(int axis, double angleRad);
     void report(const Expected<void>& done);
-    void retranslate();
 
     KeyModel* m_model;
-    QLabel* m_label;
     std::array<NumberField*, 3> m_fields{};
     bool m_angles = false;
     GestureId m_gesture = 0;

@@ -3,7 +3,6 @@
 #include "widgets/base/texts/core_text.h"
 #include <QCheckBox>
 #include <QComboBox>
-#include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLocale>
@@ -21,19 +20,19 @@ ArmMeshRow::ArmMeshRow(Document* document, QWidget* parent)
     : QWidget(parent)
     , m_document(document)
     , m_dresser(new ArmDresser(document, this))
-    , m_label(new QLabel(this))
     , m_choice(new QComboBox(this))
-    , m_fit(new QCheckBox(this))
+    , m_fit(new QCheckBox(tr("Fit"), this))
     , m_axis(new QComboBox(this))
-    , m_import(new QPushButton(this))
-    , m_again(new QPushButton(this))
+    , m_import(new QPushButton(tr("From a file…"), this))
+    , m_again(new QPushButton(tr("Fit again"), this))
     , m_problem(new QLabel(this))
 {
-    m_label->setBuddy(m_choice);
+    auto* label = new QLabel(tr("Skin"), this);
+    label->setBuddy(m_choice);
     m_choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_fit->setChecked(true);
     m_axis->setObjectName(QStringLiteral("wornAxis"));
-    m_axis->addItems({QString(), QString(), QString(), QString()});
+    m_axis->addItems({tr("The longest along"), tr("X along"), tr("Y along"), tr("Z along")});
     connect(m_fit, &QCheckBox::toggled, m_axis, &QWidget::setEnabled);
     connect(m_axis, &QComboBox::activated, this, [this](int index) { turn(static_cast<MeshAxis>(index)); });
     m_again->setObjectName(QStringLiteral("fitAgain"));
@@ -42,7 +41,7 @@ ArmMeshRow::ArmMeshRow(Document* document, QWidget* parent)
     m_problem->hide();
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
-    grid->addWidget(m_label, 0, 0);
+    grid->addWidget(label, 0, 0);
     grid->addWidget(m_choice, 0, 1, 1, 2);
     grid->addWidget(m_fit, 1, 1);
     grid->addWidget(m_import, 1, 2);
@@ -63,7 +62,22 @@ ArmMeshRow::ArmMeshRow(Document* document, QWidget* parent)
                        changeParams))
             takeArm();
     });
-    retranslate();
+    m_choice->setAccessibleName(tr("Skin"));
+    m_choice->setToolTip(
+        tr("What is bound to the arm: the cylinder, or a copy of an imported mesh, whose vertices "
+           "follow the segments that are nearest to them. The object itself is hidden."));
+    m_fit->setToolTip(tr(
+        "Makes the mesh as long as the arm and stands it on the foot; otherwise it is bound where it stands "
+        "around the straight arm"));
+    m_axis->setAccessibleName(tr("Axis along the arm"));
+    m_axis->setToolTip(
+        tr("Which axis of a fitted mesh lies along the arm: of a tree that is Y. The mesh that is "
+           "worn is put on again."));
+    m_again->setToolTip(tr(
+        "Makes the worn mesh as long as the arm is now, its foot on the arm's foot. A mesh is bound to the "
+        "straight arm: lengths that change later move the joints along it and do not stretch it."));
+    m_import->setToolTip(tr("Imports an object and binds it to the arm"));
+    takeArm();
 }
 
 /// The active node where it is an arm, else the first arm there is; and what it can wear.
@@ -168,40 +182,6 @@ void ArmMeshRow::takeImported(NodeId top)
         return wear(mesh->id);
     m_problem->setText(tr("The file has no triangles: the arm cannot wear it."));
     m_problem->show();
-}
-
-void ArmMeshRow::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QWidget::changeEvent(event);
-}
-
-void ArmMeshRow::retranslate()
-{
-    m_label->setText(tr("Skin"));
-    m_choice->setAccessibleName(tr("Skin"));
-    m_choice->setToolTip(
-        tr("What is bound to the arm: the cylinder, or a copy of an imported mesh, whose vertices "
-           "follow the segments that are nearest to them. The object itself is hidden."));
-    m_fit->setText(tr("Fit"));
-    m_fit->setToolTip(tr(
-        "Makes the mesh as long as the arm and stands it on the foot; otherwise it is bound where it stands "
-        "around the straight arm"));
-    const QString along[] = {tr("The longest along"), tr("X along"), tr("Y along"), tr("Z along")};
-    for (int i = 0; i < m_axis->count(); ++i)
-        m_axis->setItemText(i, along[i]);
-    m_axis->setAccessibleName(tr("Axis along the arm"));
-    m_axis->setToolTip(
-        tr("Which axis of a fitted mesh lies along the arm: of a tree that is Y. The mesh that is "
-           "worn is put on again."));
-    m_again->setText(tr("Fit again"));
-    m_again->setToolTip(tr(
-        "Makes the worn mesh as long as the arm is now, its foot on the arm's foot. A mesh is bound to the "
-        "straight arm: lengths that change later move the joints along it and do not stretch it."));
-    m_import->setText(tr("From a file…"));
-    m_import->setToolTip(tr("Imports an object and binds it to the arm"));
-    takeArm();
 }
 
 } // namespace ramure

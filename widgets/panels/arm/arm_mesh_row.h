@@ -29,9 +29,6 @@ public:
 signals:
     void importRequested();
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void takeArm();
     void choose(int index);
@@ -40,13 +37,11 @@ private:
     void turn(MeshAxis axis);
     [[nodiscard]] NodeId wornNode() const;
     void showProblem(const Expected<void>& done);
-    void retranslate();
 
     Document* m_document;
     ArmDresser* m_dresser;
     NodeId m_arm = noNode;
     bool m_waiting = false;
-    QLabel* m_label;
     QComboBox* m_choice;
     QCheckBox* m_fit;
     QComboBox* m_axis;

@@ -9,7 +9,6 @@
 #include "widgets/panels/arm/bake_keys_dialog.h"
 #include "widgets/panels/arm/joint_form.h"
 #include "widgets/view/tools/arm/arm_overlay.h"
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QListWidget>
@@ -28,15 +27,15 @@ ArmPanel::ArmPanel(Document* document, QWidget* parent)
     , m_scroll(new QScrollArea(this))
     , m_content(new QWidget(m_scroll))
     , m_list(new QListWidget(m_content))
-    , m_add(new QPushButton(m_content))
-    , m_remove(new QPushButton(m_content))
+    , m_add(new QPushButton(tr("Add"), m_content))
+    , m_remove(new QPushButton(tr("Remove"), m_content))
     , m_joint(new JointForm(document, m_content))
-    , m_go(new QPushButton(m_content))
-    , m_pause(new QPushButton(m_content))
-    , m_step(new QPushButton(m_content))
+    , m_go(new QPushButton(tr("Reach"), m_content))
+    , m_pause(new QPushButton(tr("Pause"), m_content))
+    , m_step(new QPushButton(tr("Step"), m_content))
     , m_status(new QLabel(m_content))
-    , m_keyPose(new QPushButton(m_content))
-    , m_bake(new QPushButton(m_content))
+    , m_keyPose(new QPushButton(tr("Key the pose"), m_content))
+    , m_bake(new QPushButton(tr("Bake to keys…"), m_content))
     , m_baker(new ArmBaker(document, this))
     , m_worn(new ArmMeshRow(document, m_content))
 {
@@ -60,7 +59,18 @@ ArmPanel::ArmPanel(Document* document, QWidget* parent)
     connect(m_bake, &QPushButton::clicked, this, &ArmPanel::askBake);
     connect(m_baker, &ArmBaker::finished, this, &ArmPanel::tellBake);
     connect(document, &Document::changed, this, &ArmPanel::follow);
-    retranslate();
+    m_none->setText(
+        tr("No arm. Edit > Add to the scene > Arm makes one; the demo of the arm has one already."));
+    m_list->setAccessibleName(tr("Joints"));
+    m_add->setToolTip(tr("Adds a joint behind the chosen one, the same as it (1 to 64)"));
+    m_remove->setToolTip(tr("Takes the chosen joint out"));
+    m_go->setToolTip(tr("Sends the arm to its target; Ctrl+click on a terrain sets another one"));
+    m_pause->setToolTip(tr("Holds the arm on its way, to go through it step by step"));
+    m_step->setToolTip(tr("One sixtieth of a second further"));
+    m_keyPose->setToolTip(tr("Inserts a key at this frame for the angles of all joints"));
+    m_bake->setToolTip(
+        tr("The motion towards the target becomes keys of the joints' angles, at the frames you choose; "
+           "then the arm follows those"));
     takeArm();
 }
 
@@ -251,36 +261,6 @@ void ArmPanel::showProgress()
     m_status->setText(shown ? armStatusText(*shown) : QString());
     m_status->setToolTip(m_status->text());
     m_step->setEnabled(shown && shown->moves && m_reach->isAtRest());
-}
-
-void ArmPanel::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QWidget::changeEvent(event);
-}
-
-void ArmPanel::retranslate()
-{
-    m_none->setText(
-        tr("No arm. Edit > Add to the scene > Arm makes one; the demo of the arm has one already."));
-    m_list->setAccessibleName(tr("Joints"));
-    m_add->setText(tr("Add"));
-    m_add->setToolTip(tr("Adds a joint behind the chosen one, the same as it (1 to 64)"));
-    m_remove->setText(tr("Remove"));
-    m_remove->setToolTip(tr("Takes the chosen joint out"));
-    m_go->setText(tr("Reach"));
-    m_go->setToolTip(tr("Sends the arm to its target; Ctrl+click on a terrain sets another one"));
-    m_pause->setText(tr("Pause"));
-    m_pause->setToolTip(tr("Holds the arm on its way, to go through it step by step"));
-    m_step->setText(tr("Step"));
-    m_step->setToolTip(tr("One sixtieth of a second further"));
-    m_keyPose->setText(tr("Key the pose"));
-    m_keyPose->setToolTip(tr("Inserts a key at this frame for the angles of all joints"));
-    m_bake->setText(tr("Bake to keys…"));
-    m_bake->setToolTip(
-        tr("The motion towards the target becomes keys of the joints' angles, at the frames you choose; "
-           "then the arm follows those"));
 }
 
 } // namespace ramure

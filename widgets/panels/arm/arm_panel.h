@@ -47,9 +47,6 @@ public slots:
     void removeJoint(); ///< the chosen one; the last one stays
     void chooseJoint(int joint);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void layOut();
     void follow(const Change& change);
@@ -60,7 +57,6 @@ private:
     void askBake();
     void bake(const ArmBakeOptions& options);
     void tellBake(const std::optional<Error>& error);
-    void retranslate();
     [[nodiscard]] const std::vector<ArmJoint>* joints() const;
 
     Document* m_document;

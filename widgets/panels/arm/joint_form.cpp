@@ -7,7 +7,6 @@
 #include "widgets/base/fields/number_slider.h"
 #include "widgets/base/texts/core_text.h"
 #include <QCheckBox>
-#include <QEvent>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -58,7 +57,6 @@ JointForm::JointForm(Document* document, QWidget* parent)
     m_message->setWordWrap(true);
     m_message->hide();
     form->addRow(m_message);
-    retranslate();
 }
 
 JointForm::~JointForm() = default;
@@ -70,7 +68,8 @@ void JointForm::addRow(QFormLayout* form, const JointDef& def, std::size_t numbe
     made.def = &def;
     made.number = number;
     made.key = newKeyButton(this);
-    made.label = new QLabel(this);
+    const QString title = coreText(def.label);
+    made.label = new QLabel(title, this);
     made.field = new NumberField(this);
     made.label->setBuddy(made.field);
     made.field->setRange(def.hardMin, def.hardMax);
@@ -79,6 +78,15 @@ void JointForm::addRow(QFormLayout* form, const JointDef& def, std::size_t numbe
     made.field->addHandle(made.label);
     made.slider = new NumberSlider(this);
     made.slider->setSoftRange(def.softMin, def.softMax, def.step, false);
+    const bool speed = def.member == &ArmAngle::mostSpeed;
+    const NumberFormat format = formatOf(def, !def.angle ? tr(" m") : speed ? tr("°/s") : tr("°"));
+    made.field->setFormat(format);
+    made.slider->setFactor(format.factor);
+    made.field->setAccessibleName(title);
+    made.slider->setAccessibleName(title);
+    for (QWidget* widget : {static_cast<QWidget*>(made.label), static_cast<QWidget*>(made.field),
+                            static_cast<QWidget*>(made.slider)})
+        widget->setToolTip(coreText(def.tooltip));
     auto* named = new QWidget(this);
     auto* name = new QHBoxLayout(named);
     name->setContentsMargins(0, 0, 0, 0);
@@ -103,12 +111,15 @@ void JointForm::addRow(QFormLayout* form, const JointDef& def, std::size_t numbe
             take(m_keys->toggle(m_arm, channelOf(made)));
     });
     m_rows.push_back(std::move(row));
+    showKeyState(made);
 }
 
 void JointForm::addLimited(QFormLayout* form, bool phi)
 {
     QCheckBox*& box = phi ? m_limitPhi : m_limitTheta;
-    box = new QCheckBox(this);
+    box = new QCheckBox(tr("Limited"), this);
+    box->setToolTip(tr("The angle stays between its limits; otherwise it may turn for ever. Has no keys: key "
+                       "the limits instead, which do"));
     form->addRow(QString(), box);
     connect(box, &QCheckBox::clicked, this, [this, phi](bool on) { setLimited(phi, on); });
 }
@@ -224,39 +235,6 @@ void JointForm::take(const Expected<void>& done)
     text[0] = text[0].toUpper();
     m_message->setText(text);
     showValues();
-}
-
-void JointForm::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QWidget::changeEvent(event);
-}
-
-void JointForm::retranslate()
-{
-    for (QCheckBox* box : {m_limitPhi, m_limitTheta}) {
-        box->setText(tr("Limited"));
-        box->setToolTip(
-            tr("The angle stays between its limits; otherwise it may turn for ever. Has no keys: key "
-               "the limits instead, which do"));
-    }
-    for (const auto& row : m_rows) {
-        const QString name = coreText(row->def->label), tip = coreText(row->def->tooltip);
-        row->label->setText(name);
-        row->field->setAccessibleName(name);
-        row->slider->setAccessibleName(name);
-        for (QWidget* widget : {static_cast<QWidget*>(row->label), static_cast<QWidget*>(row->field),
-                                static_cast<QWidget*>(row->slider)})
-            widget->setToolTip(tip);
-        const bool speed = row->def->member == &ArmAngle::mostSpeed;
-        const NumberFormat format = formatOf(*row->def, !row->def->angle ? tr(" m")
-                                                        : speed          ? tr("°/s")
-                                                                         : tr("°"));
-        row->field->setFormat(format);
-        row->slider->setFactor(format.factor);
-        showKeyState(*row);
-    }
 }
 
 } // namespace ramure

@@ -30,9 +30,6 @@ public:
     void setJoint(NodeId arm, int joint);
     void showValues();
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     struct Row;
     void addRow(QFormLayout* form, const JointDef& def, std::size_t number);
@@ -42,7 +39,6 @@ private:
     void push(std::vector<ArmJoint> joints, const QString& text, GestureId gesture = 0);
     void take(const Expected<void>& done);
     void showKeyState(const Row& row);
-    void retranslate();
     [[nodiscard]] Channel channelOf(const Row& row) const;
     /// Null where no joint is shown.
     [[nodiscard]] const std::vector<ArmJoint>* joints() const;

@@ -116,15 +116,6 @@ void EditModel::updateLimbs()
     }
 }
 
-void EditModel::retranslate()
-{
-    beginResetModel();
-    updateLimbs();
-    m_bends = bendRows(*m_document, m_tree);
-    endResetModel();
-    emit listChanged();
-}
-
 const BendRow* EditModel::bendAt(int row) const
 {
     return row < editCount() ? nullptr : &m_bends[std::size_t(row - editCount())];

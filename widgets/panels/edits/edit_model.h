@@ -39,7 +39,6 @@ public:
     [[nodiscard]] bool isLost(int row) const;
     /// Of the axis that the edit acts on; 0: none.
     [[nodiscard]] std::uint64_t addressAt(int row) const;
-    void retranslate();
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;

@@ -46,7 +46,15 @@ EditsPanel::EditsPanel(Document* document, QWidget* parent)
     connect(m_view, &QTreeView::clicked, this, &EditsPanel::selectBranches);
     connect(m_view, &QWidget::customContextMenuRequested, this, &EditsPanel::showMenu);
     connect(m_copyMenu, &QMenu::aboutToShow, this, &EditsPanel::fillCopyMenu);
-    retranslate();
+    const auto name = [](QToolButton* button, const QString& text) {
+        button->setToolTip(text);
+        button->setAccessibleName(text);
+    };
+    name(m_up, tr("Earlier (Alt+Up): it acts before the one above"));
+    name(m_down, tr("Later (Alt+Down): it acts after the one below"));
+    name(m_copy, tr("Copy the selected edits to another tree"));
+    name(m_delete, tr("Delete the selected edits (Del)"));
+    m_view->setAccessibleName(tr("Edits by hand"));
     follow();
 }
 
@@ -275,28 +283,6 @@ bool EditsPanel::eventFilter(QObject* watched, QEvent* event)
     else if (deletes)
         removeSelected();
     return moves || deletes || QWidget::eventFilter(watched, event);
-}
-
-void EditsPanel::retranslate()
-{
-    const auto name = [](QToolButton* button, const QString& text) {
-        button->setToolTip(text);
-        button->setAccessibleName(text);
-    };
-    name(m_up, tr("Earlier (Alt+Up): it acts before the one above"));
-    name(m_down, tr("Later (Alt+Down): it acts after the one below"));
-    name(m_copy, tr("Copy the selected edits to another tree"));
-    name(m_delete, tr("Delete the selected edits (Del)"));
-    m_view->setAccessibleName(tr("Edits by hand"));
-}
-
-void EditsPanel::changeEvent(QEvent* event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() != QEvent::LanguageChange)
-        return;
-    retranslate();
-    m_model->retranslate();
 }
 
 } // namespace ramure

@@ -37,7 +37,6 @@ signals:
     void messageRaised(const QString& text);
 
 protected:
-    void changeEvent(QEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
@@ -47,7 +46,6 @@ private:
     void showMenu(const QPoint& at);
     [[nodiscard]] bool hasBend(const std::vector<std::uint64_t>& ids) const;
     void updateButtons();
-    void retranslate();
     void report(const Expected<void>& done);
     [[nodiscard]] std::vector<std::uint64_t> selectedIds() const;
 

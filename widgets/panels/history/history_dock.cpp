@@ -127,7 +127,9 @@ HistoryDock::HistoryDock(Document* document, QWidget* parent)
             });
     follow();
     drawCleanIcon();
-    retranslate();
+    m_model->setStart(tr("Start"));
+    m_view->setAccessibleName(tr("History of changes"));
+    m_view->setToolTip(tr("Click a step to go back or forth to it. The dot marks what is in the file."));
 }
 
 QSize HistoryDock::sizeHint() const
@@ -143,18 +145,9 @@ void HistoryDock::drawCleanIcon()
     m_model->setDot(icon);
 }
 
-void HistoryDock::retranslate()
-{
-    m_model->setStart(tr("Start"));
-    m_view->setAccessibleName(tr("History of changes"));
-    m_view->setToolTip(tr("Click a step to go back or forth to it. The dot marks what is in the file."));
-}
-
 void HistoryDock::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
     if (event->type() == QEvent::PaletteChange)
         drawCleanIcon();
 }

@@ -46,7 +46,28 @@ BranchFactForm::BranchFactForm(QWidget* parent)
         if (number)
             emit branchChosen(branch);
     });
-    retranslate();
+    m_form->setName(Parent, tr("Parent"), tr("The branch at whose end this one starts. Click to select it."));
+    m_form->setName(Children, tr("Children"),
+                    tr("The branches that start at this one's end. Click to select one."));
+    m_form->setName(Level, tr("Level"),
+                    tr("How many brackets of the grammar are around the branch: 0 is the trunk."));
+    m_form->setName(Start, tr("Start (p0)"), tr("In the tree's space, Y up."));
+    m_form->setName(End, tr("End (p1)"), tr("In the tree's space, Y up."));
+    m_form->setName(StartRadius, tr("Start radius (a0)"));
+    m_form->setName(EndRadius, tr("End radius (a1)"));
+    m_form->setName(Length, tr("Length"), tr("From the start straight to the end."));
+    m_form->setName(
+        Angle, tr("Angle to the parent"),
+        tr("Between the branch's direction and its parent's; of a root, between it and up (+Y)."));
+    m_form->setName(
+        Azimuth, tr("Azimuth"),
+        tr("Which way the branch leans around its parent: from the normal of the parent's last section "
+           "towards its binormal. A root is measured from +X towards −Z."));
+    m_form->setName(
+        Mass, tr("Mass"),
+        tr("For the movement in the wind, without unit: the radius at the end, 0.075 for an apple, and the "
+           "masses of all it carries."));
+    showFacts();
 }
 
 void BranchFactForm::setFacts(const BranchFacts& facts)
@@ -89,32 +110,6 @@ void BranchFactForm::showFacts()
     m_form->setValue(Angle, facttext::angle(m_facts.angleRad, m_unit));
     m_form->setValue(Azimuth, facttext::angle(m_facts.azimuthRad, m_unit));
     m_form->setValue(Mass, facttext::number(m_facts.mass, 4));
-}
-
-void BranchFactForm::retranslate()
-{
-    m_form->setName(Parent, tr("Parent"), tr("The branch at whose end this one starts. Click to select it."));
-    m_form->setName(Children, tr("Children"),
-                    tr("The branches that start at this one's end. Click to select one."));
-    m_form->setName(Level, tr("Level"),
-                    tr("How many brackets of the grammar are around the branch: 0 is the trunk."));
-    m_form->setName(Start, tr("Start (p0)"), tr("In the tree's space, Y up."));
-    m_form->setName(End, tr("End (p1)"), tr("In the tree's space, Y up."));
-    m_form->setName(StartRadius, tr("Start radius (a0)"));
-    m_form->setName(EndRadius, tr("End radius (a1)"));
-    m_form->setName(Length, tr("Length"), tr("From the start straight to the end."));
-    m_form->setName(
-        Angle, tr("Angle to the parent"),
-        tr("Between the branch's direction and its parent's; of a root, between it and up (+Y)."));
-    m_form->setName(
-        Azimuth, tr("Azimuth"),
-        tr("Which way the branch leans around its parent: from the normal of the parent's last section "
-           "towards its binormal. A root is measured from +X towards −Z."));
-    m_form->setName(
-        Mass, tr("Mass"),
-        tr("For the movement in the wind, without unit: the radius at the end, 0.075 for an apple, and the "
-           "masses of all it carries."));
-    showFacts();
 }
 
 } // namespace ramure

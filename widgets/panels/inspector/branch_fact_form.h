@@ -16,7 +16,6 @@ public:
 
     void setFacts(const BranchFacts& facts);
     void setAngleUnit(AngleUnit unit);
-    void retranslate();
 
 signals:
     /// A link to a relative was followed.

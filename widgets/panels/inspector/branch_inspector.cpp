@@ -10,7 +10,6 @@
 #include "widgets/panels/inspector/branch_fact_form.h"
 #include "widgets/panels/inspector/roll_editor.h"
 #include "widgets/panels/inspector/section_browser.h"
-#include <QEvent>
 #include <QLabel>
 #include <QScrollArea>
 #include <QSplitter>
@@ -68,7 +67,6 @@ struct BranchInspector::Private
     void showNothing(const QString& why);
     void showBranch(const NodeResult& result);
     void announce();
-    void retranslate();
     void showTitle();
     [[nodiscard]] QString whyEmpty() const;
     [[nodiscard]] std::span<const Index> limb() const;
@@ -102,7 +100,8 @@ BranchInspector::BranchInspector(Document* document, QWidget* parent)
         if (change.has(branchNews))
             d->refresh();
     });
-    d->retranslate();
+    setAccessibleName(tr("Branch inspector"));
+    d->empty->setText(d->whyEmpty());
 }
 
 BranchInspector::~BranchInspector() = default;
@@ -287,17 +286,6 @@ void BranchInspector::Private::announce()
     }
 }
 
-void BranchInspector::Private::retranslate()
-{
-    form->retranslate();
-    roll->retranslate();
-    sections->retranslate();
-    q->setAccessibleName(tr("Branch inspector"));
-    showTitle();
-    empty->setText(whyEmpty());
-    q->updateGeometry();
-}
-
 QSize BranchInspector::minimumSizeHint() const
 {
     // What scrolls only up and down must not be cut at the side.
@@ -336,13 +324,6 @@ void BranchInspector::focusRoll()
 void BranchInspector::copyCsv()
 {
     d->sections->copyCsv(false);
-}
-
-void BranchInspector::changeEvent(QEvent* event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        d->retranslate();
 }
 
 void BranchInspector::showEvent(QShowEvent* event)

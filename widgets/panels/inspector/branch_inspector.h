@@ -44,7 +44,6 @@ signals:
     void messageRaised(const QString& text);
 
 protected:
-    void changeEvent(QEvent* event) override;
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
 

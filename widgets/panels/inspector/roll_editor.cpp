@@ -47,7 +47,7 @@ RollEditor::RollEditor(Document* document, QWidget* parent)
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(6);
     grid->setVerticalSpacing(4);
-    m_name = new QLabel(this);
+    m_name = new QLabel(tr("Roll by hand"), this);
     m_slider = new NumberSlider(this);
     m_slider->setObjectName(QStringLiteral("rollSlider"));
     m_field = new NumberField(this);
@@ -81,8 +81,17 @@ RollEditor::RollEditor(Document* document, QWidget* parent)
     connect(m_field, &NumberField::refused, this, &RollEditor::refused);
     connect(m_field, &NumberField::held, this, &RollEditor::refused);
     connect(m_reset, &QToolButton::clicked, this, [this] { apply(0.0, 0); });
+    const QString help = tr("Turns the branch's frames about its curve. The branches it carries turn along, "
+                            "and the mesh follows.");
+    m_name->setToolTip(help);
+    m_field->setToolTip(help);
+    m_slider->setToolTip(help);
+    m_field->setAccessibleName(tr("Roll by hand"));
+    m_slider->setAccessibleName(tr("Roll by hand, slider"));
+    m_reset->setToolTip(tr("Back to no roll"));
+    m_reset->setAccessibleName(m_reset->toolTip());
+    m_hint->hide();
     setAngleUnit(AngleUnit::Degrees);
-    retranslate();
 }
 
 void RollEditor::nextGesture()
@@ -111,7 +120,10 @@ void RollEditor::showBranches(NodeId node, std::vector<std::uint64_t> keys)
     m_slider->setNumber(roll);
     m_field->setValue(roll);
     m_reset->setEnabled(editable && (!roll || *roll != 0.0));
-    retranslate();
+    const bool locked = tree && m_document->scene().isLocked(m_node);
+    m_hint->setVisible(locked || m_keys.size() > 1);
+    m_hint->setText(locked ? tr("The tree is locked.")
+                           : tr("For all %n selected branch(es).", nullptr, static_cast<int>(m_keys.size())));
 }
 
 void RollEditor::apply(double rollRad, GestureId gesture)
@@ -120,25 +132,6 @@ void RollEditor::apply(double rollRad, GestureId gesture)
     if (const auto done = edit::setBranchRoll(*m_document, m_node, m_keys, turn, gesture); !done)
         emit refused(errorText(done.error()));
     showBranches(m_node, m_keys); // also where the document said no, or took whole turns off
-}
-
-void RollEditor::retranslate()
-{
-    m_name->setText(tr("Roll by hand"));
-    const QString help = tr("Turns the branch's frames about its curve. The branches it carries turn along, "
-                            "and the mesh follows.");
-    m_name->setToolTip(help);
-    m_field->setToolTip(help);
-    m_slider->setToolTip(help);
-    m_field->setAccessibleName(tr("Roll by hand"));
-    m_slider->setAccessibleName(tr("Roll by hand, slider"));
-    m_reset->setToolTip(tr("Back to no roll"));
-    m_reset->setAccessibleName(m_reset->toolTip());
-    const Node* tree = m_document->scene().find(m_node);
-    const bool locked = tree && m_document->scene().isLocked(m_node);
-    m_hint->setVisible(locked || m_keys.size() > 1);
-    m_hint->setText(locked ? tr("The tree is locked.")
-                           : tr("For all %n selected branch(es).", nullptr, static_cast<int>(m_keys.size())));
 }
 
 } // namespace ramure

@@ -26,7 +26,6 @@ public:
     /// The branches by Skeleton::name. Reads their rolls from the document: call again after each change.
     void showBranches(NodeId node, std::vector<std::uint64_t> keys);
     void setAngleUnit(AngleUnit unit);
-    void retranslate();
 
 signals:
     /// Why an edit was refused, in the interface's language.

@@ -51,7 +51,20 @@ SectionBrowser::SectionBrowser(QWidget* parent)
     buildStepper();
     m_form = new FactForm(SectionModel::columnTotal - firstFormColumn, this);
     buildTable();
-    retranslate();
+    m_slider->setAccessibleName(tr("Section, slider"));
+    m_field->setAccessibleName(tr("Section"));
+    const QString help = tr("Steps through the sections. The viewport shows the section's plane and frame.");
+    m_slider->setToolTip(help);
+    m_field->setToolTip(help);
+    m_copy->setAccessibleName(tr("Copy as CSV"));
+    m_copy->setToolTip(
+        tr("Copies all sections as comma-separated values for a spreadsheet. Ctrl+C in the table does "
+           "the same, or copies the selected rows where there are several."));
+    m_table->setAccessibleName(tr("All sections"));
+    for (int row = 0; row < m_form->rowCount(); ++row)
+        m_form->setName(row, SectionModel::columnName(firstFormColumn + row),
+                        SectionModel::columnHelp(firstFormColumn + row));
+    fitColumns();
     setFacts({});
 }
 
@@ -59,7 +72,7 @@ void SectionBrowser::buildStepper()
 {
     auto* row = new QHBoxLayout;
     row->setSpacing(6);
-    m_title = new QLabel(this);
+    auto* title = new QLabel(tr("Section"), this);
     m_slider = new QSlider(Qt::Horizontal, this);
     m_slider->setObjectName(QStringLiteral("sectionSlider"));
     m_slider->setPageStep(1);
@@ -73,8 +86,8 @@ void SectionBrowser::buildStepper()
     m_field->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     m_field->setMaximumWidth(m_field->fontMetrics().horizontalAdvance(QStringLiteral("0000")) + 20);
     m_total = new QLabel(this);
-    m_title->setBuddy(m_field);
-    row->addWidget(m_title);
+    title->setBuddy(m_field);
+    row->addWidget(title);
     row->addWidget(m_slider, 1);
     row->addWidget(m_field);
     row->addWidget(m_total);
@@ -195,27 +208,6 @@ void SectionBrowser::copyCsv(bool selectedRowsOnly)
         return;
     QGuiApplication::clipboard()->setText(QString::fromStdString(sectionsCsv(rows)));
     emit messageRaised(tr("%n section(s) copied as CSV", nullptr, static_cast<int>(rows.size())));
-}
-
-void SectionBrowser::retranslate()
-{
-    m_title->setText(tr("Section"));
-    m_slider->setAccessibleName(tr("Section, slider"));
-    m_field->setAccessibleName(tr("Section"));
-    const QString help = tr("Steps through the sections. The viewport shows the section's plane and frame.");
-    m_slider->setToolTip(help);
-    m_field->setToolTip(help);
-    m_copy->setAccessibleName(tr("Copy as CSV"));
-    m_copy->setToolTip(
-        tr("Copies all sections as comma-separated values for a spreadsheet. Ctrl+C in the table does "
-           "the same, or copies the selected rows where there are several."));
-    m_table->setAccessibleName(tr("All sections"));
-    for (int row = 0; row < m_form->rowCount(); ++row)
-        m_form->setName(row, SectionModel::columnName(firstFormColumn + row),
-                        SectionModel::columnHelp(firstFormColumn + row));
-    m_model->retranslate();
-    fitColumns();
-    showCurrent();
 }
 
 } // namespace ramure

@@ -45,7 +45,6 @@ public:
     /// From 0; -1 where there are no sections.
     [[nodiscard]] int currentSection() const;
     void setAngleUnit(AngleUnit unit);
-    void retranslate();
 
 public slots:
     /// Held to the sections there are.
@@ -67,7 +66,6 @@ private:
     AngleUnit m_unit = AngleUnit::Degrees;
     int m_chosen = 0; ///< by the user, even where there are fewer sections at the moment
     bool m_showing = false;
-    QLabel* m_title = nullptr;
     QLabel* m_total = nullptr;
     QSlider* m_slider = nullptr;
     NumberField* m_field = nullptr;

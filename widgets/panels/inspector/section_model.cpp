@@ -35,13 +35,6 @@ void SectionModel::setAngleUnit(AngleUnit unit)
                          {Qt::DisplayRole});
 }
 
-void SectionModel::retranslate()
-{
-    emit headerDataChanged(Qt::Horizontal, 0, columnTotal - 1);
-    if (!m_facts.empty()) // the decimal sign
-        emit dataChanged(index(0, 0), index(rowCount() - 1, columnTotal - 1), {Qt::DisplayRole});
-}
-
 int SectionModel::rowCount(const QModelIndex& parent) const
 {
     return parent.isValid() ? 0 : static_cast<int>(m_facts.size());

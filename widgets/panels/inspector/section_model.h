@@ -34,8 +34,6 @@ public:
     void setFacts(std::vector<SectionFacts> facts);
     [[nodiscard]] const std::vector<SectionFacts>& facts() const { return m_facts; }
     void setAngleUnit(AngleUnit unit);
-    /// Headers in another language.
-    void retranslate();
 
     /// "Tangent", "Radius" ... in the interface's language.
     [[nodiscard]] static QString columnName(int column);

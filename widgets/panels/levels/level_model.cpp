@@ -54,12 +54,6 @@ void LevelModel::setLevels(std::shared_ptr<const TreeLevels> levels)
     endResetModel();
 }
 
-void LevelModel::retranslate()
-{
-    beginResetModel();
-    endResetModel();
-}
-
 int LevelModel::rowCount(const QModelIndex& parent) const
 {
     return parent.isValid() || !m_levels ? 0 : static_cast<int>(m_levels->levels.size());

@@ -18,7 +18,6 @@ public:
     explicit LevelModel(QObject* parent = nullptr);
 
     void setLevels(std::shared_ptr<const TreeLevels> levels); ///< null: no rows
-    void retranslate();
     /// The rows with the names of the columns before them, tabs between: for a spreadsheet.
     [[nodiscard]] QString text(int firstRow, int count) const;
 

@@ -50,7 +50,7 @@ LevelView::LevelView(QWidget* parent)
     : DrawnPicture(parent)
     , m_kept(std::make_shared<Drawn>())
 {
-    LevelView::retranslate();
+    setToolTip(tr("Drag or arrow keys: turn · wheel, + and −: nearer or farther · Home: from the front"));
 }
 
 void LevelView::setLevel(std::shared_ptr<const TreeLevels> levels, std::optional<std::size_t> level)
@@ -141,11 +141,6 @@ void LevelView::keyPressEvent(QKeyEvent* event)
 QString LevelView::waitText() const
 {
     return m_levels && (picture().isNull() || m_drawn != m_level) ? tr("Drawing…") : QString();
-}
-
-void LevelView::retranslate()
-{
-    setToolTip(tr("Drag or arrow keys: turn · wheel, + and −: nearer or farther · Home: from the front"));
 }
 
 } // namespace ramure

@@ -37,7 +37,6 @@ protected:
 private:
     struct Drawn;
     void redraw() override;
-    void retranslate() override;
     [[nodiscard]] QString waitText() const override;
     void turnTo(double yawRad, double pitchRad);
 

@@ -84,7 +84,27 @@ LevelsPanel::LevelsPanel(Document* document, LevelWatch* watch, Preferences* pre
             showState();
     });
     connectViews();
-    retranslate();
+    m_progress->setAccessibleName(tr("Making the levels"));
+    m_progress->setToolTip(m_progress->accessibleName());
+    m_cancel->setToolTip(tr("Give this up"));
+    m_cancel->setAccessibleName(tr("Cancel"));
+    m_again->setToolTip(tr("Begins again with the tree as it is now"));
+    m_table->setAccessibleName(tr("Levels of detail"));
+    const QString tip = tr("From the eye to the tree, in metres: a game shows the level that takes over "
+                           "before it. Arrow keys: a tenth nearer or farther");
+    for (QWidget* each : {static_cast<QWidget*>(m_distanceLabel), static_cast<QWidget*>(m_slider),
+                          static_cast<QWidget*>(m_field)}) {
+        each->setToolTip(tip);
+        each->setAccessibleName(tr("Distance"));
+    }
+    m_levelView->setAccessibleName(tr("The level from this distance"));
+    m_wholeView->setAccessibleName(tr("The whole tree from this distance"));
+    m_enlarged->setToolTip(tr("Shows both as through a long lens, to compare their shapes; else they have "
+                              "the pixels of a screen 1080 pixels high"));
+    m_sizeText->setToolTip(tr("A screen 1080 pixels high, with the view's angle of view, 40°"));
+    m_export->setToolTip(tr("Opens the export for a game with these levels"));
+    showShot();
+    showState();
     follow();
 }
 
@@ -135,12 +155,12 @@ void LevelsPanel::buildState(QVBoxLayout* column)
         ->setObjectName(QStringLiteral("levelBudgets"));
     m_form->findChild<QLineEdit*>(QStringLiteral("exportSwitches"))
         ->setObjectName(QStringLiteral("levelSwitches"));
-    m_formLabel = new QLabel(content);
-    m_formLabel->setBuddy(m_form);
+    auto* formLabel = new QLabel(tr("Levels"), content);
+    formLabel->setBuddy(m_form);
     auto* budgets = new QHBoxLayout;
     budgets->setSpacing(6);
-    budgets->addWidget(m_formLabel, 0, Qt::AlignTop);
-    m_formLabel->setMinimumHeight(m_form->findChild<QSpinBox*>()->sizeHint().height());
+    budgets->addWidget(formLabel, 0, Qt::AlignTop);
+    formLabel->setMinimumHeight(m_form->findChild<QSpinBox*>()->sizeHint().height());
     budgets->addWidget(m_form, 1);
     m_state = new QLabel(content);
     m_state->setTextFormat(Qt::PlainText);
@@ -155,7 +175,7 @@ void LevelsPanel::buildState(QVBoxLayout* column)
     m_cancel->setIcon(icon("cancel"));
     m_cancel->setIconSize({14, 14});
     m_cancel->setAutoRaise(true);
-    m_again = new QPushButton(content);
+    m_again = new QPushButton(tr("Make the levels"), content);
     m_again->setObjectName(QStringLiteral("startLevels"));
     auto* work = new QHBoxLayout;
     work->setSpacing(6);
@@ -202,7 +222,7 @@ void LevelsPanel::buildTable(QVBoxLayout* column)
 
 void LevelsPanel::buildDistance(QVBoxLayout* column)
 {
-    m_distanceLabel = new QLabel(m_below);
+    m_distanceLabel = new QLabel(tr("Distance"), m_below);
     m_slider = new NumberSlider(m_below);
     m_slider->setObjectName(QStringLiteral("levelDistance"));
     m_field = new NumberField(m_below);
@@ -226,10 +246,10 @@ void LevelsPanel::buildDistance(QVBoxLayout* column)
 
 void LevelsPanel::buildChoices(QVBoxLayout* column)
 {
-    m_enlarged = new QCheckBox(m_below);
+    m_enlarged = new QCheckBox(tr("Zoom to the tree"), m_below);
     m_enlarged->setObjectName(QStringLiteral("levelsEnlarged"));
     m_enlarged->setChecked(true); // trees are larger than these pictures where levels change
-    m_export = new QPushButton(m_below);
+    m_export = new QPushButton(tr("Export these levels…"), m_below);
     m_export->setObjectName(QStringLiteral("exportTheseLevels"));
     auto* row = new QHBoxLayout;
     row->addWidget(m_enlarged);
@@ -548,49 +568,6 @@ void LevelsPanel::hideEvent(QHideEvent* event)
 {
     QWidget::hideEvent(event);
     setSeen(false);
-}
-
-void LevelsPanel::retranslate()
-{
-    m_formLabel->setText(tr("Levels"));
-    m_progress->setAccessibleName(tr("Making the levels"));
-    m_progress->setToolTip(m_progress->accessibleName());
-    m_cancel->setToolTip(tr("Give this up"));
-    m_cancel->setAccessibleName(tr("Cancel"));
-    m_again->setText(tr("Make the levels"));
-    m_again->setToolTip(tr("Begins again with the tree as it is now"));
-    m_table->setAccessibleName(tr("Levels of detail"));
-    m_distanceLabel->setText(tr("Distance"));
-    const QString tip = tr("From the eye to the tree, in metres: a game shows the level that takes over "
-                           "before it. Arrow keys: a tenth nearer or farther");
-    for (QWidget* each : {static_cast<QWidget*>(m_distanceLabel), static_cast<QWidget*>(m_slider),
-                          static_cast<QWidget*>(m_field)}) {
-        each->setToolTip(tip);
-        each->setAccessibleName(tr("Distance"));
-    }
-    m_levelView->setAccessibleName(tr("The level from this distance"));
-    m_wholeView->setAccessibleName(tr("The whole tree from this distance"));
-    m_enlarged->setText(tr("Zoom to the tree"));
-    m_enlarged->setToolTip(tr("Shows both as through a long lens, to compare their shapes; else they have "
-                              "the pixels of a screen 1080 pixels high"));
-    m_sizeText->setToolTip(tr("A screen 1080 pixels high, with the view's angle of view, 40°"));
-    m_export->setText(tr("Export these levels…"));
-    m_export->setToolTip(tr("Opens the export for a game with these levels"));
-    showShot();
-    showState();
-}
-
-void LevelsPanel::changeEvent(QEvent* event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() != QEvent::LanguageChange)
-        return;
-    m_shows = true;
-    m_model->retranslate();
-    m_shows = false;
-    retranslate();
-    if (m_level)
-        showLevel(m_distance, *m_level);
 }
 
 } // namespace ramure

@@ -60,7 +60,6 @@ signals:
     void messageRaised(const QString& text);
 
 protected:
-    void changeEvent(QEvent* event) override;
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -86,7 +85,6 @@ private:
     void showShot();
     void showMenu(const QPoint& at);
     void copy(int firstRow, int count);
-    void retranslate();
 
     Document* m_document;
     Preferences* m_preferences;
@@ -106,7 +104,6 @@ private:
     EmptyPage* m_empty = nullptr;
     QLabel* m_title = nullptr;
     LevelForm* m_form = nullptr;
-    QLabel* m_formLabel = nullptr;
     QLabel* m_state = nullptr;
     QProgressBar* m_progress = nullptr;
     QToolButton* m_cancel = nullptr;

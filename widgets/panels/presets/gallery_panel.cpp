@@ -11,7 +11,6 @@
 #include "widgets/view/tree_pictures.h"
 #include <QAction>
 #include <QDesktopServices>
-#include <QEvent>
 #include <QFile>
 #include <QInputDialog>
 #include <QLabel>
@@ -27,15 +26,15 @@ GalleryPanel::GalleryPanel(Document* document, Preferences* preferences, QWidget
     , m_document(document)
     , m_gallery(new PresetGallery(PictureButton::smallWidth, preferences, this))
     , m_problem(new QLabel(this))
-    , m_what(new QLabel(this))
-    , m_add(new QAction(this))
-    , m_new(new QAction(this))
-    , m_give(new QAction(this))
-    , m_more(new QAction(this))
-    , m_rename(new QAction(this))
-    , m_remove(new QAction(this))
-    , m_reveal(new QAction(this))
-    , m_keep(new QPushButton(this))
+    , m_what(new QLabel(tr("Click: add to the scene"), this))
+    , m_add(new QAction(tr("&Add to the scene"), this))
+    , m_new(new QAction(tr("&New scene with it"), this))
+    , m_give(new QAction(tr("&Give its numbers to the selected trees"), this))
+    , m_more(new QAction(tr("&More like this…"), this))
+    , m_rename(new QAction(tr("&Rename…"), this))
+    , m_remove(new QAction(tr("Move to the &trash"), this))
+    , m_reveal(new QAction(tr("Show in the &folder"), this))
+    , m_keep(new QPushButton(tr("&Save as preset…"), this))
 {
     m_problem->setObjectName(QStringLiteral("problem"));
     m_problem->setWordWrap(true);
@@ -88,7 +87,8 @@ void GalleryPanel::offerChoices()
             complain(tree.error());
     });
     connect(m_document, &Document::changed, this, &GalleryPanel::follow);
-    retranslate();
+    m_gallery->setClickText(m_what->text());
+    m_keep->setToolTip(tr("Keep the numbers of the selected tree among your own presets"));
     follow();
 }
 
@@ -220,32 +220,10 @@ void GalleryPanel::follow()
     m_keep->setEnabled(trees.size() == 1);
 }
 
-void GalleryPanel::retranslate()
-{
-    m_what->setText(tr("Click: add to the scene"));
-    m_gallery->setClickText(m_what->text());
-    m_add->setText(tr("&Add to the scene"));
-    m_new->setText(tr("&New scene with it"));
-    m_give->setText(tr("&Give its numbers to the selected trees"));
-    m_more->setText(tr("&More like this…"));
-    m_rename->setText(tr("&Rename…"));
-    m_remove->setText(tr("Move to the &trash"));
-    m_reveal->setText(tr("Show in the &folder"));
-    m_keep->setText(tr("&Save as preset…"));
-    m_keep->setToolTip(tr("Keep the numbers of the selected tree among your own presets"));
-}
-
 void GalleryPanel::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
     refreshOwn();
-}
-
-void GalleryPanel::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QWidget::changeEvent(event);
 }
 
 } // namespace ramure

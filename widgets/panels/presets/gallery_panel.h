@@ -48,7 +48,6 @@ signals:
     void sceneRequested(const QString& preset);
 
 protected:
-    void changeEvent(QEvent* event) override;
     void showEvent(QShowEvent* event) override;
 
 private:
@@ -63,7 +62,6 @@ private:
     void drawMissing();
     void complain(const Error& error);
     void follow();
-    void retranslate();
 
     Document* m_document;
     PresetGallery* m_gallery;

@@ -8,7 +8,6 @@
 #include "widgets/base/theme/preferences.h"
 #include "widgets/panels/presets/picture_button.h"
 #include <QCollator>
-#include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -53,6 +52,8 @@ PresetGallery::PresetGallery(int pictureWidth, Preferences* preferences, QWidget
 {
     m_search->setObjectName(QStringLiteral("presetSearch"));
     m_search->setClearButtonEnabled(true);
+    m_search->setPlaceholderText(tr("Search trees"));
+    m_search->setAccessibleName(m_search->placeholderText());
     m_none->setObjectName(QStringLiteral("dim"));
     m_none->setWordWrap(true);
     auto* layout = new QVBoxLayout(this);
@@ -68,19 +69,24 @@ PresetGallery::PresetGallery(int pictureWidth, Preferences* preferences, QWidget
         const QString name = QString::fromLatin1(preset->name);
         addPicture(m_groups.back(), name, presetTitle(name), preset);
     }
+    const QCollator collator{QLocale()};
+    for (Group& group : m_groups)
+        if (!group.items.empty() && isSpecies(*group.items.front().preset))
+            std::ranges::stable_sort(group.items, [&collator](const Item& a, const Item& b) {
+                return collator.compare(a.picture->text(), b.picture->text()) < 0;
+            });
     layout->addStretch(1);
     connect(m_search, &QLineEdit::textChanged, this, &PresetGallery::filter);
     connect(m_preferences, &Preferences::changed, this, [this] {
         if (m_favourites != m_preferences->favouritePresets())
             showFavourites();
     });
-    retranslate();
     showFavourites();
 }
 
 void PresetGallery::addGroup(const char* name)
 {
-    auto* heading = new QLabel(this);
+    auto* heading = new QLabel(presetGroupTitle(name), this);
     heading->setObjectName(QStringLiteral("galleryGroup"));
     auto* grid = new QGridLayout;
     grid->setSpacing(gap);
@@ -104,6 +110,7 @@ void PresetGallery::addPicture(Group& group, const QString& id, const QString& n
     connect(picture, &QWidget::customContextMenuRequested, this,
             [this, picture](const QPoint& at) { openMenu(picture, at); });
     group.items.push_back({picture, preset});
+    describe(group.items.back());
 }
 
 void PresetGallery::clear(Group& group)
@@ -130,7 +137,6 @@ void PresetGallery::showFavourites()
                     continue;
                 addPicture(favourites, id, item.picture->text(), item.preset);
                 favourites.items.back().picture->setPicture(item.picture->picture());
-                describe(favourites.items.back());
                 setTabOrder(before, favourites.items.back().picture);
                 before = favourites.items.back().picture;
             }
@@ -164,7 +170,6 @@ void PresetGallery::showOwn(const OwnPresets& presets)
     for (const QString& name : presets.names()) {
         addPicture(own, QLatin1String(OwnPresets::mark) + name, name, nullptr);
         own.items.back().picture->setPicture(QPixmap(presets.pictureFile(name)));
-        describe(own.items.back());
         setTabOrder(before, own.items.back().picture);
         before = own.items.back().picture;
     }
@@ -277,43 +282,13 @@ void PresetGallery::resizeEvent(QResizeEvent* event)
     arrange();
 }
 
-void PresetGallery::retranslate()
-{
-    m_search->setPlaceholderText(tr("Search trees"));
-    m_search->setAccessibleName(m_search->placeholderText());
-    QCollator collator{QLocale()};
-    for (Group& group : m_groups) {
-        group.heading->setText(presetGroupTitle(group.name));
-        for (const Item& item : group.items)
-            describe(item);
-        const bool areSpecies =
-            !group.items.empty() && group.items.front().preset && isSpecies(*group.items.front().preset);
-        if (areSpecies && &group != &m_groups.front())
-            std::ranges::stable_sort(group.items, [&collator](const Item& a, const Item& b) {
-                return collator.compare(a.picture->text(), b.picture->text()) < 0;
-            });
-    }
-    m_columns = 0; // in another order
-}
-
 void PresetGallery::describe(const Item& item)
 {
-    if (item.preset)
-        item.picture->setText(presetTitle(item.picture->preset()));
     const QString what = item.preset ? item.picture->text() + u'\n' + presetTip(*item.preset)
                                      : tr("%1: a tree that you have kept").arg(item.picture->text());
     item.picture->setToolTip(what + u'\n' + m_clickText);
     if (item.preset)
         item.picture->setAccessibleDescription(coreText(item.preset->description));
-}
-
-void PresetGallery::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-        filter();
-    }
-    QWidget::changeEvent(event);
 }
 
 } // namespace ramure

@@ -45,7 +45,6 @@ signals:
     void chosen(const QString& preset);
 
 protected:
-    void changeEvent(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 
 private:
@@ -71,7 +70,6 @@ private:
     void openMenu(PictureButton* picture, const QPoint& at);
     void filter();
     void arrange();
-    void retranslate();
     [[nodiscard]] int columnWidth() const;
 
     int m_pictureWidth;

@@ -13,6 +13,8 @@ BoolEditor::BoolEditor(const ParamDef& def, QWidget* parent)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_box);
     layout->addStretch(1);
+    m_box->setAccessibleName(name());
+    showState();
     setFocusProxy(m_box);
     connect(m_box, &QCheckBox::clicked, this, [this] {
         m_box->setTristate(false);
@@ -41,12 +43,6 @@ void BoolEditor::showState()
     m_box->setText(m_box->checkState() == Qt::PartiallyChecked ? QStringLiteral("—")
                    : m_box->isChecked()                        ? tr("on")
                                                                : tr("off"));
-}
-
-void BoolEditor::retranslate(const QString& name)
-{
-    m_box->setAccessibleName(name);
-    showState();
 }
 
 } // namespace ramure

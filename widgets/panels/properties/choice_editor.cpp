@@ -20,6 +20,7 @@ ChoiceEditor::ChoiceEditor(const ParamDef& def, QWidget* parent)
     m_box->setPlaceholderText(QStringLiteral("—"));
     constexpr int leastLetters = 8; // a narrow panel shortens a long choice and is not cut at its side
     m_box->setMinimumContentsLength(leastLetters);
+    m_box->setAccessibleName(name());
     guardFromWheel(m_box);
     setFocusProxy(m_box);
     connect(m_box, &QComboBox::activated, this,
@@ -31,13 +32,6 @@ void ChoiceEditor::showValues(std::span<const ParamValue> values)
     const auto value = commonValue(values);
     m_box->setCurrentIndex(value ? m_box->findData(QString::fromStdString(std::get<EnumValue>(*value).name))
                                  : -1);
-}
-
-void ChoiceEditor::retranslate(const QString& name)
-{
-    m_box->setAccessibleName(name);
-    for (int i = 0; i < m_box->count(); ++i)
-        m_box->setItemText(i, coreText(def().items[static_cast<std::size_t>(i)].label));
 }
 
 } // namespace ramure

@@ -15,7 +15,6 @@ public:
     ChoiceEditor(const ParamDef& def, QWidget* parent);
 
     void showValues(std::span<const ParamValue> values) override;
-    void retranslate(const QString& name) override;
 
 private:
     QComboBox* m_box = nullptr;

@@ -2,7 +2,6 @@
 
 #include <QAbstractButton>
 #include <QColorDialog>
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <QPainter>
@@ -85,6 +84,9 @@ ColorEditor::ColorEditor(const ParamDef& def, QWidget* parent)
     layout->addWidget(m_swatch);
     layout->addWidget(m_text, 1);
     m_text->setMaxLength(32);
+    m_swatch->setAccessibleName(tr("%1: choose").arg(name()));
+    m_swatch->setToolTip(tr("Choose a colour"));
+    m_text->setAccessibleName(name());
     setFocusProxy(m_text);
     connect(m_swatch, &QAbstractButton::clicked, this, &ColorEditor::openDialog);
     connect(m_text, &QLineEdit::editingFinished, this, &ColorEditor::takeText);
@@ -134,7 +136,7 @@ void ColorEditor::openDialog()
                                 window());
     m_dialog->setOption(QColorDialog::DontUseNativeDialog);
     m_dialog->setAttribute(Qt::WA_DeleteOnClose);
-    m_dialog->setWindowTitle(m_name);
+    m_dialog->setWindowTitle(name());
     connect(m_dialog, &QColorDialog::currentColorChanged, this, [this, before](const QColor& color) {
         if (before) // nodes of several colours change only when the choice is made: no way back else
             emitEdit(colorValue(color));
@@ -146,26 +148,6 @@ void ColorEditor::openDialog()
     });
     connect(m_dialog, &QObject::destroyed, this, [this] { m_dialog = nullptr; });
     m_dialog->open();
-}
-
-void ColorEditor::retranslate(const QString& name)
-{
-    m_name = name;
-    retranslateTexts();
-}
-
-void ColorEditor::retranslateTexts()
-{
-    m_swatch->setAccessibleName(tr("%1: choose").arg(m_name));
-    m_swatch->setToolTip(tr("Choose a colour"));
-    m_text->setAccessibleName(m_name);
-}
-
-void ColorEditor::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange)
-        retranslateTexts();
-    QWidget::changeEvent(event);
 }
 
 } // namespace ramure

@@ -18,23 +18,17 @@ public:
     ColorEditor(const ParamDef& def, QWidget* parent);
 
     void showValues(std::span<const ParamValue> values) override;
-    void retranslate(const QString& name) override;
 
     /// The open dialog, or null.
     [[nodiscard]] QColorDialog* dialog() const { return m_dialog; }
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void takeText();
     void openDialog();
-    void retranslateTexts();
 
     QAbstractButton* m_swatch = nullptr;
     QLineEdit* m_text = nullptr;
     QColorDialog* m_dialog = nullptr;
-    QString m_name;
     std::optional<ParamValue> m_value; ///< nothing where the nodes differ
 };
 

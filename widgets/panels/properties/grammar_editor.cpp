@@ -30,6 +30,7 @@ GrammarEditor::GrammarEditor(const ParamDef& def, QWidget* parent)
     layout->setSpacing(0);
     layout->addWidget(m_edit);
     layout->addWidget(new HeightGrip(m_edit, this));
+    m_edit->setAccessibleName(name());
     setFocusProxy(m_edit);
     connect(m_edit, &GrammarEdit::edited, this,
             [this](const QString& text) { emitEdit(text.toStdString()); });
@@ -104,11 +105,6 @@ void GrammarEditor::showRemarks()
 void GrammarEditor::replaceLookalikes()
 {
     emitSingleEdit(withReplacements(m_text, def().key, m_notes));
-}
-
-void GrammarEditor::retranslate(const QString& name)
-{
-    m_edit->setAccessibleName(name);
 }
 
 } // namespace ramure

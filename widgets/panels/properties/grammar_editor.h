@@ -19,7 +19,6 @@ public:
     void showGrammar(const GrammarParams& grammar) override;
     void showProblem(const std::optional<Error>& error) override;
     bool showMessage(const QString& text) override;
-    void retranslate(const QString& name) override;
     [[nodiscard]] bool isWide() const override { return true; }
 
 private:

@@ -4,7 +4,6 @@
 #include "widgets/base/theme/icons.h"
 #include "widgets/panels/properties/param_row.h"
 #include <QAction>
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QMenu>
 #include <QToolButton>
@@ -39,6 +38,9 @@ GroupSection::GroupSection(const char* group, QWidget* parent)
     m_menuButton->setIconSize({14, 14});
     m_menuButton->setFocusPolicy(Qt::TabFocus);
     m_menuButton->setPopupMode(QToolButton::InstantPopup);
+    m_heading->setAccessibleName(coreText(group));
+    m_menuButton->setToolTip(tr("Copy, paste or reset this group"));
+    m_menuButton->setAccessibleName(tr("%1: menu").arg(coreText(group)));
     barLayout->addWidget(m_heading, 1);
     barLayout->addWidget(m_menuButton);
     layout->addWidget(bar);
@@ -50,6 +52,7 @@ GroupSection::GroupSection(const char* group, QWidget* parent)
     m_advanced = new QToolButton(m_content);
     m_advanced->setObjectName(QStringLiteral("advanced"));
     m_advanced->setAutoRaise(true);
+    m_advanced->setText(tr("More…"));
     m_advanced->hide();
     m_contentLayout->addWidget(m_advanced, 0, Qt::AlignLeft);
     layout->addWidget(m_content);
@@ -61,21 +64,21 @@ GroupSection::GroupSection(const char* group, QWidget* parent)
     });
     connect(m_advanced, &QToolButton::clicked, this, [this] {
         m_showAdvanced = !m_showAdvanced;
+        m_advanced->setText(m_showAdvanced ? tr("Less") : tr("More…"));
         applyVisibility();
-        retranslate();
     });
-    retranslate();
+    updateHeading();
 }
 
 void GroupSection::buildMenu()
 {
     auto* menu = new QMenu(m_menuButton);
-    m_copy = menu->addAction(icon("copy"), QString(), this, &GroupSection::copyRequested);
-    m_paste = menu->addAction(icon("paste"), QString(), this, &GroupSection::pasteRequested);
+    menu->addAction(icon("copy"), tr("Copy values"), this, &GroupSection::copyRequested);
+    menu->addAction(icon("paste"), tr("Paste values"), this, &GroupSection::pasteRequested);
     menu->addSeparator();
-    m_reset = menu->addAction(icon("reset"), QString(), this, &GroupSection::resetRequested);
-    connect(menu, &QMenu::aboutToShow, this, [this] {
-        m_reset->setEnabled(
+    QAction* reset = menu->addAction(icon("reset"), tr("Reset values"), this, &GroupSection::resetRequested);
+    connect(menu, &QMenu::aboutToShow, this, [this, reset] {
+        reset->setEnabled(
             std::ranges::any_of(rowsInReach(), [](const ParamRow* row) { return row->isChanged(); }));
     });
     m_menuButton->setMenu(menu);
@@ -169,26 +172,6 @@ void GroupSection::updateHeading()
     m_heading->setText(changed > 0 ? QStringLiteral("%1  •").arg(name) : name);
     m_heading->setToolTip(changed > 0 ? tr("%n value(s) changed", nullptr, static_cast<int>(changed))
                                       : tr("No value has been changed"));
-}
-
-void GroupSection::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QWidget::changeEvent(event);
-}
-
-void GroupSection::retranslate()
-{
-    const QString name = coreText(m_group);
-    m_heading->setAccessibleName(name);
-    m_menuButton->setToolTip(tr("Copy, paste or reset this group"));
-    m_menuButton->setAccessibleName(tr("%1: menu").arg(name));
-    m_advanced->setText(m_showAdvanced ? tr("Less") : tr("More…"));
-    m_copy->setText(tr("Copy values"));
-    m_paste->setText(tr("Paste values"));
-    m_reset->setText(tr("Reset values"));
-    updateHeading();
 }
 
 } // namespace ramure

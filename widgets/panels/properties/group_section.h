@@ -43,11 +43,7 @@ signals:
     void pasteRequested();
     void resetRequested();
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
-    void retranslate();
     void applyVisibility();
     void buildMenu();
     void arrange();
@@ -60,9 +56,6 @@ private:
     QToolButton* m_advanced = nullptr;
     QWidget* m_content = nullptr;
     QVBoxLayout* m_contentLayout = nullptr;
-    QAction* m_copy = nullptr;
-    QAction* m_paste = nullptr;
-    QAction* m_reset = nullptr;
     KindBits m_kinds = 0;
     QStringList m_words;
     bool m_folded = false;

@@ -2,7 +2,6 @@
 
 #include "widgets/panels/properties/leaf_view.h"
 #include <QDialogButtonBox>
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QShortcut>
@@ -14,18 +13,18 @@ LeafDialog::LeafDialog(Document* document, QWidget* parent)
     : QDialog(parent)
     , m_document(document)
     , m_view(new LeafView(this))
-    , m_hint(new QLabel(this))
 {
+    auto* hint = new QLabel(tr("Drag: turn · wheel: nearer · the properties shape the leaf"), this);
     setObjectName(QStringLiteral("leafDialog"));
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_view, 1);
     auto* foot = new QHBoxLayout;
     foot->setContentsMargins(12, 0, 12, 8);
-    m_hint->setObjectName(QStringLiteral("hint"));
-    m_hint->setWordWrap(true);
+    hint->setObjectName(QStringLiteral("hint"));
+    hint->setWordWrap(true);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
-    foot->addWidget(m_hint, 1);
+    foot->addWidget(hint, 1);
     foot->addWidget(buttons);
     layout->addLayout(foot);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
@@ -36,7 +35,7 @@ LeafDialog::LeafDialog(Document* document, QWidget* parent)
         if (change.has(changeParams | changeReset | changeStructure | changeNodeState))
             refresh();
     });
-    retranslate();
+    refresh();
 }
 
 void LeafDialog::setTree(NodeId tree)
@@ -58,19 +57,6 @@ void LeafDialog::showEvent(QShowEvent* event)
 {
     QDialog::showEvent(event);
     refresh();
-}
-
-void LeafDialog::retranslate()
-{
-    m_hint->setText(tr("Drag: turn · wheel: nearer · the properties shape the leaf"));
-    refresh();
-}
-
-void LeafDialog::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QDialog::changeEvent(event);
 }
 
 } // namespace ramure

@@ -24,17 +24,14 @@ public:
     [[nodiscard]] LeafView* view() const { return m_view; }
 
 protected:
-    void changeEvent(QEvent* event) override;
     void showEvent(QShowEvent* event) override;
 
 private:
     void refresh();
-    void retranslate();
 
     Document* m_document;
     NodeId m_tree = noNode;
     LeafView* m_view;
-    QLabel* m_hint;
 };
 
 } // namespace ramure

@@ -59,7 +59,8 @@ LeafView::LeafView(QWidget* parent)
     setCursor(Qt::OpenHandCursor);
     m_yawRad = frontYaw;
     m_pitchRad = frontPitch;
-    retranslate();
+    setAccessibleName(tr("One leaf, and a twig with its leaves"));
+    setToolTip(tr("Drag or arrow keys: turn · wheel, + and −: nearer or farther · Home: from the front"));
 }
 
 /// The context ends on the thread that it was made on.
@@ -185,19 +186,6 @@ void LeafView::paintEvent(QPaintEvent*)
         painter.drawImage(rect(), m_picture);
     if (!m_problem.isEmpty())
         painter.drawText(rect().adjusted(12, 12, -12, -12), Qt::AlignCenter | Qt::TextWordWrap, m_problem);
-}
-
-void LeafView::retranslate()
-{
-    setAccessibleName(tr("One leaf, and a twig with its leaves"));
-    setToolTip(tr("Drag or arrow keys: turn · wheel, + and −: nearer or farther · Home: from the front"));
-}
-
-void LeafView::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QWidget::changeEvent(event);
 }
 
 } // namespace ramure

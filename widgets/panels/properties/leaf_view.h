@@ -29,7 +29,6 @@ public:
     void resetView();
 
 protected:
-    void changeEvent(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
@@ -42,7 +41,6 @@ private:
     void draw();
     void turn(double yawRad, double pitchRad);
     void zoom(double factor);
-    void retranslate();
 
     std::shared_ptr<Drawer> m_drawer; ///< only the job's thread draws with it
     NodeParams m_params;

@@ -33,11 +33,14 @@ NumberEditor::NumberEditor(const ParamDef& def, QWidget* parent)
     m_field = new NumberField(this);
     m_field->setRange(def.hardMin, def.hardMax);
     m_field->setStep(def.step);
+    m_field->setAccessibleName(name());
     if (def.flags & paramSeed) {
         m_dice = new QToolButton(this);
         m_dice->setAutoRaise(true);
         m_dice->setIcon(icon("dice"));
         m_dice->setFocusPolicy(Qt::TabFocus);
+        m_dice->setToolTip(tr("Another random seed"));
+        m_dice->setAccessibleName(m_dice->toolTip());
         layout->addWidget(m_field, 1);
         layout->addWidget(m_dice);
         connect(m_dice, &QToolButton::clicked, this, &NumberEditor::throwDice);
@@ -45,6 +48,7 @@ NumberEditor::NumberEditor(const ParamDef& def, QWidget* parent)
         m_slider = new NumberSlider(this);
         m_slider->setSoftRange(def.softMin, def.softMax, def.step, def.type == ParamType::Int);
         m_field->setScale(NumberScale(def.softMin, def.softMax, def.step, def.type == ParamType::Int));
+        m_slider->setAccessibleName(tr("%1 slider").arg(name()));
         layout->addWidget(m_slider, 1);
         layout->addWidget(m_field);
         m_field->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
@@ -102,17 +106,6 @@ void NumberEditor::setAngleUnit(AngleUnit unit)
         m_field->setStep(roundStep / format.factor);
     } else {
         m_field->setStep(def().step);
-    }
-}
-
-void NumberEditor::retranslate(const QString& name)
-{
-    m_field->setAccessibleName(name);
-    if (m_slider)
-        m_slider->setAccessibleName(tr("%1 slider").arg(name));
-    if (m_dice) {
-        m_dice->setToolTip(tr("Another random seed"));
-        m_dice->setAccessibleName(tr("Another random seed"));
     }
 }
 

@@ -21,7 +21,6 @@ public:
     void setStandard(const std::optional<ParamValue>& value) override;
     void addHandle(QWidget* label) override;
     void setAngleUnit(AngleUnit unit) override;
-    void retranslate(const QString& name) override;
 
 private:
     [[nodiscard]] ParamValue asValue(double number) const;

@@ -1,5 +1,6 @@
 #include "widgets/panels/properties/param_editor.h"
 
+#include "widgets/base/texts/core_text.h"
 #include <algorithm>
 
 namespace ramure {
@@ -17,6 +18,11 @@ ParamEditor::ParamEditor(const ParamDef& def, QWidget* parent)
     , m_def(def)
 {
     setObjectName(QString::fromLatin1(def.key));
+}
+
+QString ParamEditor::name() const
+{
+    return coreText(m_def.label);
 }
 
 void ParamEditor::setStandard(const std::optional<ParamValue>&)

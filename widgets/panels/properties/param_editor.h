@@ -21,6 +21,8 @@ public:
     ParamEditor(const ParamDef& def, QWidget* parent);
 
     [[nodiscard]] const ParamDef& def() const { return m_def; }
+    /// Of the parameter, in the interface's language.
+    [[nodiscard]] QString name() const;
     /// Shows the values of the selected nodes, one each, and never emits.
     virtual void showValues(std::span<const ParamValue> values) = 0;
     /// What a reset gives, where it is the same for all selected nodes.
@@ -34,8 +36,6 @@ public:
     virtual void addHandle(QWidget* label);
     /// Says what is wrong inside the editor, where there is room for it; false: the row has to say it.
     virtual bool showMessage(const QString& text);
-    /// Texts of the widgets inside; \p name is the parameter's name in the interface's language.
-    virtual void retranslate(const QString& name) = 0;
     /// An editor that wants the whole width, below its label.
     [[nodiscard]] virtual bool isWide() const { return false; }
 

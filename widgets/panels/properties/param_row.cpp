@@ -31,7 +31,7 @@ QString paramToolTip(const ParamDef& def, AngleUnit unit, const std::string& pre
 
 ParamRow::ParamRow(const ParamDef& def, QWidget* parent)
     : QWidget(parent)
-    , m_label(new QLabel(this))
+    , m_label(new QLabel(coreText(def.label), this))
     , m_editor(makeParamEditor(def, this))
     , m_reset(new QToolButton(this))
     , m_message(new QLabel(this))
@@ -82,7 +82,7 @@ ParamRow::ParamRow(const ParamDef& def, QWidget* parent)
     connect(m_reset, &QToolButton::clicked, this, &ParamRow::resetRequested);
     connect(m_editor, &ParamEditor::refused, this, &ParamRow::showRefusal);
     connect(m_editor, &ParamEditor::held, this, &ParamRow::showRefusal);
-    retranslate();
+    showToolTips();
 }
 
 QString ParamRow::message() const
@@ -170,7 +170,7 @@ void ParamRow::setAngleUnit(AngleUnit unit)
 {
     m_angleUnit = unit;
     m_editor->setAngleUnit(unit);
-    retranslate();
+    showToolTips();
 }
 
 int ParamRow::labelWidth() const
@@ -212,22 +212,6 @@ bool ParamRow::isCalled(const QStringList& words) const
 void ParamRow::contextMenuEvent(QContextMenuEvent* event)
 {
     emit menuRequested(event->globalPos());
-}
-
-void ParamRow::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QWidget::changeEvent(event);
-}
-
-void ParamRow::retranslate()
-{
-    const QString name = coreText(def().label);
-    m_label->setText(name);
-    m_editor->retranslate(name);
-    showToolTips();
-    showMessage();
 }
 
 void ParamRow::showToolTips()

@@ -57,10 +57,8 @@ signals:
 
 protected:
     void contextMenuEvent(QContextMenuEvent* event) override;
-    void changeEvent(QEvent* event) override;
 
 private:
-    void retranslate();
     void showToolTips();
     void showMessage();
 

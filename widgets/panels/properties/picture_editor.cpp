@@ -53,6 +53,9 @@ PictureEditor::PictureEditor(const ParamDef& def, QWidget* parent)
     m_button->setFocusPolicy(Qt::StrongFocus);
     m_file->setMinimumWidth(20);   // cut off rather than that the panel grows
     m_file->setAcceptDrops(false); // it would take the address as a text
+    m_button->setToolTip(tr("Choose a picture, or drop one here"));
+    m_button->setAccessibleName(tr("%1: choose").arg(name()));
+    m_file->setAccessibleName(name());
     setFocusProxy(m_button);
     connect(m_button, &QToolButton::clicked, this, &PictureEditor::choose);
     connect(m_file, &QLineEdit::editingFinished, this, [this] {
@@ -112,7 +115,7 @@ void PictureEditor::choose()
         return;
     }
     const QString folder = m_path.isEmpty() ? QString() : QFileInfo(m_path).absolutePath();
-    m_dialog = new QFileDialog(window(), m_name, folder, tr("Pictures (*.png *.jpg *.jpeg)"));
+    m_dialog = new QFileDialog(window(), name(), folder, tr("Pictures (*.png *.jpg *.jpeg)"));
     m_dialog->setAttribute(Qt::WA_DeleteOnClose);
     m_dialog->setFileMode(QFileDialog::ExistingFile);
     connect(m_dialog, &QFileDialog::fileSelected, this,
@@ -142,26 +145,6 @@ void PictureEditor::dropEvent(QDropEvent* event)
         return;
     event->acceptProposedAction();
     emitSingleEdit(QFile::encodeName(path).toStdString());
-}
-
-void PictureEditor::retranslate(const QString& name)
-{
-    m_name = name;
-    showTexts();
-}
-
-void PictureEditor::showTexts()
-{
-    m_button->setToolTip(tr("Choose a picture, or drop one here"));
-    m_button->setAccessibleName(tr("%1: choose").arg(m_name));
-    m_file->setAccessibleName(m_name);
-}
-
-void PictureEditor::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange)
-        showTexts();
-    QWidget::changeEvent(event);
 }
 
 } // namespace ramure

@@ -24,13 +24,11 @@ public:
     PictureEditor(const ParamDef& def, QWidget* parent);
 
     void showValues(std::span<const ParamValue> values) override;
-    void retranslate(const QString& name) override;
     /// Null while it is read, where there is none, and where it cannot be read.
     [[nodiscard]] const QImage& thumbnail() const { return m_image; }
     [[nodiscard]] QToolButton* button() const { return m_button; }
 
 protected:
-    void changeEvent(QEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dragLeaveEvent(QDragLeaveEvent* event) override;
     void dropEvent(QDropEvent* event) override;
@@ -39,12 +37,10 @@ private:
     void choose();
     void read();
     void showImage();
-    void showTexts();
 
     QToolButton* m_button = nullptr; ///< has the thumbnail
     QLineEdit* m_file = nullptr;
     QFileDialog* m_dialog = nullptr; ///< while it is open
-    QString m_name;                  ///< of the parameter
     QString m_path;                  ///< empty: none, or several
     QImage m_image;
     Job m_job;

@@ -18,6 +18,10 @@ ProfileEditor::ProfileEditor(const ParamDef& def, QWidget* parent)
     layout->setSpacing(4);
     layout->addWidget(m_curve);
     layout->addWidget(m_text);
+    m_curve->setAccessibleName(name());
+    m_curve->setToolTip(tr("Drag the points; double-click to add one, right-click for more. Height goes up, "
+                           "half the width to the right."));
+    m_text->setAccessibleName(tr("%1 as text").arg(name()));
     setFocusProxy(m_curve);
     connect(m_curve, &ProfileCurve::gestureStarted, this, &ProfileEditor::nextGesture);
     connect(m_curve, &ProfileCurve::pairsEdited, this, [this] {
@@ -48,14 +52,6 @@ void ProfileEditor::takeText()
     emit refused(pairs ? QString() : errorText(pairs.error()));
     if (pairs)
         emitSingleEdit(text);
-}
-
-void ProfileEditor::retranslate(const QString& name)
-{
-    m_curve->setAccessibleName(name);
-    m_curve->setToolTip(tr("Drag the points; double-click to add one, right-click for more. Height goes up, "
-                           "half the width to the right."));
-    m_text->setAccessibleName(tr("%1 as text").arg(name));
 }
 
 } // namespace ramure

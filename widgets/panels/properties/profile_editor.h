@@ -17,7 +17,6 @@ public:
     ProfileEditor(const ParamDef& def, QWidget* parent);
 
     void showValues(std::span<const ParamValue> values) override;
-    void retranslate(const QString& name) override;
     [[nodiscard]] bool isWide() const override { return true; }
     [[nodiscard]] ProfileCurve* curve() const { return m_curve; }
 

@@ -16,7 +16,6 @@
 #include "widgets/panels/properties/stem_curves.h"
 #include "widgets/panels/properties/surface_preview.h"
 #include <QClipboard>
-#include <QEvent>
 #include <QGuiApplication>
 #include <QLabel>
 #include <QLineEdit>
@@ -57,6 +56,8 @@ PropertiesPanel::PropertiesPanel(Document* document, Preferences* preferences, Q
     m_title->setTextFormat(Qt::PlainText);
     m_search = new QLineEdit(head);
     m_search->setClearButtonEnabled(true);
+    m_search->setPlaceholderText(tr("Search parameters"));
+    m_search->setAccessibleName(tr("Search parameters"));
     m_search->addAction(icon("search"), QLineEdit::LeadingPosition);
     m_problem = new QLabel(head);
     m_problem->setObjectName(QStringLiteral("problem"));
@@ -72,23 +73,15 @@ PropertiesPanel::PropertiesPanel(Document* document, Preferences* preferences, Q
     m_scroll->setWidgetResizable(true);
     m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_scroll->setFocusPolicy(Qt::NoFocus);
+    m_scroll->setAccessibleName(tr("Parameters"));
     m_content = new QWidget(m_scroll);
     m_content->setObjectName(QStringLiteral("propertiesContent"));
     m_scroll->setWidget(m_content);
-    m_empty = new QLabel(this);
-    m_empty->setObjectName(QStringLiteral("hint"));
-    m_empty->setAlignment(Qt::AlignHCenter | Qt::AlignTop);
-    m_empty->setWordWrap(true);
-    m_empty->setContentsMargins(24, 32, 24, 24);
-    m_clear = new QPushButton(this);
-    m_clear->setObjectName(QStringLiteral("clearSearch"));
-    m_clear->setFocusPolicy(Qt::TabFocus); // it hides when it is pressed: the focus would go anywhere
+    buildEmpty();
     layout->addWidget(m_empty);
     layout->addWidget(m_clear, 0, Qt::AlignHCenter);
     layout->addWidget(m_scroll, 1);
     layout->addStretch();
-    connect(m_clear, &QPushButton::clicked, m_search, &QLineEdit::clear);
-
     buildRows();
     connect(m_search, &QLineEdit::textChanged, this, [this] {
         applyFilter();
@@ -98,8 +91,21 @@ PropertiesPanel::PropertiesPanel(Document* document, Preferences* preferences, Q
     connect(m_document, &Document::changed, this, &PropertiesPanel::follow);
     connect(m_preferences, &Preferences::changed, this, &PropertiesPanel::applyPreferences);
     applyPreferences();
-    retranslate();
     takeTargets();
+}
+
+/// What stands in the place of the parameters where there are none.
+void PropertiesPanel::buildEmpty()
+{
+    m_empty = new QLabel(this);
+    m_empty->setObjectName(QStringLiteral("hint"));
+    m_empty->setAlignment(Qt::AlignHCenter | Qt::AlignTop);
+    m_empty->setWordWrap(true);
+    m_empty->setContentsMargins(24, 32, 24, 24);
+    m_clear = new QPushButton(tr("Clear the search"), this);
+    m_clear->setObjectName(QStringLiteral("clearSearch"));
+    m_clear->setFocusPolicy(Qt::TabFocus); // it hides when it is pressed: the focus would go anywhere
+    connect(m_clear, &QPushButton::clicked, m_search, &QLineEdit::clear);
 }
 
 void PropertiesPanel::buildRows()
@@ -190,6 +196,19 @@ void PropertiesPanel::follow(const Change& change)
         showProblem();
 }
 
+void PropertiesPanel::showTitle()
+{
+    if (m_nodes.empty()) {
+        m_title->setText(tr("Nothing selected"));
+    } else if (m_nodes.size() == 1) {
+        const Node* node = m_document->scene().find(m_nodes.front());
+        const QString name = QString::fromStdString(node->name);
+        m_title->setText(node->locked ? tr("%1 (locked)").arg(name) : name);
+    } else {
+        m_title->setText(tr("%n node(s) selected", nullptr, static_cast<int>(m_nodes.size())));
+    }
+}
+
 void PropertiesPanel::takeTargets()
 {
     std::vector<NodeId> nodes = targetNodes(*m_document);
@@ -215,7 +234,10 @@ void PropertiesPanel::takeTargets()
         m_largeLeaf->setTree(only);
     showValues({});
     showProblem();
-    retranslate();
+    showTitle();
+    applyFilter();
+    alignLabels();
+    updateGeometry();
 }
 
 std::vector<ParamValue> PropertiesPanel::valuesOf(const ParamDef& def) const
@@ -559,13 +581,6 @@ QSize PropertiesPanel::minimumSizeHint() const
             leastHeight};
 }
 
-void PropertiesPanel::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QWidget::changeEvent(event);
-}
-
 void PropertiesPanel::alignLabels()
 {
     // The longest names are broken into two lines rather than starving the sliders.
@@ -575,26 +590,6 @@ void PropertiesPanel::alignLabels()
     width = std::min(width, fontMetrics().averageCharWidth() * longestLabel);
     for (ParamRow* row : m_rows)
         row->setLabelWidth(width);
-}
-
-void PropertiesPanel::retranslate()
-{
-    m_search->setPlaceholderText(tr("Search parameters"));
-    m_search->setAccessibleName(tr("Search parameters"));
-    if (m_nodes.empty()) {
-        m_title->setText(tr("Nothing selected"));
-    } else if (m_nodes.size() == 1) {
-        const Node* node = m_document->scene().find(m_nodes.front());
-        const QString name = QString::fromStdString(node->name);
-        m_title->setText(node->locked ? tr("%1 (locked)").arg(name) : name);
-    } else {
-        m_title->setText(tr("%n node(s) selected", nullptr, static_cast<int>(m_nodes.size())));
-    }
-    m_scroll->setAccessibleName(tr("Parameters"));
-    m_clear->setText(tr("Clear the search"));
-    applyFilter();
-    alignLabels();
-    updateGeometry();
 }
 
 } // namespace ramure

@@ -50,10 +50,8 @@ public slots:
     /// nodes do not use it.
     void showParam(const QString& key);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
+    void buildEmpty();
     void buildRows();
     void follow(const Change& change);
     void takeTargets();
@@ -67,7 +65,7 @@ private:
     }
     void applyFilter();
     void applyPreferences();
-    void retranslate();
+    void showTitle();
     void alignLabels();
     void focusFirstFound();
     void setValue(ParamRow* row, const ParamValue& value, quint64 gesture);

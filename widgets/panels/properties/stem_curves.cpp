@@ -1,7 +1,6 @@
 #include "widgets/panels/properties/stem_curves.h"
 
 #include "core/generators/weber_penn/stem_formulas.h"
-#include <QEvent>
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
@@ -25,7 +24,11 @@ StemCurves::StemCurves(Document* document, std::optional<std::size_t> level, QWi
         if (change.has(changeParams | changeReset | changeStructure))
             refresh();
     });
-    retranslate();
+    setToolTip(
+        m_level
+            ? tr("How a stem of this level tapers and bends, without chance. Thickness is drawn larger.")
+            : tr("How far limbs reach from the trunk, by height. Dashed: the envelope that prunes them."));
+    setAccessibleName(toolTip());
 }
 
 QSize StemCurves::sizeHint() const
@@ -50,22 +53,6 @@ void StemCurves::refresh()
         return;
     m_params = now;
     update();
-}
-
-void StemCurves::retranslate()
-{
-    setToolTip(
-        m_level
-            ? tr("How a stem of this level tapers and bends, without chance. Thickness is drawn larger.")
-            : tr("How far limbs reach from the trunk, by height. Dashed: the envelope that prunes them."));
-    setAccessibleName(toolTip());
-}
-
-void StemCurves::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QWidget::changeEvent(event);
 }
 
 void StemCurves::paintEvent(QPaintEvent*)

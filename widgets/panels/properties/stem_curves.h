@@ -22,11 +22,9 @@ public:
 
 protected:
     void paintEvent(QPaintEvent* event) override;
-    void changeEvent(QEvent* event) override;
 
 private:
     void refresh();
-    void retranslate();
     void paintCrown(QPainter& painter, const QRectF& field) const;
     void paintStem(QPainter& painter, const QRectF& field) const;
 

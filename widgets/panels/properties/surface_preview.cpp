@@ -44,7 +44,16 @@ SurfacePreview::SurfacePreview(Document* document, Surface surface, QWidget* par
         m_larger->setFocusPolicy(Qt::TabFocus);
         connect(m_larger, &QToolButton::clicked, this, &SurfacePreview::largerRequested);
     }
-    retranslate();
+    setToolTip(m_surface == Surface::Leaf    ? tr("One leaf from above, without its neighbours")
+               : m_surface == Surface::Fruit ? tr("One fruit or flower from the side, with its stalk")
+               : m_surface == Surface::Bark  ? tr("The bark on a ball, and one tile of it")
+                                             : tr("The surface on a ball, and one tile of it"));
+    setAccessibleName(toolTip());
+    if (m_larger) {
+        m_larger->setText(tr("Larger…"));
+        m_larger->setToolTip(tr("The leaf and a twig in a window of their own, which the properties shape"));
+        placeButton();
+    }
 }
 
 QSize SurfacePreview::sizeHint() const
@@ -113,20 +122,6 @@ void SurfacePreview::refresh()
         });
 }
 
-void SurfacePreview::retranslate()
-{
-    setToolTip(m_surface == Surface::Leaf    ? tr("One leaf from above, without its neighbours")
-               : m_surface == Surface::Fruit ? tr("One fruit or flower from the side, with its stalk")
-               : m_surface == Surface::Bark  ? tr("The bark on a ball, and one tile of it")
-                                             : tr("The surface on a ball, and one tile of it"));
-    setAccessibleName(toolTip());
-    if (m_larger) {
-        m_larger->setText(tr("Larger…"));
-        m_larger->setToolTip(tr("The leaf and a twig in a window of their own, which the properties shape"));
-        placeButton();
-    }
-}
-
 /// In the lower right corner.
 void SurfacePreview::placeButton()
 {
@@ -161,13 +156,6 @@ void SurfacePreview::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
     refresh();
-}
-
-void SurfacePreview::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QWidget::changeEvent(event);
 }
 
 } // namespace ramure

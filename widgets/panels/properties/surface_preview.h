@@ -37,14 +37,12 @@ signals:
 protected:
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
-    void changeEvent(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void showEvent(QShowEvent* event) override;
 
 private:
     void refresh();
     [[nodiscard]] Material materialOf(const Node& node, bool turns) const;
-    void retranslate();
 
     void placeButton();
 

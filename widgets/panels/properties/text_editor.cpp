@@ -12,6 +12,7 @@ TextEditor::TextEditor(const ParamDef& def, QWidget* parent)
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_edit);
+    m_edit->setAccessibleName(name());
     setFocusProxy(m_edit);
     connect(m_edit, &QLineEdit::editingFinished, this, [this] {
         if (m_edit->isModified())
@@ -27,11 +28,6 @@ void TextEditor::showValues(std::span<const ParamValue> values)
     const auto value = commonValue(values);
     m_edit->setText(value ? QString::fromStdString(std::get<std::string>(*value)) : QString());
     m_edit->setPlaceholderText(value ? QString() : QStringLiteral("—"));
-}
-
-void TextEditor::retranslate(const QString& name)
-{
-    m_edit->setAccessibleName(name);
 }
 
 } // namespace ramure

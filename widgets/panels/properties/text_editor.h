@@ -15,7 +15,6 @@ public:
     TextEditor(const ParamDef& def, QWidget* parent);
 
     void showValues(std::span<const ParamValue> values) override;
-    void retranslate(const QString& name) override;
 
 private:
     QLineEdit* m_edit = nullptr;

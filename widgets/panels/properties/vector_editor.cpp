@@ -26,6 +26,7 @@ VectorEditor::VectorEditor(const ParamDef& def, QWidget* parent)
         field->setScale(NumberScale(def.softMin, def.softMax, def.step, false));
         field->addHandle(letter);
         field->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+        field->setAccessibleName(QStringLiteral("%1 %2").arg(name(), letter->text()));
         letter->setBuddy(field);
         m_fields[static_cast<std::size_t>(axis)] = field;
         if (axis > 0)
@@ -71,13 +72,6 @@ void VectorEditor::setAngleUnit(AngleUnit unit)
         field->setStep(def().unit == ParamUnit::Radian && unit == AngleUnit::Degrees ? 1.0 / format.factor
                                                                                      : def().step);
     }
-}
-
-void VectorEditor::retranslate(const QString& name)
-{
-    for (int axis = 0; axis < 3; ++axis)
-        m_fields[static_cast<std::size_t>(axis)]->setAccessibleName(
-            QStringLiteral("%1 %2").arg(name, QString::fromLatin1(axisNames[axis])));
 }
 
 } // namespace ramure

@@ -18,7 +18,6 @@ public:
     void showValues(std::span<const ParamValue> values) override;
     void setStandard(const std::optional<ParamValue>& value) override;
     void setAngleUnit(AngleUnit unit) override;
-    void retranslate(const QString& name) override;
     [[nodiscard]] bool isWide() const override { return true; }
 
 private:

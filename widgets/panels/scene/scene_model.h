@@ -93,7 +93,6 @@ public:
     /// Nodes that are dropped stay where they are in the world (as it is at first), or keep their position,
     /// rotation and scale and so go with their new parent.
     void setDropKeepsWorld(bool keeps) { m_dropKeepsWorld = keeps; }
-    void retranslate();
     /// In the interface's language.
     [[nodiscard]] const BranchNames& names() const { return m_names; }
 

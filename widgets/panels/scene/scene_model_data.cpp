@@ -310,12 +310,4 @@ bool SceneModel::dropMimeData(const QMimeData* data, Qt::DropAction action, int 
     return moved;
 }
 
-void SceneModel::retranslate()
-{
-    m_names = BranchNames();
-    emit headerDataChanged(Qt::Horizontal, 0, columns - 1);
-    if (rowCount() > 0)
-        emit dataChanged(index(0, 0), index(rowCount() - 1, columns - 1));
-}
-
 } // namespace ramure

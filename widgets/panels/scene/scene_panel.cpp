@@ -10,7 +10,6 @@
 #include "widgets/panels/scene/scene_search.h"
 #include "widgets/panels/scene/scene_tree.h"
 #include "widgets/panels/scene/select_actions.h"
-#include <QEvent>
 #include <QHeaderView>
 #include <QLineEdit>
 #include <QMenu>
@@ -94,7 +93,17 @@ void ScenePanel::connectParts()
     connect(m_search, &SceneSearch::leftDownwards, this, &ScenePanel::enterList);
     // What is selected and not listed goes, too.
     connect(m_list, &SceneTree::nothingClicked, this, [this] { m_document->setSelection({}); });
-    retranslate();
+    m_view->setAccessibleName(tr("Scene"));
+    m_view->setEmptyText(emptySceneText());
+    m_list->setAccessibleName(tr("Found in the scene"));
+    // As wide as their headings and usual figures.
+    for (int column = SceneModel::LengthColumn; column < SceneModel::columns; ++column) {
+        const QString heading = m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+        const int figure = fontMetrics().horizontalAdvance(QStringLiteral("000.000"));
+        const int width = std::max(figure, fontMetrics().horizontalAdvance(heading)) + 18;
+        m_view->header()->resizeSection(column, width);
+        m_list->header()->resizeSection(column, width);
+    }
     showSelection();
 }
 
@@ -520,30 +529,6 @@ void ScenePanel::showMenu(const QPoint& position)
     menu.addSeparator();
     fillColumnMenu(menu.addMenu(tr("Columns"))); // the headings are beyond the keyboard's reach
     menu.exec(presentView()->viewport()->mapToGlobal(position));
-}
-
-void ScenePanel::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QWidget::changeEvent(event);
-}
-
-void ScenePanel::retranslate()
-{
-    m_view->setAccessibleName(tr("Scene"));
-    m_view->setEmptyText(emptySceneText());
-    m_list->setAccessibleName(tr("Found in the scene"));
-    m_model->retranslate();
-    m_results->retranslate();
-    // As wide as their headings and usual figures.
-    for (int column = SceneModel::LengthColumn; column < SceneModel::columns; ++column) {
-        const QString heading = m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
-        const int figure = fontMetrics().horizontalAdvance(QStringLiteral("000.000"));
-        const int width = std::max(figure, fontMetrics().horizontalAdvance(heading)) + 18;
-        m_view->header()->resizeSection(column, width);
-        m_list->header()->resizeSection(column, width);
-    }
 }
 
 } // namespace ramure

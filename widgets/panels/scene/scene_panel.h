@@ -61,9 +61,6 @@ signals:
     /// The selection should be brought into the middle of the view.
     void frameRequested();
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void connectParts();
     void prepareView(SceneTree* view, const char* name);
@@ -93,7 +90,6 @@ private:
     void showColumns(); ///< those of the preferences
     void fillColumnMenu(QMenu* menu);
     void showHeaderMenu(const QPoint& position);
-    void retranslate();
 
     Document* m_document;
     Preferences* m_preferences;

@@ -159,10 +159,4 @@ bool SceneResults::setData(const QModelIndex& index, const QVariant& value, int 
     return there.isValid() && m_scene->setData(there, value, role);
 }
 
-void SceneResults::retranslate()
-{
-    emit headerDataChanged(Qt::Horizontal, 0, SceneModel::columns - 1);
-    search(); // branches have their names in the interface's language
-}
-
 } // namespace ramure

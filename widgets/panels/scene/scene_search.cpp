@@ -42,7 +42,34 @@ SceneSearch::SceneSearch(QWidget* parent)
     connect(m_field, &QLineEdit::textChanged, this, &SceneSearch::ask);
     connect(m_field, &QLineEdit::returnPressed, this, &SceneSearch::selectAllRequested);
     connect(m_selectAll, &QToolButton::clicked, this, &SceneSearch::selectAllRequested);
-    retranslate();
+    const QLocale locale;
+    const QString length = quantityName(BranchQuantity::Length),
+                  radius = quantityName(BranchQuantity::Radius), level = quantityName(BranchQuantity::Level),
+                  children = quantityName(BranchQuantity::Children),
+                  number = quantityName(BranchQuantity::Number);
+    m_field->setPlaceholderText(
+        tr("Search: name, %1 > %2, %3").arg(length, locale.toString(0.3), terminalName()));
+    m_field->setAccessibleName(tr("Search the scene"));
+    const auto example = [](const QString& text, const QString& meaning) {
+        return QStringLiteral("<tr><td><b>%1</b>&nbsp;&nbsp;</td><td>%2</td></tr>")
+            .arg(text.toHtmlEscaped(), meaning.toHtmlEscaped());
+    };
+    m_field->setToolTip(
+        QStringLiteral("<table>") + example(tr("oak"), tr("nodes whose name has this")) +
+        example(tr("limb 3"), tr("limbs, boughs and twigs of that name")) +
+        example(QStringLiteral("%1 > %2").arg(length, locale.toString(0.3)),
+                tr("of limbs longer than that, in metres")) +
+        example(QStringLiteral("%1 < 5 mm").arg(radius), tr("thinner at the lower end; mm, cm, m, in, ft")) +
+        example(QStringLiteral("%1 2").arg(level), tr("of this depth of brackets; 0 is the trunk")) +
+        example(QStringLiteral("%1 >= 3").arg(children), tr("with so many branches at the end")) +
+        example(QStringLiteral("%1 = 12").arg(number), tr("the branch of that number in reports and files")) +
+        example(terminalName(), tr("with none at the end")) + QStringLiteral("</table><p>") +
+        tr("Several must all hold: %1. Enter selects everything found.")
+            .arg(QStringLiteral("<b>%1 2 %2 &lt; %3</b>").arg(level, length, locale.toString(0.3))) +
+        QStringLiteral("</p>"));
+    m_selectAll->setText(tr("Select all"));
+    m_selectAll->setToolTip(tr("Select everything found (Enter in the field)"));
+    showBelow();
 }
 
 void SceneSearch::clear()
@@ -109,43 +136,9 @@ bool SceneSearch::eventFilter(QObject* watched, QEvent* event)
 
 void SceneSearch::changeEvent(QEvent* event)
 {
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    else if (event->type() == QEvent::PaletteChange && m_label)
+    if (event->type() == QEvent::PaletteChange && m_label)
         showBelow();
     QWidget::changeEvent(event);
-}
-
-void SceneSearch::retranslate()
-{
-    const QLocale locale;
-    const QString length = quantityName(BranchQuantity::Length),
-                  radius = quantityName(BranchQuantity::Radius), level = quantityName(BranchQuantity::Level),
-                  children = quantityName(BranchQuantity::Children),
-                  number = quantityName(BranchQuantity::Number);
-    m_field->setPlaceholderText(
-        tr("Search: name, %1 > %2, %3").arg(length, locale.toString(0.3), terminalName()));
-    m_field->setAccessibleName(tr("Search the scene"));
-    const auto example = [](const QString& text, const QString& meaning) {
-        return QStringLiteral("<tr><td><b>%1</b>&nbsp;&nbsp;</td><td>%2</td></tr>")
-            .arg(text.toHtmlEscaped(), meaning.toHtmlEscaped());
-    };
-    m_field->setToolTip(
-        QStringLiteral("<table>") + example(tr("oak"), tr("nodes whose name has this")) +
-        example(tr("limb 3"), tr("limbs, boughs and twigs of that name")) +
-        example(QStringLiteral("%1 > %2").arg(length, locale.toString(0.3)),
-                tr("of limbs longer than that, in metres")) +
-        example(QStringLiteral("%1 < 5 mm").arg(radius), tr("thinner at the lower end; mm, cm, m, in, ft")) +
-        example(QStringLiteral("%1 2").arg(level), tr("of this depth of brackets; 0 is the trunk")) +
-        example(QStringLiteral("%1 >= 3").arg(children), tr("with so many branches at the end")) +
-        example(QStringLiteral("%1 = 12").arg(number), tr("the branch of that number in reports and files")) +
-        example(terminalName(), tr("with none at the end")) + QStringLiteral("</table><p>") +
-        tr("Several must all hold: %1. Enter selects everything found.")
-            .arg(QStringLiteral("<b>%1 2 %2 &lt; %3</b>").arg(level, length, locale.toString(0.3))) +
-        QStringLiteral("</p>"));
-    m_selectAll->setText(tr("Select all"));
-    m_selectAll->setToolTip(tr("Select everything found (Enter in the field)"));
-    showBelow();
 }
 
 } // namespace ramure

@@ -36,7 +36,6 @@ protected:
 
 private:
     void ask();
-    void retranslate();
     void showBelow();
 
     QLineEdit* m_field;

@@ -116,11 +116,6 @@ QToolButton* BakeActions::makeButton(QWidget* parent)
     return m_button;
 }
 
-void BakeActions::retranslate()
-{
-    update();
-}
-
 void BakeActions::update()
 {
     const BakeState state = m_player->bakeState();

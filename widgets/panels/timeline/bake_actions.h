@@ -32,7 +32,6 @@ public:
     void fillMenu(QMenu* menu) const;
     /// Its menu bakes and frees. Its picture and tooltip tell how the bake stands.
     QToolButton* makeButton(QWidget* parent);
-    void retranslate();
 
 signals:
     void messageRaised(const QString& text);

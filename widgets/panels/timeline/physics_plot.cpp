@@ -261,28 +261,19 @@ void PhysicsPlot::buildMenu()
     const auto copy = [this](QChar separator) {
         QGuiApplication::clipboard()->setText(valuesText(separator));
     };
-    m_copyCsv = m_menu->addAction(icon("copy"), QString(), this, [copy] { copy(u','); });
-    m_copyTsv = m_menu->addAction(QString(), this, [copy] { copy(u'\t'); });
+    m_copyCsv = m_menu->addAction(icon("copy"), tr("Copy the values as CSV"), this, [copy] { copy(u','); });
+    m_copyTsv = m_menu->addAction(tr("Copy the values for a spreadsheet"), this, [copy] { copy(u'\t'); });
+    m_copyTsv->setToolTip(tr("As columns with tabs between them"));
     m_menu->addSeparator();
-    for (QAction*& shown : m_shown) {
-        shown = m_menu->addAction(QString());
+    for (const Curve curve : {Energy, LengthError, StepTime}) {
+        QAction*& shown = m_shown[curve];
+        shown = m_menu->addAction(nameOf(curve));
         shown->setCheckable(true);
         shown->setChecked(true);
         connect(shown, &QAction::toggled, this, qOverload<>(&QWidget::update));
     }
     m_menu->addSeparator();
-    m_anew = m_menu->addAction(QString(), this, &PhysicsPlot::clear);
-    fillMenu();
-}
-
-void PhysicsPlot::fillMenu()
-{
-    m_copyCsv->setText(tr("Copy the values as CSV"));
-    m_copyTsv->setText(tr("Copy the values for a spreadsheet"));
-    m_copyTsv->setToolTip(tr("As columns with tabs between them"));
-    for (const Curve curve : {Energy, LengthError, StepTime})
-        m_shown[curve]->setText(nameOf(curve));
-    m_anew->setText(tr("Start anew"));
+    m_anew = m_menu->addAction(tr("Start anew"), this, &PhysicsPlot::clear);
     m_menu->setToolTipsVisible(true);
 }
 
@@ -315,17 +306,6 @@ void PhysicsPlot::updateToolTip()
              : tr("Of all trees, over the latest frames: kinetic energy, the largest relative error of a "
                   "branch's length, "
                   "and the time that one step of the physics takes (ms)"));
-}
-
-bool PhysicsPlot::event(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange) {
-        fillMenu();
-        updateToolTip();
-        updateGeometry();
-        changed();
-    }
-    return QWidget::event(event);
 }
 
 } // namespace ramure

@@ -51,7 +51,6 @@ public:
 protected:
     void paintEvent(QPaintEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
-    bool event(QEvent* event) override;
 
 private:
     enum Curve { Energy, LengthError, StepTime };
@@ -62,7 +61,6 @@ private:
         std::array<double, std::size_t(curves)> of{};
     };
     void buildMenu();
-    void fillMenu();
     [[nodiscard]] static QString nameOf(Curve curve);
     [[nodiscard]] std::vector<Curve> shownCurves() const;
     [[nodiscard]] int rowCount() const;

@@ -156,11 +156,6 @@ void PlayActions::shake()
     m_player->shakeOff(node, static_cast<Index>(m_nextApple++ % result->tree.foliage->apples.size()));
 }
 
-void PlayActions::retranslate()
-{
-    update();
-}
-
 /// The button shows what a press does.
 void PlayActions::update()
 {

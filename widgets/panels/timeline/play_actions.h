@@ -34,7 +34,6 @@ public:
     /// What happens at the last frame: loops, and whether the seam shows.
     void fillLoopMenu(QMenu* menu) const;
     void fillMenu(QMenu* menu) const;
-    void retranslate();
 
 private:
     void addLoops(ActionSet* set);

@@ -30,18 +30,19 @@ RulerMenu::RulerMenu(Document* document, Player* player, PlayActions* plays, QWi
     m_menu->addSeparator();
     m_first = m_menu->addAction(icon("to-first"), QString(), this, [this] { setRange(true); });
     m_last = m_menu->addAction(icon("to-last"), QString(), this, [this] { setRange(false); });
-    m_whole = m_menu->addAction(QString(), this, [this] {
+    m_menu->addAction(tr("Show the &whole range"), this, [this] {
         if (m_ruler)
             m_ruler->showRange();
     });
     m_menu->addSeparator();
-    m_loops = m_menu->addMenu(QString());
-    plays->fillLoopMenu(m_loops);
-    m_displays = m_menu->addMenu(QString());
-    auto* group = new QActionGroup(m_displays);
-    for (const TimeDisplay display : {TimeDisplay::Frames, TimeDisplay::Seconds, TimeDisplay::Timecode}) {
+    plays->fillLoopMenu(m_menu->addMenu(tr("At the &end")));
+    QMenu* displays = m_menu->addMenu(tr("Show &moments as"));
+    auto* group = new QActionGroup(displays);
+    for (const auto& [display, text] : {std::pair(TimeDisplay::Frames, tr("Frames")),
+                                        {TimeDisplay::Seconds, tr("Seconds")},
+                                        {TimeDisplay::Timecode, tr("Timecode")}}) {
         QAction* choice =
-            m_displays->addAction(QString(), this, [this, display] { emit displayChosen(display); });
+            displays->addAction(text, this, [this, display = display] { emit displayChosen(display); });
         choice->setCheckable(true);
         group->addAction(choice);
         m_displayActions += choice;
@@ -82,7 +83,10 @@ void RulerMenu::popUp(TimelineRuler* ruler, const QPoint& place, qint64 frame)
 {
     m_ruler = ruler;
     m_frame = frame;
-    setTexts();
+    m_go->setText(tr("&Go to frame %1").arg(m_frame));
+    m_insertHere->setText(tr("Insert &keys at frame %1").arg(m_frame));
+    m_first->setText(tr("&First frame of the range: %1").arg(m_frame));
+    m_last->setText(tr("&Last frame of the range: %1").arg(m_frame));
     const TimelineSettings& settings = m_document->scene().timeline();
     m_go->setEnabled(frame != m_player->frame());
     m_first->setEnabled(frame != settings.firstFrame);
@@ -90,20 +94,6 @@ void RulerMenu::popUp(TimelineRuler* ruler, const QPoint& place, qint64 frame)
     if (m_insert)
         m_insertHere->setEnabled(m_insert->isEnabled());
     m_menu->popup(place);
-}
-
-void RulerMenu::setTexts()
-{
-    m_go->setText(tr("&Go to frame %1").arg(m_frame));
-    m_insertHere->setText(tr("Insert &keys at frame %1").arg(m_frame));
-    m_first->setText(tr("&First frame of the range: %1").arg(m_frame));
-    m_last->setText(tr("&Last frame of the range: %1").arg(m_frame));
-    m_whole->setText(tr("Show the &whole range"));
-    m_loops->setTitle(tr("At the &end"));
-    m_displays->setTitle(tr("Show &moments as"));
-    const QString names[] = {tr("Frames"), tr("Seconds"), tr("Timecode")};
-    for (qsizetype i = 0; i < m_displayActions.size(); ++i)
-        m_displayActions[i]->setText(names[i]);
 }
 
 } // namespace ramure

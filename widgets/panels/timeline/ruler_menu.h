@@ -39,13 +39,11 @@ signals:
 
 private:
     void setRange(bool first);
-    void setTexts();
 
     Document* m_document;
     Player* m_player;
     QMenu* m_menu;
-    QAction *m_go, *m_first, *m_last, *m_whole, *m_insert, *m_insertHere;
-    QMenu *m_loops, *m_displays;
+    QAction *m_go, *m_first, *m_last, *m_insert, *m_insertHere;
     QList<QAction*> m_displayActions; ///< by TimeDisplay
     QPointer<TimelineRuler> m_ruler;
     qint64 m_frame = 0;

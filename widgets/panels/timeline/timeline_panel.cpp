@@ -12,7 +12,6 @@
 #include "widgets/panels/timeline/ruler_menu.h"
 #include "widgets/panels/timeline/time_field.h"
 #include <QComboBox>
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QIcon>
 #include <QLabel>
@@ -73,7 +72,21 @@ TimelinePanel::TimelinePanel(Document* document, Player* player, PlayActions* ac
     layout->addLayout(left, 3);
     layout->addWidget(m_plot, 1);
     connectPlayer();
-    retranslate();
+    m_frame->setToolTip(tr("The moment on show: frames, seconds (\"2 s\") or timecode (\"0:02:00\")"));
+    m_first->setToolTip(tr("First frame that is played"));
+    m_last->setToolTip(tr("Last frame that is played"));
+    m_last->setAccessibleName(m_last->toolTip());
+    m_rate->setFormat(plainFormat(tr(" fps"), 2));
+    m_rate->setToolTip(tr("Frames per second, 1 to 240"));
+    m_rates->setToolTip(tr("Common frame rates"));
+    m_speed->setToolTip(tr("How fast time passes while playing, 0.1 to 4 times"));
+    m_displays->setToolTip(tr("How moments are shown"));
+    m_loop->setToolTip(tr("What happens at the last frame"));
+    m_cancel->setToolTip(tr("Give up computing; the frame on show stays"));
+    m_dropped->setToolTip(tr("Frames that came too late since playing began"));
+    // Its room is kept: the text must neither be cut nor move anything while it plays.
+    m_dropped->ensurePolished();
+    m_dropped->setMinimumWidth(m_dropped->fontMetrics().horizontalAdvance(droppedText(8888)) + 2);
     showSettings();
     showFrame();
     showBusy(false);
@@ -104,10 +117,10 @@ void TimelinePanel::buildTransport()
     row->addWidget(toolButton(m_actions->everyFrameAction(), m_transport));
     m_frame = new TimeField(m_transport);
     m_frame->setObjectName(QStringLiteral("frameField"));
-    m_frameLabel = new QLabel(m_transport);
-    m_frameLabel->setBuddy(m_frame);
+    auto* label = new QLabel(tr("Frame"), m_transport);
+    label->setBuddy(m_frame);
     row->addSpacing(8);
-    row->addWidget(m_frameLabel);
+    row->addWidget(label);
     row->addSpacing(3);
     row->addWidget(m_frame);
     m_dropped = new QLabel(m_transport);
@@ -169,21 +182,21 @@ void TimelinePanel::buildSettings()
     m_speed->setRange(Player::leastSpeed, Player::mostSpeed);
     m_speed->setStep(0.1);
     m_displays = new QComboBox(m_settings);
-    m_displays->addItems({QString(), QString(), QString()});
-    const auto add = [&](QLabel*& label, QWidget* field) {
-        label = new QLabel(m_settings);
+    m_displays->addItems({tr("Frames"), tr("Seconds"), tr("Timecode")});
+    const auto add = [&](const QString& text, QWidget* field) {
+        auto* label = new QLabel(text, m_settings);
         label->setBuddy(field);
         row->addWidget(label);
         row->addWidget(field);
     };
-    add(m_rangeLabel, m_first);
+    add(tr("Range"), m_first);
     row->addWidget(new QLabel(QStringLiteral("–"), m_settings));
     row->addWidget(m_last);
     row->addSpacing(6);
-    add(m_rateLabel, m_rate);
+    add(tr("Rate"), m_rate);
     row->addWidget(m_rates);
     row->addSpacing(6);
-    add(m_speedLabel, m_speed);
+    add(tr("Speed"), m_speed);
     row->addSpacing(6);
     row->addWidget(m_displays);
 }
@@ -379,40 +392,6 @@ void TimelinePanel::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
     arrange();
-}
-
-void TimelinePanel::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QWidget::changeEvent(event);
-}
-
-void TimelinePanel::retranslate()
-{
-    m_frameLabel->setText(tr("Frame"));
-    m_frame->setToolTip(tr("The moment on show: frames, seconds (\"2 s\") or timecode (\"0:02:00\")"));
-    m_rangeLabel->setText(tr("Range"));
-    m_first->setToolTip(tr("First frame that is played"));
-    m_last->setToolTip(tr("Last frame that is played"));
-    m_last->setAccessibleName(m_last->toolTip());
-    m_rateLabel->setText(tr("Rate"));
-    m_rate->setFormat(plainFormat(tr(" fps"), 2));
-    m_rate->setToolTip(tr("Frames per second, 1 to 240"));
-    m_rates->setToolTip(tr("Common frame rates"));
-    m_speedLabel->setText(tr("Speed"));
-    m_speed->setToolTip(tr("How fast time passes while playing, 0.1 to 4 times"));
-    m_displays->setItemText(0, tr("Frames"));
-    m_displays->setItemText(1, tr("Seconds"));
-    m_displays->setItemText(2, tr("Timecode"));
-    m_displays->setToolTip(tr("How moments are shown"));
-    m_loop->setToolTip(tr("What happens at the last frame"));
-    m_cancel->setToolTip(tr("Give up computing; the frame on show stays"));
-    m_dropped->setToolTip(tr("Frames that came too late since playing began"));
-    // Its room is kept: the text must neither be cut nor move anything while it plays.
-    m_dropped->ensurePolished();
-    m_dropped->setMinimumWidth(m_dropped->fontMetrics().horizontalAdvance(droppedText(8888)) + 2);
-    showSettings();
 }
 
 } // namespace ramure

@@ -50,7 +50,6 @@ signals:
     void messageRaised(const QString& text);
 
 protected:
-    void changeEvent(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 
 private:
@@ -64,7 +63,6 @@ private:
     [[nodiscard]] static QString droppedText(std::int64_t frames);
     void showBusy(bool busy);
     void apply(const TimelineSettings& settings, GestureId gesture = 0);
-    void retranslate();
     void arrange();
     void choosePlot();
     void showResiduals();
@@ -86,10 +84,6 @@ private:
     QToolButton* m_rates;
     QToolButton* m_loop;
     QComboBox* m_displays;
-    QLabel* m_frameLabel;
-    QLabel* m_rangeLabel;
-    QLabel* m_rateLabel;
-    QLabel* m_speedLabel;
     QLabel* m_dropped;
     QProgressBar* m_progress;
     QToolButton* m_cancel;

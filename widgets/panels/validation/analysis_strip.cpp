@@ -40,8 +40,8 @@ AnalysisStrip::AnalysisStrip(Analysis* analysis, QWidget* parent)
     , m_histogram(new HistogramView(this))
     , m_progress(new QProgressBar(this))
     , m_cancel(new QToolButton(this))
-    , m_again(new QPushButton(this))
-    , m_separate(new QPushButton(this))
+    , m_again(new QPushButton(tr("Look again"), this))
+    , m_separate(new QPushButton(tr("Move apart…"), this))
 {
     m_text->setObjectName(QStringLiteral("analysisText"));
     m_shape->setObjectName(QStringLiteral("qualityText"));
@@ -99,7 +99,18 @@ void AnalysisStrip::connectParts()
         if (tree == m_node)
             m_progress->setValue(static_cast<int>(fraction * progressSteps));
     });
-    retranslate();
+    m_cancel->setToolTip(tr("Stop looking"));
+    m_cancel->setAccessibleName(m_cancel->toolTip());
+    m_progress->setAccessibleName(tr("Progress of the search"));
+    m_separate->setToolTip(
+        tr("Turn the thinner branch of each colliding pair as little as it takes. Lengths stay."));
+    m_hash->setToolTip(
+        tr("A name for the mesh: equal on every machine where all positions and triangles are equal"));
+    m_histogram->setToolTip(
+        tr("Triangles by their smallest angle, from 0° to 60°; the height is the square root "
+           "of their number"));
+    m_histogram->setAccessibleName(tr("Triangles by their smallest angle"));
+    refresh();
 }
 
 void AnalysisStrip::setShapes(ShapeChecks* shapes)
@@ -192,24 +203,6 @@ void AnalysisStrip::showFindings(const MeshAnalysis* findings)
         return;
     m_shape->setText(qualityText(findings->quality));
     m_histogram->setCounts({findings->quality.angles.begin(), findings->quality.angles.end()}, sliverBins);
-}
-
-void AnalysisStrip::retranslate()
-{
-    m_cancel->setToolTip(tr("Stop looking"));
-    m_cancel->setAccessibleName(m_cancel->toolTip());
-    m_progress->setAccessibleName(tr("Progress of the search"));
-    m_again->setText(tr("Look again"));
-    m_separate->setText(tr("Move apart…"));
-    m_separate->setToolTip(
-        tr("Turn the thinner branch of each colliding pair as little as it takes. Lengths stay."));
-    m_hash->setToolTip(
-        tr("A name for the mesh: equal on every machine where all positions and triangles are equal"));
-    m_histogram->setToolTip(
-        tr("Triangles by their smallest angle, from 0° to 60°; the height is the square root "
-           "of their number"));
-    m_histogram->setAccessibleName(tr("Triangles by their smallest angle"));
-    refresh();
 }
 
 } // namespace ramure

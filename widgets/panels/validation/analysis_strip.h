@@ -27,7 +27,6 @@ public:
     void setShapes(ShapeChecks* shapes);
     /// \param isShape whether the shapes' checks tell of it.
     void setNode(NodeId node, bool isShape);
-    void retranslate();
 
 signals:
     /// The button beside the collisions was pressed.

@@ -159,20 +159,6 @@ void ReportModel::addRepairs()
     }
 }
 
-void ReportModel::retranslate()
-{
-    emit headerDataChanged(Qt::Horizontal, 0, columnTotal - 1);
-    if (m_groups.empty())
-        return;
-    emit dataChanged(index(0, 0), index(rowCount() - 1, columnTotal - 1), {Qt::DisplayRole});
-    for (int row = 0; row < rowCount(); ++row) {
-        const QModelIndex top = index(row, 0);
-        if (rowCount(top) > 0)
-            emit dataChanged(index(0, 0, top), index(rowCount(top) - 1, columnTotal - 1, top),
-                             {Qt::DisplayRole});
-    }
-}
-
 const ReportModel::Group& ReportModel::groupOf(const QModelIndex& index) const
 {
     return m_groups[isGroup(index) ? static_cast<std::size_t>(index.row())

@@ -56,7 +56,6 @@ public:
     /// later).
     void setSource(ReportSource source);
     [[nodiscard]] const ReportSource& source() const { return m_source; }
-    void retranslate();
 
     [[nodiscard]] Kind
     kind(const QModelIndex& index) const; ///< of a row or of the row above it; index must be valid

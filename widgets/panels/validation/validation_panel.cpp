@@ -13,7 +13,6 @@
 #include "widgets/panels/validation/report_text.h"
 #include "widgets/panels/validation/report_view.h"
 #include <QClipboard>
-#include <QEvent>
 #include <QGuiApplication>
 #include <QHeaderView>
 #include <QHideEvent>
@@ -80,7 +79,6 @@ struct ValidationPanel::Private
     [[nodiscard]] std::shared_ptr<const MeshAnalysis> findings() const;
     [[nodiscard]] bool isShapeShown() const;
     [[nodiscard]] CheckedShape shape() const;
-    void retranslate();
     void leave();
 
     ValidationPanel* q;
@@ -127,7 +125,6 @@ ValidationPanel::ValidationPanel(Document* document, Analysis* analysis, QWidget
         if (shape == d->node && shape != noNode)
             d->showNode();
     });
-    d->retranslate();
 }
 
 ValidationPanel::~ValidationPanel() = default;
@@ -171,6 +168,11 @@ void ValidationPanel::Private::build()
         explain();
     });
     QObject::connect(copy, &QToolButton::clicked, q, &ValidationPanel::copyReport);
+    empty->setText(tr("The check of a mesh stands here. There is none in the scene."));
+    copy->setToolTip(tr("Copy the report as text"));
+    copy->setAccessibleName(copy->toolTip());
+    view->setAccessibleName(tr("Defects and repairs"));
+    q->setAccessibleName(tr("Mesh check"));
 }
 
 QWidget* ValidationPanel::Private::buildHead(QWidget* parent)
@@ -379,19 +381,6 @@ void ValidationPanel::Private::leave()
     emit q->defectLeft();
 }
 
-void ValidationPanel::Private::retranslate()
-{
-    empty->setText(tr("The check of a mesh stands here. There is none in the scene."));
-    copy->setToolTip(tr("Copy the report as text"));
-    copy->setAccessibleName(copy->toolTip());
-    view->setAccessibleName(tr("Defects and repairs"));
-    q->setAccessibleName(tr("Mesh check"));
-    model->retranslate();
-    if (strip)
-        strip->retranslate();
-    showSummary();
-}
-
 QSize ValidationPanel::sizeHint() const
 {
     return {340, 420};
@@ -405,13 +394,6 @@ void ValidationPanel::copyReport()
     const QString name = shown ? QString::fromStdString(shown->name) : QString();
     QGuiApplication::clipboard()->setText(reportText(name, d->result(), d->findings().get(), d->shape()));
     emit messageRaised(tr("Report copied as text"));
-}
-
-void ValidationPanel::changeEvent(QEvent* event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        d->retranslate();
 }
 
 void ValidationPanel::showEvent(QShowEvent* event)

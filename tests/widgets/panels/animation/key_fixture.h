@@ -20,7 +20,6 @@ struct KeyDock
     {
         document.reset(std::move(scene), {});
         set.setShortcuts({});
-        set.retranslate();
         panel.resize(1200, 500);
         panel.show();
         (void)QTest::qWaitForWindowExposed(&panel);

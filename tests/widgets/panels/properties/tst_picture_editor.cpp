@@ -35,7 +35,6 @@ private slots:
         m_edits.clear();
         connect(m_editor.get(), &ParamEditor::valueEdited, this,
                 [this](const ParamValue& value) { m_edits.push_back(std::get<std::string>(value)); });
-        m_editor->retranslate(QStringLiteral("Colour picture"));
         m_editor->show();
     }
     void cleanup() { m_editor.reset(); }

@@ -81,8 +81,6 @@ void TestTimelinePanel::init()
     m_set = std::make_unique<ActionSet>();
     m_actions = std::make_unique<PlayActions>(m_document.get(), m_player.get(), m_set.get());
     m_set->setShortcuts({});
-    m_set->retranslate();
-    m_actions->retranslate();
     m_panel = std::make_unique<TimelinePanel>(m_document.get(), m_player.get(), m_actions.get());
     m_panel->resize(1200, 110);
     m_panel->show();

@@ -52,6 +52,7 @@ GenerationsView::GenerationsView(Document* document, QWidget* parent)
     auto* row = new QHBoxLayout;
     row->setSpacing(6);
     m_fold->setObjectName(QStringLiteral("generationsFold"));
+    m_fold->setText(tr("Generations"));
     m_fold->setAutoRaise(true);
     m_fold->setIconSize({12, 12});
     m_fold->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
@@ -64,6 +65,7 @@ GenerationsView::GenerationsView(Document* document, QWidget* parent)
     layout->addLayout(row);
     m_text->setObjectName(QStringLiteral("generationsText"));
     m_text->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+    m_text->setAccessibleName(tr("Strings of the generations"));
     m_text->setReadOnly(true);
     m_text->setTabChangesFocus(true);
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
@@ -83,7 +85,7 @@ GenerationsView::GenerationsView(Document* document, QWidget* parent)
     connect(m_timer, &QTimer::timeout, this, &GenerationsView::showGenerations);
     connect(m_fold, &QToolButton::clicked, this, [this] { setUnfolded(!m_unfolded); });
     connect(m_document, &Document::changed, this, &GenerationsView::follow);
-    retranslate();
+    setUnfolded(false);
 }
 
 void GenerationsView::setTree(NodeId tree)
@@ -101,7 +103,11 @@ void GenerationsView::setUnfolded(bool unfolded)
     m_text->setVisible(unfolded);
     if (unfolded && m_stale)
         showGenerations();
-    retranslate();
+    m_fold->setIcon(icon(unfolded ? "fold-open" : "fold-closed"));
+    m_fold->setToolTip(unfolded ? tr("Hide the strings") : tr("Show the string of each generation"));
+    showSummary();
+    if (unfolded)
+        m_timer->start();
 }
 
 void GenerationsView::follow(const Change& change)
@@ -215,23 +221,9 @@ void GenerationsView::showEvent(QShowEvent* event)
 
 void GenerationsView::changeEvent(QEvent* event)
 {
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    } else if (event->type() == QEvent::PaletteChange) {
+    if (event->type() == QEvent::PaletteChange)
         m_highlighter->setColours(palette());
-    }
     QWidget::changeEvent(event);
-}
-
-void GenerationsView::retranslate()
-{
-    m_fold->setText(tr("Generations"));
-    m_fold->setIcon(icon(m_unfolded ? "fold-open" : "fold-closed"));
-    m_fold->setToolTip(m_unfolded ? tr("Hide the strings") : tr("Show the string of each generation"));
-    m_text->setAccessibleName(tr("Strings of the generations"));
-    showSummary();
-    if (m_unfolded)
-        m_timer->start();
 }
 
 } // namespace ramure

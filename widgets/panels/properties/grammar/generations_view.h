@@ -38,7 +38,6 @@ private:
     void follow(const Change& change);
     void showSummary();
     void showGenerations();
-    void retranslate();
 
     Document* m_document;
     NodeId m_tree = noNode;

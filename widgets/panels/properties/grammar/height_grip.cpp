@@ -1,7 +1,6 @@
 #include "widgets/panels/properties/grammar/height_grip.h"
 
 #include "widgets/panels/properties/grammar/grammar_edit.h"
-#include <QEvent>
 #include <QMouseEvent>
 #include <QPainter>
 #include <cmath>
@@ -21,7 +20,7 @@ HeightGrip::HeightGrip(GrammarEdit* edit, QWidget* parent)
     setCursor(Qt::SizeVerCursor);
     setAttribute(Qt::WA_Hover);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    retranslate();
+    setToolTip(tr("Drag to make the box higher or lower; double-click for its usual height"));
 }
 
 QSize HeightGrip::sizeHint() const
@@ -66,18 +65,6 @@ void HeightGrip::paintEvent(QPaintEvent*)
     painter.setBrush(mark);
     const QRectF place(0.5 * (width() - markWidth), 0.5 * (height() - markHeight), markWidth, markHeight);
     painter.drawRoundedRect(place, 1.0, 1.0);
-}
-
-void HeightGrip::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QWidget::changeEvent(event);
-}
-
-void HeightGrip::retranslate()
-{
-    setToolTip(tr("Drag to make the box higher or lower; double-click for its usual height"));
 }
 
 } // namespace ramure

@@ -25,11 +25,8 @@ protected:
     void mouseReleaseEvent(QMouseEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
-    void changeEvent(QEvent* event) override;
 
 private:
-    void retranslate();
-
     GrammarEdit* m_edit;
     std::optional<double> m_pressedAt; ///< y on the screen
     int m_linesThen = 0;
