@@ -53,7 +53,7 @@ struct Bench
         if (!change.contains("size"))
             change.insert("size", 256);
         preferences.setExportSettings({{"billboard", change}});
-        billboards.action()->trigger();
+        set.find("file.billboard")->trigger();
         auto* asked = dialog();
         QVERIFY(asked);
         asked->accept();
@@ -126,7 +126,7 @@ private slots:
     {
         Bench& bench = *m_bench;
         const QAction* action = bench.set.find(QStringLiteral("file.billboard"));
-        QCOMPARE(action, bench.billboards.action());
+        QCOMPARE(action, bench.set.find("file.billboard"));
         const QString usual = action->toolTip();
         QVERIFY(action->isEnabled());
         bench.document.reset({}, {});
@@ -255,12 +255,12 @@ private slots:
     void theDialogIsAsTheLastTime()
     {
         Bench& bench = *m_bench;
-        bench.billboards.action()->trigger();
+        bench.set.find("file.billboard")->trigger();
         bench.dialog()->findChild<QSpinBox*>(QStringLiteral("billboardCards"))->setValue(7);
         bench.dialog()->findChild<QCheckBox*>(QStringLiteral("billboardLying"))->setChecked(true);
         bench.dialog()->accept();
         QTRY_VERIFY(!bench.dialog());
-        bench.billboards.action()->trigger();
+        bench.set.find("file.billboard")->trigger();
         QCOMPARE(bench.dialog()->wish().cards, 7);
         QVERIFY(bench.dialog()->wish().lying);
         bench.dialog()->findChild<QSpinBox*>(QStringLiteral("billboardCards"))->setValue(9);

@@ -72,14 +72,10 @@ BillboardActions::BillboardActions(Document* document, ViewportHost* host, Prefe
     , m_preferences(preferences)
     , m_chooser(chooser)
     , m_set(set)
-    , m_action(set->add({"file.billboard",
-                         QT_TRANSLATE_NOOP("Actions", "&Billboard…"),
-                         nullptr,
-                         {},
-                         QT_TRANSLATE_NOOP("Actions", "Write crossed cards or an atlas of views, which stand "
-                                                      "for trees far away")}))
 {
-    connect(m_action, &QAction::triggered, this, &BillboardActions::ask);
+    set->add(this, {"file.billboard", Actions::tr("&Billboard…"), nullptr, noKeys,
+                    Actions::tr("Write crossed cards or an atlas of views, which stand for trees far away"),
+                    [this] { ask(); }});
     connect(&m_job, &Job::runningChanged, this, &BillboardActions::update);
     connect(document, &Document::changed, this, [this](const Change& change) {
         if (change.has(changeStructure | changeNodeState | changeReset))
@@ -100,8 +96,9 @@ QString BillboardActions::reasonAgainst() const
 void BillboardActions::update()
 {
     const QString reason = reasonAgainst();
-    m_action->setEnabled(reason.isEmpty());
-    m_set->setTip(m_action, reason);
+    QAction* action = m_set->find("file.billboard");
+    action->setEnabled(reason.isEmpty());
+    m_set->setTip(action, reason);
 }
 
 /// What, then where to.

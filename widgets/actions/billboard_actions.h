@@ -24,7 +24,6 @@ public:
     BillboardActions(Document* document, ViewportHost* host, Preferences* preferences, Chooser* chooser,
                      ActionSet* set, QObject* parent);
 
-    [[nodiscard]] QAction* action() const { return m_action; }
     /// That draws and writes a billboard: how far it is, and its end before time.
     [[nodiscard]] Job* job() { return &m_job; }
 
@@ -47,7 +46,6 @@ private:
     Preferences* m_preferences;
     Chooser* m_chooser;
     ActionSet* m_set;
-    QAction* m_action;
     std::shared_ptr<OffscreenRenderer> m_renderer; ///< its surface belongs to the application's thread
     Job m_job;
 };

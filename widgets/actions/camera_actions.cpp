@@ -16,25 +16,23 @@ CameraActions::CameraActions(Document* document, ViewportHost* host, ActionSet* 
     : QObject(parent)
     , m_document(document)
     , m_host(host)
-    , m_through(set->add({"view.throughCamera", QT_TRANSLATE_NOOP("Actions", "&Look through the camera"),
-                          "camera", QKeySequence(Qt::Key_0),
-                          QT_TRANSLATE_NOOP("Actions", "The view becomes that of the selected camera, or of "
-                                                       "the first one, until the view is moved")}))
-    , m_here(set->add({"view.cameraHere", QT_TRANSLATE_NOOP("Actions", "&Move the camera here"), nullptr,
-                       QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_0),
-                       QT_TRANSLATE_NOOP("Actions", "The selected camera, or the first one, comes to where "
-                                                    "the view is seen from")}))
+    , m_set(set)
 {
-    m_through->setCheckable(true);
     Viewport* view = host->viewport();
-    m_through->setEnabled(view != nullptr);
-    m_here->setEnabled(view != nullptr);
-    if (!view)
-        return;
-    connect(m_through, &QAction::triggered, this, &CameraActions::lookThrough);
-    connect(m_here, &QAction::triggered, this, &CameraActions::moveHere);
-    connect(view, &Viewport::seenThroughChanged, this,
-            [this, view] { m_through->setChecked(view->seenThrough() != noNode); });
+    const auto exists = [view] { return view != nullptr; };
+    set->add(
+        this,
+        {{"view.throughCamera", Actions::tr("&Look through the camera"), "camera", Qt::Key_0,
+          Actions::tr("The view becomes that of the selected camera, or of the first one, until "
+                      "the view is moved"),
+          [this] { lookThrough(); }, exists, [view] { return view && view->seenThrough() != noNode; }},
+         {"view.cameraHere", Actions::tr("&Move the camera here"), nullptr, Qt::CTRL | Qt::ALT | Qt::Key_0,
+          Actions::tr("The selected camera, or the first one, comes to where the view is seen "
+                      "from"),
+          [this] { moveHere(); }, exists}});
+    set->update(this);
+    if (view)
+        connect(view, &Viewport::seenThroughChanged, this, [this] { m_set->update(this); });
 }
 
 /// The active node, where it is a camera; else the one that is seen through; else the first.
@@ -50,12 +48,12 @@ NodeId CameraActions::meant() const
     return first != scene.nodes().end() ? first->id : noNode;
 }
 
-void CameraActions::lookThrough(bool on)
+void CameraActions::lookThrough()
 {
     Viewport* view = m_host->viewport();
+    const bool on = view->seenThrough() == noNode;
     const NodeId camera = on ? meant() : noNode;
     view->lookThrough(camera);
-    m_through->setChecked(view->seenThrough() != noNode);
     if (on && camera == noNode)
         emit messageRaised(
             tr("There is no camera: Edit > Add to the scene > Camera makes one from this view."));
@@ -92,7 +90,7 @@ void CameraActions::moveHere()
 
 void CameraActions::fillMenu(QMenu* menu)
 {
-    menu->addMenu(tr("&Camera"))->addActions({m_through, m_here});
+    menu->addMenu(tr("&Camera"))->addActions(m_set->find({"view.throughCamera", "view.cameraHere"}));
 }
 
 } // namespace ramure

@@ -29,13 +29,12 @@ signals:
 
 private:
     [[nodiscard]] NodeId meant() const;
-    void lookThrough(bool on);
+    void lookThrough();
     void moveHere();
 
     Document* m_document;
     ViewportHost* m_host;
-    QAction* m_through;
-    QAction* m_here;
+    ActionSet* m_set;
 };
 
 } // namespace ramure

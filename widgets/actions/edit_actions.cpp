@@ -30,82 +30,59 @@ EditActions::EditActions(Document* document, Chooser* chooser, ActionSet* set, Q
     , m_chooser(chooser)
     , m_set(set)
     , m_deleted(new DeletedSelection(document, this))
-    , m_undo(set->add({"edit.undo", QT_TRANSLATE_NOOP("Actions", "&Undo"), "undo", QKeySequence::Undo}))
-    , m_redo(set->add({"edit.redo", QT_TRANSLATE_NOOP("Actions", "&Redo"), "redo",
-                       QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z)}))
-    , m_newTree(set->add(
-          {"edit.newTree", QT_TRANSLATE_NOOP("Actions", "&New tree"), "new-tree", QKeySequence(Qt::Key_Space),
-           QT_TRANSLATE_NOOP("Actions",
-                             "Grow another tree from the same rules and numbers, with another seed")}))
-    , m_duplicate(
-          set->add({"edit.duplicate", QT_TRANSLATE_NOOP("Actions", "&Duplicate"), "duplicate",
-                    QKeySequence(Qt::CTRL | Qt::Key_D),
-                    QT_TRANSLATE_NOOP("Actions", "Copy with everything below; the copy follows the mouse: a "
-                                                 "click puts it down, Esc leaves it in place")}))
-    , m_rename(set->add(
-          {"edit.rename", QT_TRANSLATE_NOOP("Actions", "Rena&me"), "rename", QKeySequence(Qt::Key_F2)}))
-    , m_delete(
-          set->add({"edit.delete", QT_TRANSLATE_NOOP("Actions", "De&lete"), "delete", QKeySequence::Delete}))
-    , m_straighten(set->add({"edit.straighten",
-                             QT_TRANSLATE_NOOP("Actions", "Strai&ghten branches"),
-                             nullptr,
-                             {},
-                             QT_TRANSLATE_NOOP("Actions", "Take back how the selected branches were bent")}))
-    , m_more(set->add({"edit.moreLikeThis",
-                       QT_TRANSLATE_NOOP("Actions", "M&ore like this…"),
-                       nullptr,
-                       {},
-                       QT_TRANSLATE_NOOP("Actions", "Nine trees of the same numbers that chance grew "
-                                                    "otherwise, to choose from")}))
-    , m_variations(
-          set->add({"edit.variations",
-                    QT_TRANSLATE_NOOP("Actions", "&Variations…"),
-                    nullptr,
-                    {},
-                    QT_TRANSLATE_NOOP("Actions",
-                                      "Many trees from this one, by seeds and ranges of parameters: look at "
-                                      "them, star the good ones, write a table for a batch")}))
-    , m_visible(set->add(
-          {"edit.visible", QT_TRANSLATE_NOOP("Actions", "&Hide or show"), "eye", QKeySequence(Qt::Key_H)}))
-    , m_locked(set->add({"edit.locked", QT_TRANSLATE_NOOP("Actions", "Loc&k or unlock"), "lock",
-                         QKeySequence(Qt::CTRL | Qt::Key_L)}))
 {
-    const QUndoStack* stack = document->undoStack();
-    connect(m_undo, &QAction::triggered, document, &Document::undo);
-    connect(m_redo, &QAction::triggered, document, &Document::redo);
-    connect(stack, &QUndoStack::indexChanged, this, &EditActions::updateUndoTexts);
-    connect(m_newTree, &QAction::triggered, this, &EditActions::newTree);
-    for (const NodeKindRow* row : nodeKinds()) {
-        if (*row->addId == '\0')
-            continue;
-        m_addKinds += set->add({row->addId, row->addText, row->icon, {}, row->addTip, "core"});
-        connect(m_addKinds.back(), &QAction::triggered, this, [this, row] { addKind(*row); });
-    }
-    connectActions();
-}
-
-void EditActions::connectActions()
-{
-    connect(m_more, &QAction::triggered, this,
-            [this] { emit moreRequested(targetTrees(*m_document).front()); });
-    connect(m_variations, &QAction::triggered, this,
-            [this] { emit variationsRequested(targetTrees(*m_document).front()); });
-    connect(m_duplicate, &QAction::triggered, this, &EditActions::duplicateSelected);
-    connect(m_rename, &QAction::triggered, this, &EditActions::renameRequested);
-    connect(m_delete, &QAction::triggered, this, &EditActions::removeSelected);
-    connect(m_straighten, &QAction::triggered, this, &EditActions::straightenSelected);
-    connect(m_visible, &QAction::triggered, this, &EditActions::toggleVisible);
-    connect(m_locked, &QAction::triggered, this, &EditActions::toggleLocked);
-    connect(m_document, &Document::changed, this, &EditActions::follow);
+    addRows();
+    for (const NodeKindRow* row : nodeKinds())
+        if (*row->addId != '\0')
+            m_addKinds += set->add(this, {row->addId, coreText(row->addText), row->icon, noKeys,
+                                          coreText(row->addTip), [this, row] { addKind(*row); }});
+    connect(document->undoStack(), &QUndoStack::indexChanged, this, &EditActions::updateUndoTexts);
+    connect(document, &Document::changed, this, &EditActions::follow);
     update();
     updateUndoTexts();
 }
 
+void EditActions::addRows()
+{
+    const auto any = [this] { return !selected().empty(); };
+    const auto oneTree = [this] { return targetTrees(*m_document).size() == 1; };
+    m_set->add(
+        this,
+        {{"edit.undo", Actions::tr("&Undo"), "undo", QKeySequence::Undo, QString(),
+          [this] { m_document->undo(); }},
+         {"edit.redo", Actions::tr("&Redo"), "redo", Qt::CTRL | Qt::SHIFT | Qt::Key_Z, QString(),
+          [this] { m_document->redo(); }},
+         {"edit.newTree", Actions::tr("&New tree"), "new-tree", Qt::Key_Space,
+          Actions::tr("Grow another tree from the same rules and numbers, with another seed"),
+          [this] { newTree(); }, [this] { return canVary(); }},
+         {"edit.duplicate", Actions::tr("&Duplicate"), "duplicate", Qt::CTRL | Qt::Key_D,
+          Actions::tr("Copy with everything below; the copy follows the mouse: a click puts it down, Esc "
+                      "leaves it in place"),
+          [this] { duplicateSelected(); }, any},
+         {"edit.rename", Actions::tr("Rena&me"), "rename", Qt::Key_F2, QString(),
+          [this] { emit renameRequested(); }, [this] { return selected().size() == 1; }},
+         {"edit.delete", Actions::tr("De&lete"), "delete", QKeySequence::Delete, QString(),
+          [this] { removeSelected(); },
+          [this, any] { return any() || !m_document->selection().branches.empty(); }},
+         {"edit.straighten", Actions::tr("Strai&ghten branches"), nullptr, noKeys,
+          Actions::tr("Take back how the selected branches were bent"), [this] { straightenSelected(); },
+          [this] { return !bentBranches().empty(); }},
+         {"edit.moreLikeThis", Actions::tr("M&ore like this…"), nullptr, noKeys,
+          Actions::tr("Nine trees of the same numbers that chance grew otherwise, to choose from"),
+          [this] { emit moreRequested(targetTrees(*m_document).front()); }, oneTree},
+         {"edit.variations", Actions::tr("&Variations…"), nullptr, noKeys,
+          Actions::tr("Many trees from this one, by seeds and ranges of parameters: look at them, star the "
+                      "good ones, write a table for a batch"),
+          [this] { emit variationsRequested(targetTrees(*m_document).front()); }, oneTree},
+         {"edit.visible", Actions::tr("&Hide or show"), "eye", Qt::Key_H, QString(),
+          [this] { toggleVisible(); }, any},
+         {"edit.locked", Actions::tr("Loc&k or unlock"), "lock", Qt::CTRL | Qt::Key_L, QString(),
+          [this] { toggleLocked(); }, any}});
+}
+
 void EditActions::fillMenu(QMenu* menu)
 {
-    menu->addActions({m_undo, m_redo});
-    menu->addSeparator();
-    menu->addAction(m_newTree);
+    m_set->fill(menu, {"edit.undo", "edit.redo", nullptr, "edit.newTree"});
     m_addMenu = menu->addMenu(tr("&Add to the scene"));
     for (const Preset& preset : presets()) {
         const QString name = QString::fromLatin1(preset.name);
@@ -127,41 +104,39 @@ void EditActions::fillMenu(QMenu* menu)
     m_addMenu->addActions(m_addKinds);
     menu->addSeparator();
     menu->addActions(nodeActions());
-    menu->addAction(m_straighten);
+    m_set->fill(menu, {"edit.straighten"});
 }
 
 QList<QAction*> EditActions::nodeActions() const
 {
-    return {m_more, m_variations, m_duplicate, m_rename, m_visible, m_locked, m_delete};
+    return m_set->find({"edit.moreLikeThis", "edit.variations", "edit.duplicate", "edit.rename",
+                        "edit.visible", "edit.locked", "edit.delete"});
 }
 
 void EditActions::follow(const Change& change)
 {
-    m_undo->setEnabled(m_document->canUndo()); // also what a hand is doing now
+    m_set->find("edit.undo")->setEnabled(m_document->canUndo()); // also what a hand is doing now
     const bool isVaried = change.has(changeParams) && change.firstStale <= Stage::Skeleton;
     if (isVaried || change.has(changeSelection | changeStructure | changeReset | changeNodeState |
                                changeBranches | changeResults))
         update();
 }
 
+bool EditActions::canVary() const
+{
+    return std::ranges::any_of(targetTrees(*m_document), [this](NodeId id) {
+        return variesByChance(m_document->scene().find(id)->params);
+    });
+}
+
 void EditActions::update()
 {
-    const bool any = !selected().empty();
-    for (QAction* action : {m_duplicate, m_visible, m_locked})
-        action->setEnabled(any);
-    m_delete->setEnabled(any || !m_document->selection().branches.empty());
-    m_rename->setEnabled(selected().size() == 1);
-    const std::vector<NodeId> trees = targetTrees(*m_document);
-    const bool canVary = std::ranges::any_of(
-        trees, [this](NodeId id) { return variesByChance(m_document->scene().find(id)->params); });
-    m_newTree->setEnabled(canVary);
-    for (QAction* action : {m_more, m_variations})
-        action->setEnabled(trees.size() == 1);
-    m_set->setTip(m_newTree, trees.empty() || canVary
-                                 ? QString()
-                                 : tr("New tree: nothing can vary. No rule has chances, and the variation of "
-                                      "angles, lengths and radii is 0 %"));
-    m_straighten->setEnabled(!bentBranches().empty());
+    m_set->update(this);
+    m_set->setTip(m_set->find("edit.newTree"),
+                  targetTrees(*m_document).empty() || canVary()
+                      ? QString()
+                      : tr("New tree: nothing can vary. No rule has chances, and the variation of "
+                           "angles, lengths and radii is 0 %"));
     updateTexts();
 }
 
@@ -172,20 +147,17 @@ void EditActions::updateTexts()
     const Selection& selection = m_document->selection();
     const Node* active = scene.find(selection.activeNode());
     const QString what = nodeWords(scene, selection.nodes);
-    const auto say = [this, &what](QAction* action, const QString& text) {
-        m_set->setText(action, what.isEmpty() ? QString() : text.arg(what));
+    const auto say = [this, &what](const char* id, const QString& text) {
+        m_set->setText(m_set->find(id), what.isEmpty() || text.isEmpty() ? QString() : text.arg(what));
     };
-    say(m_duplicate, tr("&Duplicate %1"));
-    if (selection.nodes.size() == 1)
-        say(m_rename, tr("Rena&me %1"));
-    else
-        m_set->setText(m_rename, {});
-    say(m_visible, active && !active->visible ? tr("S&how %1") : tr("&Hide %1"));
-    say(m_locked, active && active->locked ? tr("Unloc&k %1") : tr("Loc&k %1"));
+    say("edit.duplicate", tr("&Duplicate %1"));
+    say("edit.rename", selection.nodes.size() == 1 ? tr("Rena&me %1") : QString());
+    say("edit.visible", active && !active->visible ? tr("S&how %1") : tr("&Hide %1"));
+    say("edit.locked", active && active->locked ? tr("Unloc&k %1") : tr("Loc&k %1"));
     if (!selection.branches.empty())
-        m_set->setText(m_delete, tr("De&lete %Ln branch(es)", nullptr, goingBranches()));
+        m_set->setText(m_set->find("edit.delete"), tr("De&lete %Ln branch(es)", nullptr, goingBranches()));
     else
-        say(m_delete, tr("De&lete %1"));
+        say("edit.delete", tr("De&lete %1"));
     emit targetNamed(what);
 }
 
@@ -208,13 +180,14 @@ int EditActions::goingBranches() const
 void EditActions::updateUndoTexts()
 {
     const QUndoStack* stack = m_document->undoStack();
-    m_undo->setEnabled(m_document->canUndo());
-    m_redo->setEnabled(stack->canRedo());
+    QAction *undo = m_set->find("edit.undo"), *redo = m_set->find("edit.redo");
+    undo->setEnabled(m_document->canUndo());
+    redo->setEnabled(stack->canRedo());
     const auto name = [](const QString& base, const QString& what) {
         return what.isEmpty() ? base : QStringLiteral("%1: %2").arg(base, what);
     };
-    m_set->setText(m_undo, name(tr("&Undo"), stack->undoText()));
-    m_set->setText(m_redo, name(tr("&Redo"), stack->redoText()));
+    m_set->setText(undo, name(tr("&Undo"), stack->undoText()));
+    m_set->setText(redo, name(tr("&Redo"), stack->redoText()));
 }
 
 void EditActions::report(const Error& error)

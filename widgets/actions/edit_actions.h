@@ -28,10 +28,6 @@ public:
 
     void fillMenu(QMenu* menu);
     [[nodiscard]] QMenu* addMenu() const { return m_addMenu; } ///< after fillMenu
-    [[nodiscard]] QAction* straightenAction() const { return m_straighten; }
-    [[nodiscard]] QAction* undoAction() const { return m_undo; }
-    [[nodiscard]] QAction* redoAction() const { return m_redo; }
-    [[nodiscard]] QAction* newTreeAction() const { return m_newTree; }
     /// What a right click on a node offers.
     [[nodiscard]] QList<QAction*> nodeActions() const;
 
@@ -62,9 +58,10 @@ signals:
     void targetNamed(const QString& words);
 
 private:
-    void connectActions();
+    void addRows();
     void follow(const Change& change);
     void update();
+    [[nodiscard]] bool canVary() const;
     void updateTexts();
     void updateUndoTexts();
     void removeSelected();
@@ -89,18 +86,7 @@ private:
     ActionSet* m_set;
     DeletedSelection* m_deleted;
     std::function<Camera()> m_eye;
-    QAction* m_undo;
-    QAction* m_redo;
-    QAction* m_newTree;
     QList<QAction*> m_addKinds; ///< those that begin with nothing but their kind
-    QAction* m_duplicate;
-    QAction* m_rename;
-    QAction* m_delete;
-    QAction* m_straighten;
-    QAction* m_more;
-    QAction* m_variations;
-    QAction* m_visible;
-    QAction* m_locked;
     QMenu* m_addMenu = nullptr;
 };
 

@@ -36,26 +36,6 @@ FileActions::FileActions(Document* document, Preferences* preferences, Chooser* 
     , m_preferences(preferences)
     , m_chooser(chooser)
     , m_set(set)
-    , m_open(set->add({"file.open", QT_TRANSLATE_NOOP("Actions", "&Open…"), "open", QKeySequence::Open,
-                       QT_TRANSLATE_NOOP("Actions", "Open a Ramure file, or objects into a new scene")}))
-    , m_save(set->add({"file.save", QT_TRANSLATE_NOOP("Actions", "&Save"), "save", QKeySequence::Save,
-                       QT_TRANSLATE_NOOP("Actions", "Save the scene")}))
-    , m_saveAs(set->add({"file.saveAs", QT_TRANSLATE_NOOP("Actions", "Save &as…"), "save-as",
-                         QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S),
-                         QT_TRANSLATE_NOOP("Actions", "Save the scene under another name")}))
-    , m_pack(set->add({"file.packPictures",
-                       QT_TRANSLATE_NOOP("Actions", "Pac&k pictures"),
-                       nullptr,
-                       {},
-                       QT_TRANSLATE_NOOP("Actions", "Copy all image files that the scene uses into a folder "
-                                                    "beside the project, to give both away")}))
-    , m_export(set->add({"file.export", QT_TRANSLATE_NOOP("Actions", "&Export…"), "export",
-                         QKeySequence(Qt::CTRL | Qt::Key_E),
-                         QT_TRANSLATE_NOOP("Actions", "Write meshes, sequences of frames or pictures")}))
-    , m_again(set->add({"file.exportAgain", QT_TRANSLATE_NOOP("Actions", "Export a&gain"), nullptr,
-                        QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E),
-                        QT_TRANSLATE_NOOP("Actions", "Write the last export once more, over its files")}))
-    , m_quit(set->add({"file.quit", QT_TRANSLATE_NOOP("Actions", "&Quit"), "quit", QKeySequence::Quit}))
 {
     for (const Preset& preset : presets()) {
         auto* action = new QAction(icon("tree"), QString(), this);
@@ -74,19 +54,30 @@ FileActions::FileActions(Document* document, Preferences* preferences, Chooser* 
         connect(action, &QAction::triggered, this, [this, name] { newFromDemo(name); });
         m_demos.push_back(action);
     }
-    connect(m_open, &QAction::triggered, this, &FileActions::open);
-    connect(m_save, &QAction::triggered, this, &FileActions::save);
-    connect(m_saveAs, &QAction::triggered, this, &FileActions::saveAs);
-    connect(m_pack, &QAction::triggered, this, &FileActions::packPictures);
-    connect(m_export, &QAction::triggered, this, &FileActions::exportRequested);
-    connect(m_again, &QAction::triggered, this, &FileActions::exportAgainRequested);
-    connect(m_quit, &QAction::triggered, this, &FileActions::quitRequested);
-    m_quit->setMenuRole(QAction::QuitRole);
+    set->add(
+        this,
+        {{"file.open", Actions::tr("&Open…"), "open", QKeySequence::Open,
+          Actions::tr("Open a Ramure file, or objects into a new scene"), [this] { open(); }},
+         {"file.save", Actions::tr("&Save"), "save", QKeySequence::Save, Actions::tr("Save the scene"),
+          [this] { save(); }},
+         {"file.saveAs", Actions::tr("Save &as…"), "save-as", Qt::CTRL | Qt::SHIFT | Qt::Key_S,
+          Actions::tr("Save the scene under another name"), [this] { saveAs(); }},
+         {"file.packPictures", Actions::tr("Pac&k pictures"), nullptr, noKeys,
+          Actions::tr("Copy all image files that the scene uses into a folder beside the project, to give "
+                      "both away"),
+          [this] { packPictures(); }},
+         {"file.export", Actions::tr("&Export…"), "export", Qt::CTRL | Qt::Key_E,
+          Actions::tr("Write meshes, sequences of frames or pictures"), [this] { emit exportRequested(); }},
+         {"file.exportAgain", Actions::tr("Export a&gain"), nullptr, Qt::CTRL | Qt::SHIFT | Qt::Key_E,
+          Actions::tr("Write the last export once more, over its files"),
+          [this] { emit exportAgainRequested(); }},
+         {"file.quit", Actions::tr("&Quit"), "quit", QKeySequence::Quit, QString(),
+          [this] { emit quitRequested(); }}});
+    set->find("file.quit")->setMenuRole(QAction::QuitRole);
     setLastExport({});
 }
 
-void FileActions::fillMenu(QMenu* menu, QAction* welcome, const QList<QAction*>& pictures,
-                           const QList<QAction*>& imports)
+void FileActions::fillNewMenus(QMenu* menu)
 {
     QMenu* newMenu = menu->addMenu(icon("new"), tr("&New from preset"));
     newMenu->setToolTipsVisible(true);
@@ -94,32 +85,20 @@ void FileActions::fillMenu(QMenu* menu, QAction* welcome, const QList<QAction*>&
         addPreset(newMenu, presets()[i], m_presets[i]);
     sortGroups(newMenu);
     menu->addMenu(tr("New from &demo"))->addActions(m_demos);
-    menu->addAction(m_open);
+    m_set->fill(menu, {"file.open"});
     m_recentMenu = menu->addMenu(tr("Open &recent"));
     connect(m_recentMenu, &QMenu::aboutToShow, this, &FileActions::fillRecentMenu);
-    if (welcome)
-        menu->addAction(welcome);
-    menu->addSeparator();
-    menu->addAction(m_save);
-    menu->addAction(m_saveAs);
-    menu->addAction(m_pack);
-    menu->addSeparator();
-    menu->addActions(imports);
-    menu->addAction(m_export);
-    menu->addAction(m_again);
-    menu->addActions(pictures);
-    menu->addSeparator();
-    menu->addAction(m_quit);
     fillRecentMenu();
 }
 
 void FileActions::setLastExport(const QString& path)
 {
-    m_again->setEnabled(!path.isEmpty());
+    QAction* again = m_set->find("file.exportAgain");
+    again->setEnabled(!path.isEmpty());
     QString name = QFileInfo(path).fileName();
     name.replace(u'&', QStringLiteral("&&"));
-    m_set->setText(m_again, path.isEmpty() ? QString() : tr("Export “%1” a&gain").arg(name));
-    m_set->setTip(m_again,
+    m_set->setText(again, path.isEmpty() ? QString() : tr("Export “%1” a&gain").arg(name));
+    m_set->setTip(again,
                   path.isEmpty()
                       ? tr("Nothing was exported yet since this scene was opened: there is nothing to repeat")
                       : tr("Write %1 once more, with the same choices").arg(QDir::toNativeSeparators(path)));

@@ -25,12 +25,8 @@ public:
     FileActions(Document* document, Preferences* preferences, Chooser* chooser, ActionSet* set,
                 QObject* parent);
 
-    /// \param welcome, pictures, imports actions from elsewhere that belong into this menu, may be none.
-    void fillMenu(QMenu* menu, QAction* welcome = nullptr, const QList<QAction*>& pictures = {},
-                  const QList<QAction*>& imports = {});
-    [[nodiscard]] QAction* saveAction() const { return m_save; }
-    [[nodiscard]] QAction* openAction() const { return m_open; }
-    [[nodiscard]] QAction* exportAction() const { return m_export; }
+    /// Appends what begins a scene: presets, demos, files.
+    void fillNewMenus(QMenu* menu);
     /// What was written last, as the entry that writes it again names it; empty: there is nothing to repeat.
     void setLastExport(const QString& path);
     /// What opens objects that are no projects; without it projects alone open. Not owned.
@@ -77,13 +73,6 @@ private:
     Chooser* m_chooser;
     ActionSet* m_set;
     ImportActions* m_imports = nullptr;
-    QAction* m_open;
-    QAction* m_save;
-    QAction* m_saveAs;
-    QAction* m_pack;
-    QAction* m_export;
-    QAction* m_again;
-    QAction* m_quit;
     QMenu* m_recentMenu = nullptr;
     std::vector<QAction*> m_presets;
     QList<QAction*> m_demos;

@@ -15,42 +15,48 @@ HandActions::HandActions(Document* document, ViewportHost* host, QActionGroup* t
     : QObject(parent)
     , m_document(document)
     , m_settings(host->settings()->hand())
-    , m_keep(
-          set->add({"hand.keepSelected",
-                    QT_TRANSLATE_NOOP("Actions", "Keep onl&y this limb"),
-                    nullptr,
-                    {},
-                    QT_TRANSLATE_NOOP("Actions", "All goes but the limb of the active branch, what grows on "
-                                                 "it and the way down to the ground")}))
-    , m_leaves(set->add({"hand.toggleLeaves",
-                         QT_TRANSLATE_NOOP("Actions", "Leaves of the l&imb on or off"),
-                         nullptr,
-                         {},
-                         QT_TRANSLATE_NOOP("Actions", "The leaves of the selected limbs go, or come back")}))
+    , m_set(set)
 {
+    set->add(this, {{"hand.keepSelected", Actions::tr("Keep onl&y this limb"), nullptr, noKeys,
+                     Actions::tr("All goes but the limb of the active branch, what grows on it and the way "
+                                 "down to the ground"),
+                     [this] { keepSelected(); }, [this] { return hasBranch(); }},
+                    {"hand.toggleLeaves", Actions::tr("Leaves of the l&imb on or off"), nullptr, noKeys,
+                     Actions::tr("The leaves of the selected limbs go, or come back"),
+                     [this] { report(toggleLeaves(*m_document, LimbFinder().selected(*m_document))); },
+                     [this] { return hasBranch(); }}});
     for (const HandToolRow& row : handTools()) {
-        QAction* action = set->add({row.id, row.text, row.icon, QKeySequence(row.key), row.tip});
-        action->setCheckable(true);
-        action->setData(int(row.tool));
+        QAction* action = set->add(this, {row.id,
+                                          Actions::tr(row.text),
+                                          row.icon,
+                                          QKeySequence(row.key),
+                                          Actions::tr(row.tip),
+                                          [this, tool = row.tool] { m_settings->setTool(tool); },
+                                          {},
+                                          [this, tool = row.tool] { return m_settings->tool() == tool; }});
         action->setEnabled(host->viewport() != nullptr);
         tools->addAction(action);
         m_tools += action;
-        connect(action, &QAction::triggered, m_settings,
-                [this, tool = row.tool] { m_settings->setTool(tool); });
     }
-    connect(m_settings, &HandSettings::toolChanged, this, &HandActions::followTool);
-    connect(m_keep, &QAction::triggered, this, [this] {
-        const Selection& selection = m_document->selection();
-        if (const auto limb = LimbFinder().startOf(*m_document, selection.branchNode, selection.activeBranch))
-            report(keepLimb(*m_document, *limb));
-    });
-    connect(m_leaves, &QAction::triggered, this,
-            [this] { report(toggleLeaves(*m_document, LimbFinder().selected(*m_document))); });
-    connect(m_document, &Document::changed, this, [this](const Change& change) {
+    const auto follow = [this] { m_set->update(this); };
+    connect(m_settings, &HandSettings::toolChanged, this, follow);
+    connect(m_document, &Document::changed, this, [follow](const Change& change) {
         if (change.has(changeSelection | changeReset | changeResults))
-            followSelection();
+            follow();
     });
-    followSelection();
+    follow();
+}
+
+void HandActions::keepSelected()
+{
+    const Selection& selection = m_document->selection();
+    if (const auto limb = LimbFinder().startOf(*m_document, selection.branchNode, selection.activeBranch))
+        report(keepLimb(*m_document, *limb));
+}
+
+bool HandActions::hasBranch() const
+{
+    return m_document->selection().activeBranch != noIndex;
 }
 
 void HandActions::fillMenu(QMenu* editMenu)
@@ -60,7 +66,7 @@ void HandActions::fillMenu(QMenu* editMenu)
         m_menu->addActions(group);
         m_menu->addSeparator();
     }
-    m_menu->addActions({m_keep, m_leaves});
+    m_set->fill(m_menu, {"hand.keepSelected", "hand.toggleLeaves"});
 }
 
 QList<QList<QAction*>> HandActions::toolGroups() const
@@ -76,23 +82,10 @@ QList<QList<QAction*>> HandActions::toolGroups() const
 
 QList<QAction*> HandActions::branchActions() const
 {
-    QList<QAction*> actions{m_keep, m_leaves};
+    QList<QAction*> actions = m_set->find({"hand.keepSelected", "hand.toggleLeaves"});
     if (m_menu)
         actions += m_menu->menuAction();
     return actions;
-}
-
-void HandActions::followTool()
-{
-    for (QAction* action : m_tools)
-        action->setChecked(action->data().toInt() == int(m_settings->tool()));
-}
-
-void HandActions::followSelection()
-{
-    const bool any = m_document->selection().activeBranch != noIndex;
-    for (QAction* action : {m_keep, m_leaves})
-        action->setEnabled(any);
 }
 
 void HandActions::report(const Expected<void>& done)

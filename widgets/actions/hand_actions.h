@@ -34,15 +34,14 @@ signals:
     void messageRaised(const QString& text);
 
 private:
-    void followTool();
-    void followSelection();
+    void keepSelected();
+    [[nodiscard]] bool hasBranch() const;
     void report(const Expected<void>& done);
 
     Document* m_document;
     HandSettings* m_settings;
+    ActionSet* m_set;
     QList<QAction*> m_tools;
-    QAction* m_keep;
-    QAction* m_leaves;
     QMenu* m_menu = nullptr;
 };
 

@@ -20,23 +20,17 @@ HelpActions::HelpActions(ActionSet* set, Document* document, Preferences* prefer
     , m_document(document)
     , m_preferences(preferences)
     , m_window(window)
-    , m_find(set->add(
-          {"help.find", QT_TRANSLATE_NOOP("Actions", "&Find anything…"), "search", QKeySequence(Qt::Key_F3),
-           QT_TRANSLATE_NOOP("Actions", "Finds every command, parameter and page of the handbook")}))
-    , m_handbookAction(set->add(
-          {"help.handbook", QT_TRANSLATE_NOOP("Actions", "&Handbook"), "handbook", QKeySequence(Qt::Key_F1),
-           QT_TRANSLATE_NOOP("Actions", "Explains the parameter or panel under the mouse")}))
-    , m_tourAction(set->add({"help.tour",
-                             QT_TRANSLATE_NOOP("Actions", "&Tour"),
-                             "tour",
-                             {},
-                             QT_TRANSLATE_NOOP("Actions", "Five steps through the window")}))
     , m_palette(new Palette(window))
     , m_tour(new Tour(window, set, document))
 {
-    connect(m_find, &QAction::triggered, this, &HelpActions::showPalette);
-    connect(m_handbookAction, &QAction::triggered, this, [this] { showHandbook(helpPlaceHere()); });
-    connect(m_tourAction, &QAction::triggered, m_tour, &Tour::start);
+    set->add(this, {{"help.find", Actions::tr("&Find anything…"), "search", Qt::Key_F3,
+                     Actions::tr("Finds every command, parameter and page of the handbook"),
+                     [this] { showPalette(); }},
+                    {"help.handbook", Actions::tr("&Handbook"), "handbook", Qt::Key_F1,
+                     Actions::tr("Explains the parameter or panel under the mouse"),
+                     [this] { showHandbook(helpPlaceHere()); }},
+                    {"help.tour", Actions::tr("&Tour"), "tour", noKeys,
+                     Actions::tr("Five steps through the window"), [this] { m_tour->start(); }}});
     connect(m_palette, &Palette::chosen, this, &HelpActions::take, Qt::QueuedConnection);
     qApp->installEventFilter(this);
 }
@@ -92,7 +86,7 @@ bool HelpActions::eventFilter(QObject* watched, QEvent* event)
     const auto* widget = qobject_cast<QWidget*>(watched);
     const auto* key = static_cast<QKeyEvent*>(event);
     const bool isElsewhere = widget && widget->window() != m_window && widget->window() != m_handbook.get();
-    if (!isElsewhere || QKeySequence(key->keyCombination()) != m_handbookAction->shortcut())
+    if (!isElsewhere || QKeySequence(key->keyCombination()) != m_set->find("help.handbook")->shortcut())
         return false;
     const QString place = helpPlace(widget);
     if (!place.isEmpty())

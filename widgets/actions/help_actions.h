@@ -30,7 +30,6 @@ public:
 
     /// The menus whose actions the palette finds.
     void setMenus(const QList<QMenu*>& menus) { m_menus = menus; }
-    [[nodiscard]] QList<QAction*> actions() const { return {m_find, m_handbookAction, m_tourAction}; }
     [[nodiscard]] Palette* palette() const { return m_palette; }
     [[nodiscard]] Tour* tour() const { return m_tour; }
     /// Null until it was opened for the first time.
@@ -57,9 +56,6 @@ private:
     Preferences* m_preferences;
     QMainWindow* m_window;
     QList<QMenu*> m_menus;
-    QAction* m_find;
-    QAction* m_handbookAction;
-    QAction* m_tourAction;
     Palette* m_palette;
     Tour* m_tour;
     std::unique_ptr<HandbookWindow> m_handbook;

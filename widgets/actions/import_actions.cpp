@@ -24,21 +24,14 @@ ImportActions::ImportActions(Document* document, Preferences* preferences, Choos
     , m_chooser(chooser)
     , m_task(new ImportTask(document, this))
     , m_window(window)
-    , m_file(
-          set->add({"file.import", QT_TRANSLATE_NOOP("Actions", "&Import…"), "open",
-                    QKeySequence(Qt::CTRL | Qt::Key_I),
-                    QT_TRANSLATE_NOOP(
-                        "Actions",
-                        "Add objects to the scene: meshes, keys from Blender, trees of Arbaro and ez-tree")}))
-    , m_folder(set->add(
-          {"file.importFolder",
-           QT_TRANSLATE_NOOP("Actions", "Import &folder…"),
-           "open",
-           {},
-           QT_TRANSLATE_NOOP("Actions", "Add all objects of a folder that a script for Blender wrote")}))
 {
-    connect(m_file, &QAction::triggered, this, &ImportActions::chooseFile);
-    connect(m_folder, &QAction::triggered, this, &ImportActions::chooseFolder);
+    set->add(this, {{"file.import", Actions::tr("&Import…"), "open", Qt::CTRL | Qt::Key_I,
+                     Actions::tr("Add objects to the scene: meshes, keys from Blender, trees of Arbaro and "
+                                 "ez-tree"),
+                     [this] { chooseFile(); }},
+                    {"file.importFolder", Actions::tr("Import &folder…"), "open", noKeys,
+                     Actions::tr("Add all objects of a folder that a script for Blender wrote"),
+                     [this] { chooseFolder(); }}});
     connect(m_task, &ImportTask::progress, this, &ImportActions::showProgress);
     connect(m_task, &ImportTask::finished, this, &ImportActions::finish);
 }

@@ -28,7 +28,6 @@ public:
     ImportActions(Document* document, Preferences* preferences, Chooser* chooser, ActionSet* set,
                   QWidget* window);
 
-    [[nodiscard]] QList<QAction*> actions() const { return {m_file, m_folder}; }
     /// Is this something that can be imported: a folder, or a file of a format that is read?
     [[nodiscard]] static bool canImport(const QString& path);
     /// Such files, as a file dialog has it.
@@ -59,8 +58,6 @@ private:
     Chooser* m_chooser;
     ImportTask* m_task;
     QWidget* m_window;
-    QAction* m_file;
-    QAction* m_folder;
     QString m_path;
     std::function<bool(std::optional<Scene>)> m_take; ///< of what is being opened
     QPointer<QProgressDialog> m_progress;

@@ -22,52 +22,38 @@ PictureActions::PictureActions(ViewportHost* host, Preferences* preferences, Cho
     , m_host(host)
     , m_preferences(preferences)
     , m_chooser(chooser)
-    , m_save(set->add({"view.savePicture", QT_TRANSLATE_NOOP("Actions", "Save a &picture…"), "camera",
-                       QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_P),
-                       QT_TRANSLATE_NOOP("Actions", "Write the view as a picture")}))
-    , m_copy(set->add({"view.copyPicture", QT_TRANSLATE_NOOP("Actions", "&Copy the picture"), "copy",
-                       QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C),
-                       QT_TRANSLATE_NOOP("Actions", "Put the view on the clipboard as a picture")}))
-    , m_selectAll(set->add({"edit.selectAll", QT_TRANSLATE_NOOP("Actions", "Select all &branches"), nullptr,
-                            QKeySequence(Qt::CTRL | Qt::Key_A),
-                            QT_TRANSLATE_NOOP("Actions", "Select every branch of the active tree")}))
-    , m_clearSelection(
-          set->add({"edit.clearSelection", QT_TRANSLATE_NOOP("Actions", "Select n&othing"), nullptr,
-                    QKeySequence(Qt::Key_Escape),
-                    QT_TRANSLATE_NOOP("Actions", "Lay the tool down; without one, go from branches to "
-                                                 "their tree, and from there to nothing")}))
 {
+    Viewport* view = host->viewport();
+    const auto exists = [view] { return view != nullptr; };
+    const auto clear = [view, hand = host->settings()->hand()] {
+        // The first Escape lays a tool down.
+        hand->tool() == HandTool::None ? view->clearSelection() : hand->setTool(HandTool::None);
+    };
+    set->add(
+        this,
+        {{"view.savePicture", Actions::tr("Save a &picture…"), "camera", Qt::CTRL | Qt::SHIFT | Qt::Key_P,
+          Actions::tr("Write the view as a picture"), [this] { ask(); }, exists},
+         {"view.copyPicture", Actions::tr("&Copy the picture"), "copy", Qt::CTRL | Qt::SHIFT | Qt::Key_C,
+          Actions::tr("Put the view on the clipboard as a picture"),
+          [this, view] {
+              view->copyScreenshot();
+              emit messageRaised(tr("The picture is on the clipboard"));
+          },
+          exists}});
+    m_selectionActions =
+        set->add(this, {{"edit.selectAll", Actions::tr("Select all &branches"), nullptr, Qt::CTRL | Qt::Key_A,
+                         Actions::tr("Select every branch of the active tree"),
+                         [view] { view->selectAllBranches(); }, exists},
+                        {"edit.clearSelection", Actions::tr("Select n&othing"), nullptr, Qt::Key_Escape,
+                         Actions::tr("Lay the tool down; without one, go from branches to their tree, and "
+                                     "from there to nothing"),
+                         clear, exists}});
     // Only in the view: lists, fields and messages have their own Ctrl+A and Escape.
-    for (QAction* action : selectionActions()) {
+    for (QAction* action : m_selectionActions) {
         action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
         host->addAction(action);
     }
-    Viewport* view = host->viewport();
-    if (!view) {
-        for (QAction* action : pictureActions() + selectionActions())
-            action->setEnabled(false);
-        return;
-    }
-    connect(m_save, &QAction::triggered, this, &PictureActions::ask);
-    connect(m_copy, &QAction::triggered, this, [this, view] {
-        view->copyScreenshot();
-        emit messageRaised(tr("The picture is on the clipboard"));
-    });
-    connect(m_selectAll, &QAction::triggered, view, &Viewport::selectAllBranches);
-    connect(m_clearSelection, &QAction::triggered, view, [view, hand = host->settings()->hand()] {
-        // The first Escape lays a tool down.
-        hand->tool() == HandTool::None ? view->clearSelection() : hand->setTool(HandTool::None);
-    });
-}
-
-QList<QAction*> PictureActions::pictureActions() const
-{
-    return {m_save, m_copy};
-}
-
-QList<QAction*> PictureActions::selectionActions() const
-{
-    return {m_selectAll, m_clearSelection};
+    set->update(this);
 }
 
 /// How large, then where to.

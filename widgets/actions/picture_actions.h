@@ -25,8 +25,7 @@ public:
     PictureActions(ViewportHost* host, Preferences* preferences, Chooser* chooser, ActionSet* set,
                    QObject* parent);
 
-    [[nodiscard]] QList<QAction*> pictureActions() const;
-    [[nodiscard]] QList<QAction*> selectionActions() const;
+    [[nodiscard]] QList<QAction*> selectionActions() const { return m_selectionActions; }
     /// That writes a picture: how far it is, and its end before time.
     [[nodiscard]] Job* job() { return &m_job; }
 
@@ -42,10 +41,7 @@ private:
     ViewportHost* m_host;
     Preferences* m_preferences;
     Chooser* m_chooser;
-    QAction* m_save;
-    QAction* m_copy;
-    QAction* m_selectAll;
-    QAction* m_clearSelection;
+    QList<QAction*> m_selectionActions;
     std::shared_ptr<OffscreenRenderer> m_renderer; ///< its surface belongs to the application's thread
     Job m_job;
 };

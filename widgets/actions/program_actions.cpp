@@ -24,22 +24,20 @@ ProgramActions::ProgramActions(ActionSet* set, Preferences* preferences, ViewSet
     , m_preferences(preferences)
     , m_view(view)
     , m_window(window)
-    , m_welcome(set->add({"file.welcome", QT_TRANSLATE_NOOP("Actions", "&Welcome page"), "welcome",
-                          QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_W),
-                          QT_TRANSLATE_NOOP("Actions", "Presets as pictures, recent files, first keys")}))
-    , m_editPreferences(set->add({"edit.preferences", QT_TRANSLATE_NOOP("Actions", "&Preferences…"),
-                                  "preferences", QKeySequence(Qt::CTRL | Qt::Key_Comma),
-                                  QT_TRANSLATE_NOOP("Actions", "Theme, language, units, mouse, autosave")}))
-    , m_shortcuts(set->add({"help.shortcuts", QT_TRANSLATE_NOOP("Actions", "&Keyboard shortcuts…"),
-                            "keyboard", QKeySequence(Qt::SHIFT | Qt::Key_F1),
-                            QT_TRANSLATE_NOOP("Actions", "See and change the keys of all actions")}))
-    , m_about(set->add({"help.about", QT_TRANSLATE_NOOP("Actions", "&About Ramure"), "about", {}}))
 {
-    m_about->setMenuRole(QAction::AboutRole);
-    m_editPreferences->setMenuRole(QAction::PreferencesRole);
-    connect(m_editPreferences, &QAction::triggered, this, &ProgramActions::showPreferences);
-    connect(m_shortcuts, &QAction::triggered, this, &ProgramActions::showShortcuts);
-    connect(m_about, &QAction::triggered, this, &ProgramActions::showAbout);
+    set->add(this,
+             {{"file.welcome", Actions::tr("&Welcome page"), "welcome", Qt::CTRL | Qt::SHIFT | Qt::Key_W,
+               Actions::tr("Presets as pictures, recent files, first keys")},
+              {"edit.preferences", Actions::tr("&Preferences…"), "preferences", Qt::CTRL | Qt::Key_Comma,
+               Actions::tr("Theme, language, units, mouse, autosave"),
+               [this] { openDialog(new PreferencesDialog(m_preferences, m_window)); }},
+              {"help.shortcuts", Actions::tr("&Keyboard shortcuts…"), "keyboard", Qt::SHIFT | Qt::Key_F1,
+               Actions::tr("See and change the keys of all actions"),
+               [this] { openDialog(new ShortcutsDialog(m_set, m_menus, m_preferences, m_window)); }},
+              {"help.about", Actions::tr("&About Ramure"), "about", noKeys, QString(),
+               [this] { openDialog(new AboutDialog(m_window)); }}});
+    set->find("help.about")->setMenuRole(QAction::AboutRole);
+    set->find("edit.preferences")->setMenuRole(QAction::PreferencesRole);
     connect(m_preferences, &Preferences::changed, this, &ProgramActions::takePreferences);
     takePreferences();
     connect(m_view, &ViewSettings::groundVisibleChanged, m_preferences, &Preferences::setGroundVisible);
@@ -56,21 +54,6 @@ void ProgramActions::takePreferences()
 {
     m_view->setNavigationStyle(m_preferences->navigationStyle());
     m_view->setGroundVisible(m_preferences->groundVisible());
-}
-
-void ProgramActions::showPreferences()
-{
-    openDialog(new PreferencesDialog(m_preferences, m_window));
-}
-
-void ProgramActions::showShortcuts()
-{
-    openDialog(new ShortcutsDialog(m_set, m_menus, m_preferences, m_window));
-}
-
-void ProgramActions::showAbout()
-{
-    openDialog(new AboutDialog(m_window));
 }
 
 } // namespace ramure

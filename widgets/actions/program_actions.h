@@ -24,13 +24,6 @@ public:
 
     /// When the menus are filled: takes their actions into the set and gives them the user's shortcuts.
     void setMenus(const QList<QMenu*>& menus);
-    [[nodiscard]] QAction* welcomeAction() const { return m_welcome; }
-    [[nodiscard]] QAction* preferencesAction() const { return m_editPreferences; }
-    [[nodiscard]] QList<QAction*> helpActions() const { return {m_shortcuts, m_about}; }
-
-    void showPreferences();
-    void showShortcuts();
-    void showAbout();
 
 private:
     void takePreferences();
@@ -40,10 +33,6 @@ private:
     ViewSettings* m_view;
     QWidget* m_window;
     QList<QMenu*> m_menus;
-    QAction* m_welcome;
-    QAction* m_editPreferences;
-    QAction* m_shortcuts;
-    QAction* m_about;
 };
 
 } // namespace ramure

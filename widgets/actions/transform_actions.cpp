@@ -23,13 +23,13 @@ TransformActions::TransformActions(ViewportHost* host, Preferences* preferences,
     , m_settings(host->settings()->gizmo())
     , m_hand(host->settings()->hand())
     , m_tools(new QActionGroup(this))
-    , m_spaces(new QActionGroup(this))
 {
     m_settings->restore(preferences->toolSettings());
     m_settings->setRadians(preferences->angleUnit() == AngleUnit::Radians);
-    addTools(set);
-    addGestures(set);
-    addSwitches(set);
+    const auto exists = [this] { return m_host->viewport() != nullptr; };
+    addTools(exists);
+    addGestures(exists);
+    addSwitches(exists);
     if (Viewport* view = host->viewport()) {
         view->setGestureKeys([this] {
             QStringList keys;
@@ -38,10 +38,6 @@ TransformActions::TransformActions(ViewportHost* host, Preferences* preferences,
             keys.removeAll(QString());
             return keys.join(u' ');
         });
-    } else {
-        for (QAction* action : m_own + m_spaces->actions() + m_gestures + viewActions())
-            action->setEnabled(false);
-        m_snap->setEnabled(false);
     }
     connect(m_settings, &GizmoSettings::changed, this, [this] {
         take();
@@ -53,126 +49,88 @@ TransformActions::TransformActions(ViewportHost* host, Preferences* preferences,
     take();
 }
 
-void TransformActions::addTools(ActionSet* set)
+void TransformActions::addTools(const std::function<bool()>& exists)
 {
-    const std::pair<ActionSpec, TransformTool> tools[] = {
-        {{"tool.select", QT_TRANSLATE_NOOP("Actions", "&Select tool"), "tool-select", QKeySequence(Qt::Key_Q),
-          QT_TRANSLATE_NOOP("Actions", "Select nodes and branches; no handles")},
-         TransformTool::Select},
-        {{"tool.move", QT_TRANSLATE_NOOP("Actions", "M&ove tool"), "tool-move", QKeySequence(Qt::Key_W),
-          QT_TRANSLATE_NOOP("Actions",
-                            "Handles that move the selected nodes. Ctrl: in steps, Shift: finely")},
-         TransformTool::Move},
-        {{"tool.rotate", QT_TRANSLATE_NOOP("Actions", "Ro&tate tool"), "tool-rotate", QKeySequence(Qt::Key_E),
-          QT_TRANSLATE_NOOP("Actions", "Rings that turn the selected nodes. Ctrl: in steps, Shift: finely")},
-         TransformTool::Rotate},
-        {{"tool.scale", QT_TRANSLATE_NOOP("Actions", "Sc&ale tool"), "tool-scale", QKeySequence(Qt::Key_T),
-          QT_TRANSLATE_NOOP("Actions", "Boxes that scale the selected nodes. Ctrl: in steps, Shift: finely")},
-         TransformTool::Scale},
-    };
-    for (const auto& [spec, tool] : tools) {
-        QAction* action = set->add(spec);
-        action->setCheckable(true);
-        action->setData(int(tool));
-        m_tools->addAction(action);
-        m_own += action;
-        connect(action, &QAction::triggered, m_settings, [this, value = tool] {
+    const auto choose = [this](TransformTool tool) {
+        return [this, tool] {
             m_hand->setTool(HandTool::None);
-            m_settings->setTool(value);
-        });
-    }
-    const std::pair<ActionSpec, TransformSpace> spaces[] = {
-        {{"tool.local", QT_TRANSLATE_NOOP("Actions", "&Local axes"), nullptr, {}}, TransformSpace::Local},
-        {{"tool.parent", QT_TRANSLATE_NOOP("Actions", "Axes of the &parent"), nullptr, {}},
-         TransformSpace::Parent},
-        {{"tool.world", QT_TRANSLATE_NOOP("Actions", "Axes of the &world"), nullptr, {}},
-         TransformSpace::World},
+            m_settings->setTool(tool);
+        };
     };
-    for (const auto& [spec, space] : spaces) {
-        QAction* action = set->add(spec);
-        action->setCheckable(true);
-        action->setData(int(space));
-        m_spaces->addAction(action);
-        connect(action, &QAction::triggered, m_settings,
-                [this, value = space] { m_settings->setSpace(value); });
-    }
-}
-
-void TransformActions::addGestures(ActionSet* set)
-{
-    const std::pair<ActionSpec, TransformTool> gestures[] = {
-        {{"transform.move", QT_TRANSLATE_NOOP("Actions", "&Move"), nullptr, QKeySequence(Qt::Key_G),
-          QT_TRANSLATE_NOOP("Actions", "Move with the mouse, or type: X 1.5 Enter")},
-         TransformTool::Move},
-        {{"transform.rotate", QT_TRANSLATE_NOOP("Actions", "&Rotate"), nullptr, QKeySequence(Qt::Key_R),
-          QT_TRANSLATE_NOOP("Actions", "Rotate with the mouse, or type: Y 90 Enter")},
-         TransformTool::Rotate},
-        {{"transform.scale", QT_TRANSLATE_NOOP("Actions", "S&cale"), nullptr, QKeySequence(Qt::Key_S),
-          QT_TRANSLATE_NOOP("Actions", "Scale with the mouse, or type: 2 Enter")},
-         TransformTool::Scale},
+    const auto isChosen = [this](TransformTool tool) {
+        return [this, tool] { return m_hand->tool() == HandTool::None && m_settings->tool() == tool; };
     };
-    for (const auto& [spec, tool] : gestures) {
-        QAction* action = set->add(spec);
-        m_gestures += action;
-        // After the menu has closed and given the focus back: the gesture needs it.
-        if (Viewport* view = m_host->viewport())
-            connect(
-                action, &QAction::triggered, view, [view, value = tool] { view->beginTransform(value); },
-                Qt::QueuedConnection);
-    }
+    using enum TransformTool;
+    m_own =
+        m_set->add(this, {{"tool.select", Actions::tr("&Select tool"), "tool-select", Qt::Key_Q,
+                           Actions::tr("Select nodes and branches; no handles"), choose(Select), exists,
+                           isChosen(Select)},
+                          {"tool.move", Actions::tr("M&ove tool"), "tool-move", Qt::Key_W,
+                           Actions::tr("Handles that move the selected nodes. Ctrl: in steps, Shift: finely"),
+                           choose(Move), exists, isChosen(Move)},
+                          {"tool.rotate", Actions::tr("Ro&tate tool"), "tool-rotate", Qt::Key_E,
+                           Actions::tr("Rings that turn the selected nodes. Ctrl: in steps, Shift: finely"),
+                           choose(Rotate), exists, isChosen(Rotate)},
+                          {"tool.scale", Actions::tr("Sc&ale tool"), "tool-scale", Qt::Key_T,
+                           Actions::tr("Boxes that scale the selected nodes. Ctrl: in steps, Shift: finely"),
+                           choose(Scale), exists, isChosen(Scale)}});
+    for (QAction* action : m_own)
+        m_tools->addAction(action);
+    auto* spaces = new QActionGroup(this);
+    const auto addSpace = [&](const char* id, const QString& text, TransformSpace space) {
+        spaces->addAction(m_set->add(this, {id,
+                                            text,
+                                            nullptr,
+                                            {},
+                                            {},
+                                            [this, space] { m_settings->setSpace(space); },
+                                            exists,
+                                            [this, space] { return m_settings->space() == space; }}));
+    };
+    addSpace("tool.local", Actions::tr("&Local axes"), TransformSpace::Local);
+    addSpace("tool.parent", Actions::tr("Axes of the &parent"), TransformSpace::Parent);
+    addSpace("tool.world", Actions::tr("Axes of the &world"), TransformSpace::World);
 }
 
-void TransformActions::addSwitches(ActionSet* set)
+void TransformActions::addGestures(const std::function<bool()>& exists)
 {
-    m_snap =
-        set->add({"tool.snap",
-                  QT_TRANSLATE_NOOP("Actions", "S&nap to steps"),
-                  "snap",
-                  {},
-                  QT_TRANSLATE_NOOP("Actions",
-                                    "Dragged values go in steps; Ctrl while dragging: the other way round")});
-    m_path = set->add(
-        {"view.path", QT_TRANSLATE_NOOP("Actions", "Motion &path"), "path",
-         QKeySequence(Qt::SHIFT | Qt::Key_P),
-         QT_TRANSLATE_NOOP("Actions", "The way of the selected nodes over all frames, with its keys")});
-    m_ghosts =
-        set->add({"view.ghosts", QT_TRANSLATE_NOOP("Actions", "G&hosts"), "ghosts",
-                  QKeySequence(Qt::SHIFT | Qt::Key_O),
-                  QT_TRANSLATE_NOOP("Actions", "Translucent copies of the selected nodes at frames before "
-                                               "and after this one")});
-    m_edit = set->add({"tool.settings",
-                       QT_TRANSLATE_NOOP("Actions", "Steps and &ghosts…"),
-                       "tool-settings",
-                       {},
-                       QT_TRANSLATE_NOOP("Actions", "What values snap to, how many ghosts there are")});
-    for (QAction* action : {m_snap, m_path, m_ghosts})
-        action->setCheckable(true);
-    connect(m_snap, &QAction::toggled, m_settings, &GizmoSettings::setSnaps);
-    connect(m_path, &QAction::toggled, m_settings, &GizmoSettings::setShowsPath);
-    connect(m_ghosts, &QAction::toggled, m_settings, &GizmoSettings::setShowsGhosts);
-    connect(m_edit, &QAction::triggered, this, &TransformActions::showSettings);
+    // After the menu has closed and given the focus back: the gesture needs it.
+    const auto begin = [view = m_host->viewport()](TransformTool tool) {
+        return [view, tool] {
+            QMetaObject::invokeMethod(
+                view, [view, tool] { view->beginTransform(tool); }, Qt::QueuedConnection);
+        };
+    };
+    m_gestures = m_set->add(
+        this,
+        {{"transform.move", Actions::tr("&Move"), nullptr, Qt::Key_G,
+          Actions::tr("Move with the mouse, or type: X 1.5 Enter"), begin(TransformTool::Move), exists},
+         {"transform.rotate", Actions::tr("&Rotate"), nullptr, Qt::Key_R,
+          Actions::tr("Rotate with the mouse, or type: Y 90 Enter"), begin(TransformTool::Rotate), exists},
+         {"transform.scale", Actions::tr("S&cale"), nullptr, Qt::Key_S,
+          Actions::tr("Scale with the mouse, or type: 2 Enter"), begin(TransformTool::Scale), exists}});
 }
 
-QList<QAction*> TransformActions::toolActions() const
+void TransformActions::addSwitches(const std::function<bool()>& exists)
 {
-    return m_own;
-}
-
-QList<QAction*> TransformActions::viewActions() const
-{
-    return {m_path, m_ghosts};
+    GizmoSettings* s = m_settings;
+    m_set->add(this,
+               {{"tool.snap", Actions::tr("S&nap to steps"), "snap", noKeys,
+                 Actions::tr("Dragged values go in steps; Ctrl while dragging: the other way round"),
+                 [s] { s->setSnaps(!s->snaps()); }, exists, [s] { return s->snaps(); }},
+                {"view.path", Actions::tr("Motion &path"), "path", Qt::SHIFT | Qt::Key_P,
+                 Actions::tr("The way of the selected nodes over all frames, with its keys"),
+                 [s] { s->setShowsPath(!s->showsPath()); }, exists, [s] { return s->showsPath(); }},
+                {"view.ghosts", Actions::tr("G&hosts"), "ghosts", Qt::SHIFT | Qt::Key_O,
+                 Actions::tr("Translucent copies of the selected nodes at frames before and after this one"),
+                 [s] { s->setShowsGhosts(!s->showsGhosts()); }, exists, [s] { return s->showsGhosts(); }},
+                {"tool.settings", Actions::tr("Steps and &ghosts…"), "tool-settings", noKeys,
+                 Actions::tr("What values snap to, how many ghosts there are"), [this] { showSettings(); }}});
 }
 
 void TransformActions::take()
 {
-    const bool any = m_hand->tool() == HandTool::None;
-    for (QAction* action : m_own)
-        action->setChecked(any && action->data().toInt() == int(m_settings->tool()));
-    for (QAction* action : m_spaces->actions())
-        action->setChecked(action->data().toInt() == int(m_settings->space()));
-    m_snap->setChecked(m_settings->snaps());
-    m_path->setChecked(m_settings->showsPath());
-    m_ghosts->setChecked(m_settings->showsGhosts());
+    m_set->update(this);
     if (m_spaceBox)
         m_spaceBox->setCurrentIndex(int(m_settings->space()));
 }
@@ -183,10 +141,8 @@ void TransformActions::fillMenu(QMenu* editMenu)
     menu->addActions(m_gestures);
     menu->addSeparator();
     menu->addActions(m_own);
-    menu->addSeparator();
-    menu->addActions(m_spaces->actions());
-    menu->addSeparator();
-    menu->addActions({m_snap, m_edit});
+    m_set->fill(menu,
+                {nullptr, "tool.local", "tool.parent", "tool.world", nullptr, "tool.snap", "tool.settings"});
 }
 
 void TransformActions::fillToolBar(QToolBar* bar)
@@ -200,7 +156,7 @@ void TransformActions::fillToolBar(QToolBar* bar)
     connect(m_spaceBox, &QComboBox::activated, m_settings,
             [this](int index) { m_settings->setSpace(static_cast<TransformSpace>(index)); });
     bar->addWidget(m_spaceBox);
-    bar->addActions({m_snap, m_edit});
+    m_set->fill(bar, {"tool.snap", "tool.settings"});
     m_spaceBox->setToolTip(tr("Axes along which nodes are moved, turned and scaled"));
     m_spaceBox->setAccessibleName(tr("Axes of the tools"));
     take();

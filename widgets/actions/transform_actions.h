@@ -4,6 +4,7 @@
 #pragma once
 
 #include <QObject>
+#include <functional>
 
 class QAction;
 class QActionGroup;
@@ -31,18 +32,16 @@ public:
     void fillToolBar(QToolBar* bar);
     /// One tool of all is chosen; those that shape trees join it.
     [[nodiscard]] QActionGroup* toolGroup() const { return m_tools; }
-    [[nodiscard]] QList<QAction*> toolActions() const;
-    /// Of the View menu.
-    [[nodiscard]] QList<QAction*> viewActions() const;
+    [[nodiscard]] QList<QAction*> toolActions() const { return m_own; }
     /// Move, rotate, scale with the mouse.
     [[nodiscard]] QList<QAction*> gestures() const { return m_gestures; }
     /// What the gestures move is called so: "tree", "3 nodes".
     void nameTarget(const QString& words);
 
 private:
-    void addTools(ActionSet* set);
-    void addGestures(ActionSet* set);
-    void addSwitches(ActionSet* set);
+    void addTools(const std::function<bool()>& exists);
+    void addGestures(const std::function<bool()>& exists);
+    void addSwitches(const std::function<bool()>& exists);
     void take();
     void showSettings();
 
@@ -54,14 +53,8 @@ private:
     HandSettings* m_hand;
     QActionGroup* m_tools;
     QList<QAction*> m_own; ///< of m_tools
-    QActionGroup* m_spaces;
     QList<QAction*> m_gestures;
-    QAction* m_snap = nullptr;
-    QAction* m_path = nullptr;
-    QAction* m_ghosts = nullptr;
-    QAction* m_edit = nullptr;
     QComboBox* m_spaceBox = nullptr;
-    bool m_taking = false;
 };
 
 } // namespace ramure

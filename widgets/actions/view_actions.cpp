@@ -20,126 +20,92 @@ ViewActions::ViewActions(Document* document, ViewportHost* host, Preferences* pr
     : QObject(parent)
     , m_host(host)
     , m_preferences(preferences)
+    , m_set(set)
     , m_bookmarks(new BookmarkActions(document, host, set, this))
     , m_cameras(new CameraActions(document, host, set, this))
 {
     connect(m_bookmarks, &BookmarkActions::messageRaised, this, &ViewActions::messageRaised);
     connect(m_cameras, &CameraActions::messageRaised, this, &ViewActions::messageRaised);
-    addFraming(set);
-    addAxes(set);
-    addMoves(set);
-    addModes(set);
-    addSwitches(set);
-    addLight(set);
-    addPreferences(set);
-    // Without OpenGL there is nothing to frame and no mode to see.
+    addFraming();
+    addAxes();
+    addMoves();
+    addModes();
+    addSwitches();
+    addLight();
+    addPreferences();
+    set->update(this);
+    // Without OpenGL there is no mode to see.
     if (!host->viewport()) {
-        QList<QAction*> dead = m_axes + m_moves + m_modes->actions() + m_shading->actions() + m_switches;
-        dead += m_qualities->actions() + m_gameWinds->actions() + m_gameWindStrengths->actions();
-        dead += {m_frameAll, m_frameSelection, m_light};
+        const QList<QAction*> dead = m_modes->actions() + m_shading->actions() + m_switches +
+                                     m_qualities->actions() + m_gameWinds->actions() +
+                                     m_gameWindStrengths->actions();
         for (QAction* action : dead)
             action->setEnabled(false);
     }
-    connect(preferences, &Preferences::changed, this, &ViewActions::takePreferences);
-    takePreferences();
+    connect(preferences, &Preferences::changed, this, [this] { m_set->update(this); });
 }
 
-void ViewActions::addFraming(ActionSet* set)
+/// Without OpenGL there is nothing to frame.
+bool ViewActions::hasView() const
 {
-    m_frameAll = set->add({"view.frameAll", QT_TRANSLATE_NOOP("Actions", "Frame &all"), "frame-all",
-                           QKeySequence(Qt::Key_Home),
-                           QT_TRANSLATE_NOOP("Actions", "Frame all that is shown, wherever keys move it to "
-                                                        "on the timeline")});
-    m_frameSelection = set->add({"view.frameSelection", QT_TRANSLATE_NOOP("Actions", "&Frame the selection"),
-                                 "frame-selection", QKeySequence(Qt::Key_F),
-                                 QT_TRANSLATE_NOOP("Actions", "Frame the selected branches or nodes as they "
-                                                              "stand now, or everything where none is "
-                                                              "selected")});
-    if (Viewport* view = m_host->viewport()) {
-        connect(m_frameAll, &QAction::triggered, view, &Viewport::frameAll);
-        connect(m_frameSelection, &QAction::triggered, view, &Viewport::frameSelection);
-    }
+    return m_host->viewport() != nullptr;
 }
 
-void ViewActions::addAxes(ActionSet* set)
+void ViewActions::addFraming()
 {
     Viewport* view = m_host->viewport();
-    struct Side
-    {
-        ActionSpec spec;
-        AxisView view;
-    };
-    const Side axes[] = {
-        {{"view.front", QT_TRANSLATE_NOOP("Actions", "&Front"), nullptr, QKeySequence(Qt::Key_1)},
-         AxisView::Front},
-        {{"view.back", QT_TRANSLATE_NOOP("Actions", "&Back"), nullptr, {}}, AxisView::Back},
-        {{"view.right", QT_TRANSLATE_NOOP("Actions", "&Right"), nullptr, QKeySequence(Qt::Key_3)},
-         AxisView::Right},
-        {{"view.left", QT_TRANSLATE_NOOP("Actions", "&Left"), nullptr, {}}, AxisView::Left},
-        {{"view.top", QT_TRANSLATE_NOOP("Actions", "&Top"), nullptr, QKeySequence(Qt::Key_7)}, AxisView::Top},
-        {{"view.bottom", QT_TRANSLATE_NOOP("Actions", "B&ottom"), nullptr, {}}, AxisView::Bottom},
-    };
-    for (const Side& axis : axes) {
-        QAction* action = set->add(axis.spec);
-        m_axes += action;
-        if (view)
-            connect(action, &QAction::triggered, view, [view, side = axis.view] { view->setAxisView(side); });
-    }
-    QAction* opposite = set->add(
-        {"view.opposite", QT_TRANSLATE_NOOP("Actions", "O&pposite side"), nullptr, QKeySequence(Qt::Key_9),
-         QT_TRANSLATE_NOOP("Actions", "Look from the other side: from the front "
-                                      "becomes from the back, from above from below")});
-    m_axes += opposite;
-    if (view)
-        connect(opposite, &QAction::triggered, view, &Viewport::turnOpposite);
+    const auto exists = [this] { return hasView(); };
+    m_set->add(this,
+               {{"view.frameAll", Actions::tr("Frame &all"), "frame-all", Qt::Key_Home,
+                 Actions::tr("Frame all that is shown, wherever keys move it to on the timeline"),
+                 [view] { view->frameAll(); }, exists},
+                {"view.frameSelection", Actions::tr("&Frame the selection"), "frame-selection", Qt::Key_F,
+                 Actions::tr("Frame the selected branches or nodes as they stand now, or everything where "
+                             "none is selected"),
+                 [view] { view->frameSelection(); }, exists}});
+}
+
+void ViewActions::addAxes()
+{
+    Viewport* view = m_host->viewport();
+    const auto exists = [this] { return hasView(); };
+    const auto from = [view](AxisView side) { return [view, side] { view->setAxisView(side); }; };
+    using enum AxisView;
+    m_axes = m_set->add(
+        this, {{"view.front", Actions::tr("&Front"), nullptr, Qt::Key_1, QString(), from(Front), exists},
+               {"view.back", Actions::tr("&Back"), nullptr, noKeys, QString(), from(Back), exists},
+               {"view.right", Actions::tr("&Right"), nullptr, Qt::Key_3, QString(), from(Right), exists},
+               {"view.left", Actions::tr("&Left"), nullptr, noKeys, QString(), from(Left), exists},
+               {"view.top", Actions::tr("&Top"), nullptr, Qt::Key_7, QString(), from(Top), exists},
+               {"view.bottom", Actions::tr("B&ottom"), nullptr, noKeys, QString(), from(Bottom), exists},
+               {"view.opposite", Actions::tr("O&pposite side"), nullptr, Qt::Key_9,
+                Actions::tr(
+                    "Look from the other side: from the front becomes from the back, from above from below"),
+                [view] { view->turnOpposite(); }, exists}});
 }
 
 /// The keys of Blender's number pad, which are also those above the letters.
-void ViewActions::addMoves(ActionSet* set)
+void ViewActions::addMoves()
 {
-    struct Move
-    {
-        ActionSpec spec;
-        double yaw, pitch, zoom; ///< steps of Viewport
+    Viewport* view = m_host->viewport();
+    const auto exists = [this] { return hasView(); };
+    const auto orbit = [view](double yaw, double pitch) {
+        return [=] { view->orbitBy(yaw * Viewport::orbitStepRad, pitch * Viewport::orbitStepRad); };
     };
-    const Move moves[] = {
-        {{"view.orbitLeft", QT_TRANSLATE_NOOP("Actions", "Orbit &left"), nullptr, QKeySequence(Qt::Key_4)},
-         -1.0,
-         0.0,
-         0.0},
-        {{"view.orbitRight", QT_TRANSLATE_NOOP("Actions", "Orbit &right"), nullptr, QKeySequence(Qt::Key_6)},
-         1.0,
-         0.0,
-         0.0},
-        {{"view.orbitUp", QT_TRANSLATE_NOOP("Actions", "Orbit &up"), nullptr, QKeySequence(Qt::Key_8)},
-         0.0,
-         1.0,
-         0.0},
-        {{"view.orbitDown", QT_TRANSLATE_NOOP("Actions", "Orbit &down"), nullptr, QKeySequence(Qt::Key_2)},
-         0.0,
-         -1.0,
-         0.0},
-        {{"view.zoomIn", QT_TRANSLATE_NOOP("Actions", "Zoom &in"), nullptr, QKeySequence(Qt::Key_Plus)},
-         0.0,
-         0.0,
-         1.0},
-        {{"view.zoomOut", QT_TRANSLATE_NOOP("Actions", "Zoom &out"), nullptr, QKeySequence(Qt::Key_Minus)},
-         0.0,
-         0.0,
-         -1.0},
+    const auto zoom = [view](double steps) {
+        return [=] { view->zoomBy(std::pow(Viewport::zoomStep, -steps)); };
     };
-    for (const Move& move : moves) {
-        QAction* action = set->add(move.spec);
-        m_moves += action;
-        if (Viewport* view = m_host->viewport())
-            connect(action, &QAction::triggered, view,
-                    [view, yaw = move.yaw, pitch = move.pitch, zoom = move.zoom] {
-                        if (zoom != 0.0)
-                            view->zoomBy(std::pow(Viewport::zoomStep, -zoom));
-                        else
-                            view->orbitBy(yaw * Viewport::orbitStepRad, pitch * Viewport::orbitStepRad);
-                    });
-    }
+    m_moves = m_set->add(
+        this,
+        {{"view.orbitLeft", Actions::tr("Orbit &left"), nullptr, Qt::Key_4, QString(), orbit(-1.0, 0.0),
+          exists},
+         {"view.orbitRight", Actions::tr("Orbit &right"), nullptr, Qt::Key_6, QString(), orbit(1.0, 0.0),
+          exists},
+         {"view.orbitUp", Actions::tr("Orbit &up"), nullptr, Qt::Key_8, QString(), orbit(0.0, 1.0), exists},
+         {"view.orbitDown", Actions::tr("Orbit &down"), nullptr, Qt::Key_2, QString(), orbit(0.0, -1.0),
+          exists},
+         {"view.zoomIn", Actions::tr("Zoom &in"), nullptr, Qt::Key_Plus, QString(), zoom(1.0), exists},
+         {"view.zoomOut", Actions::tr("Zoom &out"), nullptr, Qt::Key_Minus, QString(), zoom(-1.0), exists}});
 }
 
 static constexpr ModeRow<WindProfile> gameWinds[] = {
@@ -173,21 +139,24 @@ static QActionGroup* addChoices(ActionSet* set, ViewSettings* settings, std::spa
     int key = Qt::Key_0;
     for (const Row& row : rows) {
         const bool hasKey = hasKeys && ++key <= Qt::Key_9;
-        QAction* action = set->add({row.action, row.text, row.icon,
-                                    hasKey ? QKeySequence(Qt::ALT | Qt::Key(key)) : QKeySequence(), row.tip});
-        action->setCheckable(true);
-        action->setChecked((settings->*get)() == row.mode);
-        group->addAction(action);
-        QObject::connect(action, &QAction::triggered, settings,
-                         [settings, choose, mode = row.mode] { (settings->*choose)(mode); });
-        QObject::connect(settings, changed, action,
-                         [action, mode = row.mode](Mode now) { action->setChecked(now == mode); });
+        group->addAction(
+            set->add(settings, {row.action,
+                                Actions::tr(row.text),
+                                row.icon,
+                                hasKey ? QKeySequence(Qt::ALT | Qt::Key(key)) : QKeySequence(),
+                                row.tip ? Actions::tr(row.tip) : QString(),
+                                [settings, choose, mode = row.mode] { (settings->*choose)(mode); },
+                                {},
+                                [settings, get, mode = row.mode] { return (settings->*get)() == mode; }}));
     }
+    QObject::connect(settings, changed, group, [set, settings] { set->update(settings); });
+    set->update(settings);
     return group;
 }
 
-void ViewActions::addModes(ActionSet* set)
+void ViewActions::addModes()
 {
+    ActionSet* set = m_set;
     m_modes = addChoices(set, m_host->settings(), displayModes(), true, &ViewSettings::displayMode,
                          &ViewSettings::setDisplayMode, &ViewSettings::displayModeChanged);
     m_shading = addChoices(set, m_host->settings(), shadingModes(), false, &ViewSettings::shadingMode,
@@ -203,59 +172,42 @@ void ViewActions::addModes(ActionSet* set)
                    &ViewSettings::gameWindStrengthChanged);
 }
 
-void ViewActions::addSwitches(ActionSet* set)
+void ViewActions::addSwitches()
 {
-    ViewSettings* settings = m_host->settings();
-    const auto add = [&](const ActionSpec& spec, bool on, auto setter, auto signal) {
-        QAction* action = set->add(spec);
-        action->setCheckable(true);
-        action->setChecked(on);
-        connect(action, &QAction::toggled, settings, setter);
-        connect(settings, signal, action, &QAction::setChecked);
-        m_switches += action;
-    };
-    add({"view.leaves", QT_TRANSLATE_NOOP("Actions", "&Leaves"), "leaf", {}}, settings->leavesVisible(),
-        &ViewSettings::setLeavesVisible, &ViewSettings::leavesVisibleChanged);
-    add({"view.apples", QT_TRANSLATE_NOOP("Actions", "F&ruit"), "apple", {}}, settings->applesVisible(),
-        &ViewSettings::setApplesVisible, &ViewSettings::applesVisibleChanged);
-    add({"view.grid", QT_TRANSLATE_NOOP("Actions", "&Grid"), "grid", QKeySequence(Qt::SHIFT | Qt::Key_G)},
-        settings->gridVisible(), &ViewSettings::setGridVisible, &ViewSettings::gridVisibleChanged);
-    add({"view.ground",
-         QT_TRANSLATE_NOOP("Actions", "G&round"),
-         nullptr,
-         {},
-         QT_TRANSLATE_NOOP("Actions", "Without the ground, what lies below it can be seen")},
-        settings->groundVisible(), &ViewSettings::setGroundVisible, &ViewSettings::groundVisibleChanged);
-    add({"view.outline", QT_TRANSLATE_NOOP("Actions", "O&utline of the selection"), nullptr,
-         QKeySequence(Qt::SHIFT | Qt::Key_E),
-         QT_TRANSLATE_NOOP("Actions",
-                           "An orange line around what is selected, seen through leaves and branches "
-                           "for a second after it was selected")},
-        settings->outlineVisible(), &ViewSettings::setOutlineVisible, &ViewSettings::outlineVisibleChanged);
+    ViewSettings* s = m_host->settings();
+    m_switches = m_set->add(
+        s,
+        {{"view.leaves", Actions::tr("&Leaves"), "leaf", noKeys, QString(),
+          [s] { s->setLeavesVisible(!s->leavesVisible()); }, nullptr, [s] { return s->leavesVisible(); }},
+         {"view.apples", Actions::tr("F&ruit"), "apple", noKeys, QString(),
+          [s] { s->setApplesVisible(!s->applesVisible()); }, nullptr, [s] { return s->applesVisible(); }},
+         {"view.grid", Actions::tr("&Grid"), "grid", Qt::SHIFT | Qt::Key_G, QString(),
+          [s] { s->setGridVisible(!s->gridVisible()); }, nullptr, [s] { return s->gridVisible(); }},
+         {"view.ground", Actions::tr("G&round"), nullptr, noKeys,
+          Actions::tr("Without the ground, what lies below it can be seen"),
+          [s] { s->setGroundVisible(!s->groundVisible()); }, nullptr, [s] { return s->groundVisible(); }},
+         {"view.outline", Actions::tr("O&utline of the selection"), nullptr, Qt::SHIFT | Qt::Key_E,
+          Actions::tr("An orange line around what is selected, seen through leaves and branches for a "
+                      "second after it was selected"),
+          [s] { s->setOutlineVisible(!s->outlineVisible()); }, nullptr, [s] { return s->outlineVisible(); }},
+         {"view.crowns", Actions::tr("&Crown to fill"), nullptr, noKeys,
+          Actions::tr("The envelope and the points that a selected tree grows to fill, where it grows by "
+                      "space colonisation"),
+          [s] { s->setCrownsVisible(!s->crownsVisible()); }, nullptr, [s] { return s->crownsVisible(); }},
+         {"view.orthographic", Actions::tr("&Orthographic"), "orthographic", Qt::Key_5, QString(),
+          [s] { s->setOrthographic(!s->orthographic()); }, nullptr, [s] { return s->orthographic(); }}});
+    connect(s, &ViewSettings::changed, this, [this, s] { m_set->update(s); });
     if (Viewport* view = m_host->viewport())
-        view->setOutlineKey(
-            [outline = m_switches.last()] { return outline->shortcut().toString(QKeySequence::NativeText); });
-    add({"view.crowns",
-         QT_TRANSLATE_NOOP("Actions", "&Crown to fill"),
-         nullptr,
-         {},
-         QT_TRANSLATE_NOOP("Actions",
-                           "The envelope and the points that a selected tree grows to fill, where it "
-                           "grows by space colonisation")},
-        settings->crownsVisible(), &ViewSettings::setCrownsVisible, &ViewSettings::crownsVisibleChanged);
-    add({"view.orthographic", QT_TRANSLATE_NOOP("Actions", "&Orthographic"), "orthographic",
-         QKeySequence(Qt::Key_5)},
-        settings->orthographic(), &ViewSettings::setOrthographic, &ViewSettings::orthographicChanged);
+        view->setOutlineKey([outline = m_set->find("view.outline")] {
+            return outline->shortcut().toString(QKeySequence::NativeText);
+        });
 }
 
-void ViewActions::addLight(ActionSet* set)
+void ViewActions::addLight()
 {
-    m_light =
-        set->add({"view.light",
-                  QT_TRANSLATE_NOOP("Actions", "L&ight and backdrop…"),
-                  nullptr,
-                  {},
-                  QT_TRANSLATE_NOOP("Actions", "Where the sun stands, and what lies behind the trees")});
+    m_set->add(this, {"view.light", Actions::tr("L&ight and backdrop…"), nullptr, noKeys,
+                      Actions::tr("Where the sun stands, and what lies behind the trees"),
+                      [this] { showLight(); }, [this] { return hasView(); }});
     ViewSettings* settings = m_host->settings();
     // Light is the document's, quality the machine's: that alone is remembered.
     const QString key = QStringLiteral("quality");
@@ -265,71 +217,77 @@ void ViewActions::addLight(ActionSet* set)
     connect(settings, &ViewSettings::qualityChanged, this, [this, key](Quality chosen) {
         m_preferences->setViewLight({{key, static_cast<int>(chosen)}});
     });
-    connect(m_light, &QAction::triggered, this, [this, settings] {
-        QWidget* window = m_host->window();
-        auto* dialog = window->findChild<LightDialog*>();
-        if (!dialog) {
-            dialog = new LightDialog(settings, window);
-            dialog->setAttribute(Qt::WA_DeleteOnClose);
-        }
-        dialog->show();
-        dialog->raise();
-        dialog->activateWindow();
-    });
 }
 
-void ViewActions::addPreferences(ActionSet* set)
+void ViewActions::showLight()
 {
-    m_themes = new QActionGroup(this);
-    m_units = new QActionGroup(this);
-    m_languages = new QActionGroup(this);
-    const auto add = [&](QActionGroup* group, const ActionSpec& spec, const QVariant& value) {
-        QAction* action = set->add(spec);
-        action->setCheckable(true);
-        action->setData(value);
-        group->addAction(action);
-    };
-    add(m_themes, {"view.theme.system", QT_TRANSLATE_NOOP("Actions", "As the &system"), nullptr, {}},
-        static_cast<int>(ThemeChoice::System));
-    add(m_themes, {"view.theme.light", QT_TRANSLATE_NOOP("Actions", "&Light"), nullptr, {}},
-        static_cast<int>(ThemeChoice::Light));
-    add(m_themes, {"view.theme.dark", QT_TRANSLATE_NOOP("Actions", "&Dark"), nullptr, {}},
-        static_cast<int>(ThemeChoice::Dark));
-    add(m_units, {"view.degrees", QT_TRANSLATE_NOOP("Actions", "&Degrees"), nullptr, {}},
-        static_cast<int>(AngleUnit::Degrees));
-    add(m_units, {"view.radians", QT_TRANSLATE_NOOP("Actions", "&Radians"), nullptr, {}},
-        static_cast<int>(AngleUnit::Radians));
-    add(m_languages, {"view.language.system", QT_TRANSLATE_NOOP("Actions", "As the &system"), nullptr, {}},
-        QString());
-    connect(m_themes, &QActionGroup::triggered, this, [this](QAction* action) {
-        m_preferences->setTheme(static_cast<ThemeChoice>(action->data().toInt()));
-    });
-    connect(m_units, &QActionGroup::triggered, this, [this](QAction* action) {
-        m_preferences->setAngleUnit(static_cast<AngleUnit>(action->data().toInt()));
-    });
-    // Languages are called by their own names in every language.
-    for (const auto& [code, name] : Language::available()) {
-        auto* action = new QAction(name, this);
-        action->setObjectName(QStringLiteral("view.language.") + code);
-        action->setCheckable(true);
-        action->setData(code);
-        m_languages->addAction(action);
+    QWidget* window = m_host->window();
+    auto* dialog = window->findChild<LightDialog*>();
+    if (!dialog) {
+        dialog = new LightDialog(m_host->settings(), window);
+        dialog->setAttribute(Qt::WA_DeleteOnClose);
     }
-    connect(m_languages, &QActionGroup::triggered, this, [this](QAction* action) {
-        m_preferences->setLanguage(action->data().toString());
-        emit messageRaised(tr("The language changes when Ramure is started again."));
-    });
+    dialog->show();
+    dialog->raise();
+    dialog->activateWindow();
 }
 
-void ViewActions::takePreferences()
+void ViewActions::addPreferences()
 {
-    const auto check = [](QActionGroup* group, const QVariant& value) {
-        for (QAction* action : group->actions())
-            action->setChecked(action->data() == value);
+    Preferences* p = m_preferences;
+    const auto theme = [this, p](const char* id, const QString& text, ThemeChoice choice) {
+        return m_set->add(this, {id,
+                                 text,
+                                 nullptr,
+                                 {},
+                                 {},
+                                 [=] { p->setTheme(choice); },
+                                 {},
+                                 [=] { return p->theme() == choice; }});
     };
-    check(m_themes, static_cast<int>(m_preferences->theme()));
-    check(m_units, static_cast<int>(m_preferences->angleUnit()));
-    check(m_languages, m_preferences->language());
+    const auto unit = [this, p](const char* id, const QString& text, AngleUnit choice) {
+        return m_set->add(this, {id,
+                                 text,
+                                 nullptr,
+                                 {},
+                                 {},
+                                 [=] { p->setAngleUnit(choice); },
+                                 {},
+                                 [=] { return p->angleUnit() == choice; }});
+    };
+    const auto language = [this, p](const QByteArray& id, const QString& text, const QString& code) {
+        return m_set->add(this,
+                          {id,
+                           text,
+                           nullptr,
+                           {},
+                           {},
+                           [=, this] {
+                               p->setLanguage(code);
+                               emit messageRaised(tr("The language changes when Ramure is started again."));
+                           },
+                           {},
+                           [=] { return p->language() == code; }});
+    };
+    m_themes = group({theme("view.theme.system", Actions::tr("As the &system"), ThemeChoice::System),
+                      theme("view.theme.light", Actions::tr("&Light"), ThemeChoice::Light),
+                      theme("view.theme.dark", Actions::tr("&Dark"), ThemeChoice::Dark)});
+    m_units = group({unit("view.degrees", Actions::tr("&Degrees"), AngleUnit::Degrees),
+                     unit("view.radians", Actions::tr("&Radians"), AngleUnit::Radians)});
+    QList<QAction*> languages{language("view.language.system", Actions::tr("As the &system"), {})};
+    // Languages are called by their own names in every language.
+    for (const auto& [code, name] : Language::available())
+        languages += language("view.language." + code.toLatin1(), name, code);
+    m_languages = group(languages);
+}
+
+/// One of \p actions is chosen.
+QActionGroup* ViewActions::group(const QList<QAction*>& actions)
+{
+    auto* made = new QActionGroup(this);
+    for (QAction* action : actions)
+        made->addAction(action);
+    return made;
 }
 
 QList<QAction*> ViewActions::modeActions() const
@@ -337,9 +295,9 @@ QList<QAction*> ViewActions::modeActions() const
     return m_modes->actions();
 }
 
-void ViewActions::fillMenu(QMenu* menu, const QList<QAction*>& panels, QAction* resetLayout)
+void ViewActions::fillMenu(QMenu* menu, const QList<QAction*>& panels)
 {
-    menu->addActions({m_frameAll, m_frameSelection});
+    m_set->fill(menu, {"view.frameAll", "view.frameSelection"});
     menu->addMenu(tr("&View from"))->addActions(m_axes);
     menu->addMenu(tr("M&ove the view"))->addActions(m_moves);
     m_bookmarks->fillMenu(menu);
@@ -352,17 +310,15 @@ void ViewActions::fillMenu(QMenu* menu, const QList<QAction*>& panels, QAction* 
     menu->addActions(m_qualities->actions());
     menu->addSeparator();
     menu->addActions(m_switches);
-    menu->addActions(m_trail);
+    m_set->fill(menu, {"view.path", "view.ghosts"});
     QMenu* gameWind = menu->addMenu(tr("Wind of a ga&me"));
     gameWind->addActions(m_gameWinds->actions());
     gameWind->addSeparator();
     gameWind->addActions(m_gameWindStrengths->actions());
-    menu->addAction(m_light);
-    menu->addSeparator();
+    m_set->fill(menu, {"view.light", nullptr});
     QMenu* panelMenu = menu->addMenu(tr("Pa&nels"));
     panelMenu->addActions(panels);
-    panelMenu->addSeparator();
-    panelMenu->addAction(resetLayout);
+    m_set->fill(panelMenu, {nullptr, "view.resetLayout"});
     menu->addMenu(tr("&Theme"))->addActions(m_themes->actions());
     menu->addMenu(tr("&Angles in"))->addActions(m_units->actions());
     menu->addMenu(tr("&Language"))->addActions(m_languages->actions());

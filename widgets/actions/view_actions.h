@@ -27,36 +27,32 @@ public:
                 QObject* parent);
 
     /// \param panels actions that show and hide the docks.
-    void fillMenu(QMenu* menu, const QList<QAction*>& panels, QAction* resetLayout);
+    void fillMenu(QMenu* menu, const QList<QAction*>& panels);
     [[nodiscard]] QList<QAction*> modeActions() const;
     /// Leaves, apples, grid, ground, orthographic.
     [[nodiscard]] QList<QAction*> switchActions() const { return m_switches; }
-    [[nodiscard]] QAction* frameAllAction() const { return m_frameAll; }
-    [[nodiscard]] QAction* frameSelectionAction() const { return m_frameSelection; }
-    /// The path and the ghosts of moving nodes: below the other switches. Before fillMenu.
-    void setTrailActions(const QList<QAction*>& actions) { m_trail = actions; }
 
 signals:
     /// What an action did, or why it did nothing.
     void messageRaised(const QString& text);
 
 private:
-    void addFraming(ActionSet* set);
-    void addAxes(ActionSet* set);
-    void addMoves(ActionSet* set);
-    void addModes(ActionSet* set);
-    void addSwitches(ActionSet* set);
-    void addLight(ActionSet* set);
-    void addPreferences(ActionSet* set);
-    void takePreferences();
+    void addFraming();
+    void addAxes();
+    void addMoves();
+    void addModes();
+    void addSwitches();
+    void addLight();
+    void addPreferences();
+    void showLight();
+    [[nodiscard]] bool hasView() const;
+    QActionGroup* group(const QList<QAction*>& actions);
 
     ViewportHost* m_host;
     Preferences* m_preferences;
+    ActionSet* m_set;
     BookmarkActions* m_bookmarks;
     CameraActions* m_cameras;
-    QAction* m_frameAll = nullptr;
-    QAction* m_frameSelection = nullptr;
-    QAction* m_light = nullptr;
     QList<QAction*> m_axes;
     QList<QAction*> m_moves;
     QActionGroup* m_modes = nullptr;
@@ -68,7 +64,6 @@ private:
     QActionGroup* m_units = nullptr;
     QActionGroup* m_languages = nullptr;
     QList<QAction*> m_switches;
-    QList<QAction*> m_trail;
 };
 
 } // namespace ramure

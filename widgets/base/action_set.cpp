@@ -1,8 +1,8 @@
 #include "widgets/base/action_set.h"
 
 #include "widgets/base/theme/icons.h"
-#include <QCoreApplication>
 #include <QRegularExpression>
+#include <QWidget>
 #include <algorithm>
 
 namespace ramure {
@@ -12,65 +12,95 @@ ActionSet::ActionSet(QObject* parent)
 {
 }
 
-QAction* ActionSet::add(const ActionSpec& spec)
+QAction* ActionSet::add(QObject* owner, const ActionRow& row)
 {
     auto* action = new QAction(this);
-    action->setObjectName(QString::fromLatin1(spec.id));
-    action->setShortcut(spec.shortcut);
-    if (spec.icon)
-        action->setIcon(icon(spec.icon));
-    m_entries.push_back({spec, action});
-    setTexts(m_entries.back());
+    action->setObjectName(QLatin1String(row.id));
+    action->setShortcut(row.keys);
+    action->setCheckable(row.isOn != nullptr);
+    if (row.icon)
+        action->setIcon(icon(row.icon));
+    if (row.run)
+        connect(action, &QAction::triggered, owner, [this, owner, run = row.run, isOn = row.isOn] {
+            run();
+            if (isOn)
+                update(owner); // a click has changed the mark, whatever came of it
+        });
+    m_entries.push_back({row, action, owner});
+    showTexts(m_entries.back());
     return action;
+}
+
+QList<QAction*> ActionSet::add(QObject* owner, std::initializer_list<ActionRow> rows)
+{
+    QList<QAction*> added;
+    for (const ActionRow& row : rows)
+        added += add(owner, row);
+    return added;
 }
 
 void ActionSet::adopt(QAction* action)
 {
     if (action->objectName().isEmpty() || find(action->objectName()))
         return;
-    m_entries.push_back({{nullptr, nullptr, nullptr, action->shortcut()}, action});
+    m_entries.push_back({{{}, {}, nullptr, action->shortcut()}, action});
+}
+
+void ActionSet::update(const QObject* owner)
+{
+    for (const Entry& entry : m_entries) {
+        if (entry.owner != owner)
+            continue;
+        if (entry.row.isEnabled)
+            entry.action->setEnabled(entry.row.isEnabled());
+        if (entry.row.isOn)
+            entry.action->setChecked(entry.row.isOn());
+    }
 }
 
 QKeySequence ActionSet::defaultShortcut(const QAction* action) const
 {
-    const auto found =
-        std::ranges::find_if(m_entries, [action](const Entry& entry) { return entry.action == action; });
-    return found == m_entries.end() ? QKeySequence() : found->spec.shortcut;
+    const auto found = std::ranges::find(m_entries, action, &Entry::action);
+    return found == m_entries.end() ? QKeySequence() : found->row.keys;
 }
 
 void ActionSet::setShortcuts(const QMap<QString, QKeySequence>& changed)
 {
     for (const Entry& entry : m_entries) {
-        entry.action->setShortcut(changed.value(entry.action->objectName(), entry.spec.shortcut));
-        setTexts(entry);
+        entry.action->setShortcut(changed.value(entry.action->objectName(), entry.row.keys));
+        showTexts(entry);
     }
 }
 
 void ActionSet::setTip(QAction* action, const QString& tip)
 {
-    const auto found =
-        std::ranges::find_if(m_entries, [action](const Entry& entry) { return entry.action == action; });
-    if (found == m_entries.end() || found->tip == tip)
-        return;
-    found->tip = tip;
-    setTexts(*found);
+    if (Entry* entry = entryOf(action); entry && entry->tip != tip) {
+        entry->tip = tip;
+        showTexts(*entry);
+    }
 }
 
 void ActionSet::setText(QAction* action, const QString& text)
 {
-    const auto found =
-        std::ranges::find_if(m_entries, [action](const Entry& entry) { return entry.action == action; });
-    if (found == m_entries.end() || found->text == text)
-        return;
-    found->text = text;
-    setTexts(*found);
+    if (Entry* entry = entryOf(action); entry && entry->text != text) {
+        entry->text = text;
+        showTexts(*entry);
+    }
 }
 
 QAction* ActionSet::find(const QString& id) const
 {
     const auto found =
-        std::ranges::find_if(m_entries, [&](const Entry& entry) { return entry.action->objectName() == id; });
+        std::ranges::find(m_entries, id, [](const Entry& entry) { return entry.action->objectName(); });
     return found == m_entries.end() ? nullptr : found->action;
+}
+
+QList<QAction*> ActionSet::find(std::initializer_list<const char*> ids) const
+{
+    QList<QAction*> found;
+    for (const char* id : ids)
+        found += find(id);
+    return found;
 }
 
 QList<QAction*> ActionSet::actions() const
@@ -81,21 +111,35 @@ QList<QAction*> ActionSet::actions() const
     return all;
 }
 
-void ActionSet::setTexts(const Entry& entry)
+void ActionSet::fill(QWidget* menu, std::initializer_list<const char*> ids) const
 {
-    if (!entry.spec.text)
+    for (const char* id : ids)
+        if (id) {
+            menu->addAction(find(id));
+        } else {
+            auto* separator = new QAction(menu);
+            separator->setSeparator(true);
+            menu->addAction(separator);
+        }
+}
+
+ActionSet::Entry* ActionSet::entryOf(const QAction* action)
+{
+    const auto found = std::ranges::find(m_entries, action, &Entry::action);
+    return found == m_entries.end() ? nullptr : &*found;
+}
+
+void ActionSet::showTexts(const Entry& entry)
+{
+    if (entry.row.id.isEmpty())
         return; // its maker names it
-    const auto text = [&entry](const char* english) {
-        return QCoreApplication::translate(entry.spec.context, english);
-    };
-    const QString shown = entry.text.isEmpty() ? text(entry.spec.text) : entry.text;
-    entry.action->setText(shown);
-    QString name = shown;
+    QString name = entry.text.isEmpty() ? entry.row.text : entry.text;
+    entry.action->setText(name);
     static const QRegularExpression mnemonic(QStringLiteral("&(.)"));
     name.replace(mnemonic, QStringLiteral("\\1")).remove(QStringLiteral("…"));
     if (const QKeySequence keys = entry.action->shortcut(); !keys.isEmpty())
         name += QStringLiteral(" (%1)").arg(keys.toString(QKeySequence::NativeText));
-    const QString tip = !entry.tip.isEmpty() ? entry.tip : entry.spec.tip ? text(entry.spec.tip) : QString();
+    const QString& tip = entry.tip.isEmpty() ? entry.row.tip : entry.tip;
     entry.action->setStatusTip(tip);
     // A button with an icon alone says what it is called before it says what that does.
     entry.action->setToolTip(tip.isEmpty() ? name : name + u'\n' + tip);

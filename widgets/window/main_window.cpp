@@ -127,7 +127,7 @@ void MainWindow::connectPanels()
     connect(m_billboards, &BillboardActions::exported, this, &MainWindow::tellExported);
     connect(m_welcome, &WelcomePanel::closed, this, [this] { m_host->setFocus(); });
     connect(m_scene, &ScenePanel::messageRaised, this, say);
-    connect(m_scene, &ScenePanel::frameRequested, m_views->frameSelectionAction(), &QAction::trigger);
+    connect(m_scene, &ScenePanel::frameRequested, m_actions->find("view.frameSelection"), &QAction::trigger);
     connect(m_selects, &SelectActions::messageRaised, this, say);
     connect(m_edits, &EditActions::messageRaised, this, say);
     connect(m_hands, &HandActions::messageRaised, this, say);
@@ -213,13 +213,14 @@ void MainWindow::connectViewport(Viewport* view)
 void MainWindow::showViewMenu(const QPoint& at, NodeId node, Index branch)
 {
     ViewMenuActions actions;
-    actions.branches = QList{m_inspect, m_roll, m_edits->straightenAction()} + m_hands->branchActions();
+    actions.branches =
+        m_actions->find({"inspect.show", "inspect.roll", "edit.straighten"}) + m_hands->branchActions();
     actions.gestures = m_transforms->gestures();
     actions.nodes = m_edits->nodeActions();
     actions.steps = m_selects->stepActions();
-    actions.isolation = m_selects->isolationActions();
-    actions.frameSelection = m_views->frameSelectionAction();
-    actions.view = QList{m_views->frameAllAction()} + m_pictures->selectionActions();
+    actions.isolation = m_actions->find({"select.isolate", "select.showAll"});
+    actions.frameSelection = m_actions->find("view.frameSelection");
+    actions.view = m_actions->find({"view.frameAll"}) + m_pictures->selectionActions();
     actions.add = m_edits->addMenu();
     actions.modes = m_views->modeActions();
     actions.switches = m_views->switchActions();
@@ -237,7 +238,7 @@ void MainWindow::follow(const Change& change)
 {
     if (change.has(changeSelection | changeReset)) {
         const bool branch = m_document->selection().activeBranch != noIndex;
-        for (QAction* action : branchActions())
+        for (QAction* action : m_branchActions)
             action->setEnabled(branch);
     }
     if (change.has(changeFile | changeReset))

@@ -141,10 +141,6 @@ private:
     void buildActions();
     void buildManyTrees();
     void buildBranchActions();
-    [[nodiscard]] QList<QAction*> branchActions() const
-    {
-        return {m_inspect, m_nextSection, m_previousSection, m_roll};
-    }
     void buildMenus();
     void buildToolBar();
     void buildHandBar(QVBoxLayout* column);
@@ -202,13 +198,7 @@ private:
     ProgramActions* m_program = nullptr;
     HelpActions* m_help = nullptr;
     WelcomePanel* m_welcome = nullptr;
-    QAction* m_resetLayout = nullptr;
-    QAction* m_search = nullptr;
-    QAction* m_inspect = nullptr;
-    QAction* m_nextSection = nullptr;
-    QAction* m_previousSection = nullptr;
-    QAction* m_roll = nullptr;
-    QAction* m_separate = nullptr;
+    QList<QAction*> m_branchActions;
     QToolBar* m_toolBar = nullptr;
     ToolStrip* m_strip = nullptr; ///< over the view
     ArmPanel* m_arm = nullptr;

@@ -226,15 +226,17 @@ void MainWindow::buildActions()
     connect(m_views, &ViewActions::messageRaised, this,
             [this](const QString& text) { statusBar()->showMessage(text, messageMs); });
     m_transforms = new TransformActions(m_host, m_preferences, m_actions, this);
-    m_views->setTrailActions(m_transforms->viewActions());
     m_hands = new HandActions(m_document, m_host, m_transforms->toolGroup(), m_actions, this);
-    m_search = m_actions->add(
-        {"view.search", QT_TRANSLATE_NOOP("Actions", "Find a &parameter"), "search", QKeySequence::Find});
-    m_separate = m_actions->add(
-        {"edit.separate", QT_TRANSLATE_NOOP("Actions", "Move colliding branches a&part…"), nullptr, {}});
-    connect(m_separate, &QAction::triggered, this, [this] { showSeparateDialog(); });
-    m_resetLayout =
-        m_actions->add({"view.resetLayout", QT_TRANSLATE_NOOP("Actions", "Reset the &layout"), nullptr, {}});
+    m_actions->add(this,
+                   {{"view.search", Actions::tr("Find a &parameter"), "search", QKeySequence::Find, QString(),
+                     [this] {
+                         showPanel(m_properties);
+                         m_properties->focusSearch();
+                     }},
+                    {"edit.separate", Actions::tr("Move colliding branches a&part…"), nullptr, noKeys,
+                     QString(), [this] { showSeparateDialog(); }},
+                    {"view.resetLayout", Actions::tr("Reset the &layout"), nullptr, noKeys, QString(),
+                     [this] { resetLayout(); }}});
     buildBranchActions();
     m_imports = new ImportActions(m_document, m_preferences, m_chooser, m_actions, this);
     m_files->setImports(m_imports);
@@ -248,12 +250,7 @@ void MainWindow::buildActions()
     m_program = new ProgramActions(m_actions, m_preferences, m_host->settings(), this);
     m_help = new HelpActions(m_actions, m_document, m_preferences, this);
     m_welcome = new WelcomePanel(m_files, m_actions, m_preferences, this);
-    connect(m_search, &QAction::triggered, this, [this] {
-        showPanel(m_properties);
-        m_properties->focusSearch();
-    });
-    connect(m_resetLayout, &QAction::triggered, this, &MainWindow::resetLayout);
-    connect(m_program->welcomeAction(), &QAction::triggered, this, &MainWindow::showWelcome);
+    connect(m_actions->find("file.welcome"), &QAction::triggered, this, &MainWindow::showWelcome);
     connect(m_files, &FileActions::succeeded, m_banner, &QWidget::hide);
     connect(m_files, &FileActions::exportRequested, this, &MainWindow::showExportDialog);
     connect(m_files, &FileActions::exportAgainRequested, this, &MainWindow::repeatExport);
@@ -298,62 +295,49 @@ void MainWindow::buildManyTrees()
 /// What the inspector does by keys; it comes to the front for it.
 void MainWindow::buildBranchActions()
 {
-    m_inspect = m_actions->add({"inspect.show",
-                                QT_TRANSLATE_NOOP("Actions", "&Inspect the branch"),
-                                nullptr,
-                                {},
-                                QT_TRANSLATE_NOOP("Actions", "Show the facts and sections of the branch")});
-    m_nextSection =
-        m_actions->add({"inspect.nextSection", QT_TRANSLATE_NOOP("Actions", "Ne&xt section"), nullptr,
-                        QKeySequence(Qt::CTRL | Qt::Key_Right),
-                        QT_TRANSLATE_NOOP("Actions", "Inspect the next cross-section of the branch")});
-    m_previousSection =
-        m_actions->add({"inspect.previousSection", QT_TRANSLATE_NOOP("Actions", "P&revious section"), nullptr,
-                        QKeySequence(Qt::CTRL | Qt::Key_Left),
-                        QT_TRANSLATE_NOOP("Actions", "Inspect the cross-section before this one")});
-    m_roll = m_actions->add({"inspect.roll", QT_TRANSLATE_NOOP("Actions", "Roll by h&and"), nullptr,
-                             QKeySequence(Qt::SHIFT | Qt::Key_R),
-                             QT_TRANSLATE_NOOP("Actions", "Turn the frames of the selected branches")});
-    connect(m_inspect, &QAction::triggered, this, &MainWindow::showInspector);
-    m_inspect->setEnabled(false);
-    const std::pair<QAction*, void (BranchInspector::*)()> steps[] = {
-        {m_nextSection, &BranchInspector::nextSection},
-        {m_previousSection, &BranchInspector::previousSection},
-        {m_roll, &BranchInspector::focusRoll},
-    };
-    for (const auto& [action, step] : steps) {
-        action->setEnabled(false);
-        connect(action, &QAction::triggered, this, [this, then = step] {
+    const auto step = [this](void (BranchInspector::*then)()) {
+        return [this, then] {
             showInspector();
             (m_inspector->*then)();
-        });
-    }
+        };
+    };
+    m_branchActions = m_actions->add(
+        this,
+        {{"inspect.show", Actions::tr("&Inspect the branch"), nullptr, noKeys,
+          Actions::tr("Show the facts and sections of the branch"), [this] { showInspector(); }},
+         {"inspect.nextSection", Actions::tr("Ne&xt section"), nullptr, Qt::CTRL | Qt::Key_Right,
+          Actions::tr("Inspect the next cross-section of the branch"), step(&BranchInspector::nextSection)},
+         {"inspect.previousSection", Actions::tr("P&revious section"), nullptr, Qt::CTRL | Qt::Key_Left,
+          Actions::tr("Inspect the cross-section before this one"), step(&BranchInspector::previousSection)},
+         {"inspect.roll", Actions::tr("Roll by h&and"), nullptr, Qt::SHIFT | Qt::Key_R,
+          Actions::tr("Turn the frames of the selected branches"), step(&BranchInspector::focusRoll)}});
+    for (QAction* action : m_branchActions)
+        action->setEnabled(false);
 }
 
 void MainWindow::buildMenus()
 {
     QMenu* file = menuBar()->addMenu(tr("&File"));
-    m_files->fillMenu(file, m_program->welcomeAction(),
-                      QList{m_billboards->action()} + m_pictures->pictureActions(), m_imports->actions());
+    m_files->fillNewMenus(file);
+    m_actions->fill(file, {"file.welcome", nullptr, "file.save", "file.saveAs", "file.packPictures", nullptr,
+                           "file.import", "file.importFolder", "file.export", "file.exportAgain",
+                           "file.billboard", "view.savePicture", "view.copyPicture", nullptr, "file.quit"});
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
     m_edits->fillMenu(edit);
     edit->addSeparator();
     m_transforms->fillMenu(edit);
     m_hands->fillMenu(edit);
-    edit->addAction(m_separate);
-    edit->addAction(m_search);
-    edit->addSeparator();
-    edit->addAction(m_program->preferencesAction());
+    m_actions->fill(edit, {"edit.separate", "view.search", nullptr, "edit.preferences"});
     QMenu* select = menuBar()->addMenu(tr("&Select"));
     select->addActions(m_pictures->selectionActions());
     m_selects->fillMenu(select);
     select->addSeparator();
-    select->addActions(branchActions());
+    select->addActions(m_branchActions);
     QMenu* view = menuBar()->addMenu(tr("&View"));
     QList<QAction*> shownPanels;
     for (const QDockWidget* dock : m_docks)
         shownPanels += dock->toggleViewAction();
-    m_views->fillMenu(view, shownPanels, m_resetLayout);
+    m_views->fillMenu(view, shownPanels);
     QMenu* play = menuBar()->addMenu(tr("&Play"));
     m_plays->fillMenu(play);
     play->addSeparator();
@@ -361,9 +345,8 @@ void MainWindow::buildMenus()
     QMenu* keys = menuBar()->addMenu(tr("&Keys"));
     m_keyActions->fillMenu(keys);
     QMenu* help = menuBar()->addMenu(tr("He&lp"));
-    help->addActions(m_help->actions());
-    help->addSeparator();
-    help->addActions(m_program->helpActions());
+    m_actions->fill(help,
+                    {"help.find", "help.handbook", "help.tour", nullptr, "help.shortcuts", "help.about"});
     const QList<QMenu*> menus{file, edit, select, view, play, keys, help};
     m_program->setMenus(menus);
     m_help->setMenus(menus);
@@ -376,16 +359,11 @@ void MainWindow::buildToolBar()
     m_toolBar->setObjectName(QStringLiteral("mainToolBar"));
     m_toolBar->setMovable(false);
     m_toolBar->setIconSize({18, 18});
-    m_toolBar->addActions({m_files->openAction(), m_files->saveAction(), m_files->exportAction()});
-    m_toolBar->addSeparator();
-    m_toolBar->addActions({m_edits->undoAction(), m_edits->redoAction()});
-    m_toolBar->addSeparator();
-    m_toolBar->addAction(m_edits->newTreeAction());
-    m_toolBar->addSeparator();
+    m_actions->fill(m_toolBar, {"file.open", "file.save", "file.export", nullptr, "edit.undo", "edit.redo",
+                                nullptr, "edit.newTree", nullptr});
     m_toolBar->addActions(m_views->modeActions());
-    m_toolBar->addSeparator();
-    m_toolBar->addActions({m_views->frameAllAction(), m_views->frameSelectionAction()});
-    auto* newTree = qobject_cast<QToolButton*>(m_toolBar->widgetForAction(m_edits->newTreeAction()));
+    m_actions->fill(m_toolBar, {nullptr, "view.frameAll", "view.frameSelection"});
+    auto* newTree = qobject_cast<QToolButton*>(m_toolBar->widgetForAction(m_actions->find("edit.newTree")));
     newTree->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
 }
 

@@ -318,7 +318,7 @@ private slots:
     void recentFilesAreListedAndOpen()
     {
         QMenu menu;
-        m_files->fillMenu(&menu);
+        m_files->fillNewMenus(&menu);
         for (const char* name : {"a.ramure", "b.ramure"}) {
             m_chooser->answer = path(name);
             QVERIFY(m_files->saveAs());

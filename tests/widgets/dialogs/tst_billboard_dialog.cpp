@@ -110,9 +110,9 @@ private slots:
         ViewportHost host(&document);
         const BillboardActions billboards(&document, &host, &preferences, &chooser, &set, nullptr);
         QVERIFY(!host.viewport());
-        QVERIFY(!billboards.action()->isEnabled());
-        QVERIFY2(billboards.action()->toolTip().contains("OpenGL"),
-                 qPrintable(billboards.action()->toolTip()));
+        QVERIFY(!set.find("file.billboard")->isEnabled());
+        QVERIFY2(set.find("file.billboard")->toolTip().contains("OpenGL"),
+                 qPrintable(set.find("file.billboard")->toolTip()));
     }
 };
 

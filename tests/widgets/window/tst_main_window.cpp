@@ -264,22 +264,22 @@ private slots:
     void newTreeIsOffWhereNothingCanVary()
     {
         QVERIFY(m_window->files()->newFromPreset(QStringLiteral("Fern2D")));
-        const QAction* action = m_window->edits()->newTreeAction();
-        QVERIFY(action->isEnabled());
-        const QString usual = action->toolTip();
+        const QAction* newTree = action("edit.newTree");
+        QVERIFY(newTree->isEnabled());
+        const QString usual = newTree->toolTip();
         for (const char* key : {"variation.angle", "variation.length", "variation.radius"}) {
-            QVERIFY(action->isEnabled());
+            QVERIFY(newTree->isEnabled());
             QVERIFY(edit::setParam(*m_document, {1}, *findParam(key), 0.0));
         }
-        QVERIFY(!action->isEnabled());
-        QVERIFY(action->toolTip().contains(QStringLiteral("nothing can vary")));
+        QVERIFY(!newTree->isEnabled());
+        QVERIFY(newTree->toolTip().contains(QStringLiteral("nothing can vary")));
         const int steps = m_document->undoStack()->count();
         m_window->setFocus();
         QTest::keyClick(m_window.get(), Qt::Key_Space);
         QCOMPARE(m_document->undoStack()->count(), steps);
         m_document->undo();
-        QVERIFY(action->isEnabled());
-        QCOMPARE(action->toolTip(), usual);
+        QVERIFY(newTree->isEnabled());
+        QCOMPARE(newTree->toolTip(), usual);
     }
 
     void spaceStillTicksBoxesAndTypes()

@@ -28,175 +28,90 @@ QMenu* freshMenu(QWidget* parent, std::function<void(QMenu*)> fill)
 KeyActions::KeyActions(KeyCommands* commands, ActionSet* set, QObject* parent)
     : QObject(parent)
     , m_commands(commands)
-    , m_insert(set->add(
-          {"keys.insert", QT_TRANSLATE_NOOP("Actions", "&Insert key"), "key-insert", QKeySequence(Qt::Key_I),
-           QT_TRANSLATE_NOOP("Actions", "Keys of position, rotation and scale of the selected nodes, at the "
-                                        "frame on show")}))
-    , m_removeHere(set->add(
-          {"keys.removeHere", QT_TRANSLATE_NOOP("Actions", "&Remove key here"), nullptr,
-           QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_I),
-           QT_TRANSLATE_NOOP("Actions", "Take out all keys that the selected nodes have at this frame")}))
-    , m_auto(set->add(
-          {"keys.auto",
-           QT_TRANSLATE_NOOP("Actions", "Auto-ke&y"),
-           "key-auto",
-           {},
-           QT_TRANSLATE_NOOP("Actions", "Parameters without keys get one, too, where they are changed")}))
-    , m_previous(set->add({"keys.previous", QT_TRANSLATE_NOOP("Actions", "Pre&vious key"), "key-previous",
-                           QKeySequence(Qt::ALT | Qt::Key_Comma),
-                           QT_TRANSLATE_NOOP("Actions", "Go to the key before this frame")}))
-    , m_next(set->add({"keys.next", QT_TRANSLATE_NOOP("Actions", "&Next key"), "key-next",
-                       QKeySequence(Qt::ALT | Qt::Key_Period),
-                       QT_TRANSLATE_NOOP("Actions", "Go to the key behind this frame")}))
+    , m_set(set)
 {
-    m_auto->setCheckable(true);
     KeyCommands* c = commands;
-    connect(m_insert, &QAction::triggered, this, [c] { c->insert(KeyParts::Transform); });
-    connect(m_removeHere, &QAction::triggered, c, &KeyCommands::removeAtPlayhead);
-    connect(m_previous, &QAction::triggered, this, [c] { c->seekKey(false); });
-    connect(m_next, &QAction::triggered, this, [c] { c->seekKey(true); });
-
-    addInserts(set);
-    addCopies(set);
-    addEdits(set);
-    addSelects(set);
+    set->add(this,
+             {{"keys.insert", Actions::tr("&Insert key"), "key-insert", Qt::Key_I,
+               Actions::tr("Keys of position, rotation and scale of the selected nodes, at the frame "
+                           "on show"),
+               [c] { c->insert(KeyParts::Transform); }},
+              {"keys.removeHere", Actions::tr("&Remove key here"), nullptr, Qt::CTRL | Qt::SHIFT | Qt::Key_I,
+               Actions::tr("Take out all keys that the selected nodes have at this frame"),
+               [c] { c->removeAtPlayhead(); }},
+              {"keys.auto", Actions::tr("Auto-ke&y"), "key-auto", noKeys,
+               Actions::tr("Parameters without keys get one, too, where they are changed")},
+              {"keys.previous", Actions::tr("Pre&vious key"), "key-previous", Qt::ALT | Qt::Key_Comma,
+               Actions::tr("Go to the key before this frame"), [c] { c->seekKey(false); }},
+              {"keys.next", Actions::tr("&Next key"), "key-next", Qt::ALT | Qt::Key_Period,
+               Actions::tr("Go to the key behind this frame"), [c] { c->seekKey(true); }}});
+    autoAction()->setCheckable(true);
+    m_inserts =
+        set->add(this, {{"keys.insertLocation", Actions::tr("&Position"), nullptr, noKeys, QString(),
+                         [c] { c->insert(KeyParts::Location); }},
+                        {"keys.insertRotation", Actions::tr("&Rotation"), nullptr, noKeys, QString(),
+                         [c] { c->insert(KeyParts::Rotation); }},
+                        {"keys.insertScale", Actions::tr("&Scale"), nullptr, noKeys, QString(),
+                         [c] { c->insert(KeyParts::Scale); }},
+                        {"keys.insertLocal", Actions::tr("&Geometry alone"), nullptr, noKeys,
+                         Actions::tr("Position, rotation and scale that children do not follow"),
+                         [c] { c->insert(KeyParts::Local); }},
+                        {"keys.insertAnimated", Actions::tr("&All that has keys"), nullptr, noKeys,
+                         Actions::tr("A key in every channel of the selected nodes that has keys already"),
+                         [c] { c->insert(KeyParts::Animated); }}});
+    addEdits();
+    addSelects();
 }
 
-void KeyActions::addInserts(ActionSet* set)
+void KeyActions::addEdits()
 {
     KeyCommands* c = m_commands;
-    const auto add = [this, set](const ActionSpec& spec, auto&& command) {
-        m_inserts += set->add(spec);
-        connect(m_inserts.back(), &QAction::triggered, this, command);
-    };
-    add({"keys.insertLocation", QT_TRANSLATE_NOOP("Actions", "&Position"), nullptr, {}},
-        [c] { c->insert(KeyParts::Location); });
-    add({"keys.insertRotation", QT_TRANSLATE_NOOP("Actions", "&Rotation"), nullptr, {}},
-        [c] { c->insert(KeyParts::Rotation); });
-    add({"keys.insertScale", QT_TRANSLATE_NOOP("Actions", "&Scale"), nullptr, {}},
-        [c] { c->insert(KeyParts::Scale); });
-    add({"keys.insertLocal",
-         QT_TRANSLATE_NOOP("Actions", "&Geometry alone"),
-         nullptr,
-         {},
-         QT_TRANSLATE_NOOP("Actions", "Position, rotation and scale that children do not follow")},
-        [c] { c->insert(KeyParts::Local); });
-    add({"keys.insertAnimated",
-         QT_TRANSLATE_NOOP("Actions", "&All that has keys"),
-         nullptr,
-         {},
-         QT_TRANSLATE_NOOP("Actions", "A key in every channel of the selected nodes that has keys already")},
-        [c] { c->insert(KeyParts::Animated); });
+    m_edits = m_set->add(
+        this,
+        {{"keys.duplicate", Actions::tr("&Duplicate keys"), "duplicate", noKeys,
+          Actions::tr("Copies right behind the selected keys; in the dope sheet Ctrl+D, or Ctrl+drag to any "
+                      "place"),
+          [c] { c->duplicate(); }},
+         {"keys.cut", Actions::tr("C&ut keys"), nullptr, noKeys, Actions::tr("In the dope sheet Ctrl+X"),
+          [c] { c->cut(); }},
+         {"keys.copy", Actions::tr("&Copy keys"), "copy", noKeys, Actions::tr("In the dope sheet Ctrl+C"),
+          [c] { c->copy(); }},
+         {"keys.paste", Actions::tr("&Paste keys"), "paste", noKeys,
+          Actions::tr("The first key comes to the frame on show; in the dope sheet Ctrl+V"),
+          [c] { c->paste(false); }},
+         {"keys.pasteInPlace", Actions::tr("Paste keys in p&lace"), nullptr, noKeys,
+          Actions::tr("At the times they were copied from; in the dope sheet Ctrl+Shift+V"),
+          [c] { c->paste(true); }},
+         {"keys.mirror", Actions::tr("&Mirror keys"), nullptr, noKeys,
+          Actions::tr("Backwards, about the frame on show; in the dope sheet Ctrl+M"), [c] { c->mirror(); }},
+         {"keys.snapFrames", Actions::tr("Move to the nearest &frames"), nullptr, noKeys, QString(),
+          [c] { c->snap(KeySnap::Frame); }},
+         {"keys.snapSeconds", Actions::tr("Move to the nearest &seconds"), nullptr, noKeys, QString(),
+          [c] { c->snap(KeySnap::Second); }},
+         {"keys.delete", Actions::tr("D&elete keys"), "delete", noKeys, Actions::tr("In the dope sheet Del"),
+          [c] { c->remove(); }}});
 }
 
-void KeyActions::addCopies(ActionSet* set)
+void KeyActions::addSelects()
 {
     KeyCommands* c = m_commands;
-    const auto add = [this, set](const ActionSpec& spec, auto&& command) {
-        m_edits += set->add(spec);
-        connect(m_edits.back(), &QAction::triggered, this, command);
-    };
-    add({"keys.duplicate",
-         QT_TRANSLATE_NOOP("Actions", "&Duplicate keys"),
-         "duplicate",
-         {},
-         QT_TRANSLATE_NOOP("Actions", "Copies right behind the selected keys; in the dope sheet Ctrl+D, or "
-                                      "Ctrl+drag to any place")},
-        [c] { c->duplicate(); });
-    add({"keys.cut",
-         QT_TRANSLATE_NOOP("Actions", "C&ut keys"),
-         nullptr,
-         {},
-         QT_TRANSLATE_NOOP("Actions", "In the dope sheet Ctrl+X")},
-        [c] { c->cut(); });
-    add({"keys.copy",
-         QT_TRANSLATE_NOOP("Actions", "&Copy keys"),
-         "copy",
-         {},
-         QT_TRANSLATE_NOOP("Actions", "In the dope sheet Ctrl+C")},
-        [c] { c->copy(); });
-    add({"keys.paste",
-         QT_TRANSLATE_NOOP("Actions", "&Paste keys"),
-         "paste",
-         {},
-         QT_TRANSLATE_NOOP("Actions", "The first key comes to the frame on show; in the dope sheet Ctrl+V")},
-        [c] { c->paste(false); });
-    add({"keys.pasteInPlace",
-         QT_TRANSLATE_NOOP("Actions", "Paste keys in p&lace"),
-         nullptr,
-         {},
-         QT_TRANSLATE_NOOP("Actions", "At the times they were copied from; in the dope sheet Ctrl+Shift+V")},
-        [c] { c->paste(true); });
-}
-
-void KeyActions::addEdits(ActionSet* set)
-{
-    KeyCommands* c = m_commands;
-    const auto add = [this, set](const ActionSpec& spec, auto&& command) {
-        m_edits += set->add(spec);
-        connect(m_edits.back(), &QAction::triggered, this, command);
-    };
-    add({"keys.mirror",
-         QT_TRANSLATE_NOOP("Actions", "&Mirror keys"),
-         nullptr,
-         {},
-         QT_TRANSLATE_NOOP("Actions", "Backwards, about the frame on show; in the dope sheet Ctrl+M")},
-        [c] { c->mirror(); });
-    add({"keys.snapFrames", QT_TRANSLATE_NOOP("Actions", "Move to the nearest &frames"), nullptr, {}},
-        [c] { c->snap(KeySnap::Frame); });
-    add({"keys.snapSeconds", QT_TRANSLATE_NOOP("Actions", "Move to the nearest &seconds"), nullptr, {}},
-        [c] { c->snap(KeySnap::Second); });
-    add({"keys.delete",
-         QT_TRANSLATE_NOOP("Actions", "D&elete keys"),
-         "delete",
-         {},
-         QT_TRANSLATE_NOOP("Actions", "In the dope sheet Del")},
-        [c] { c->remove(); });
-}
-
-void KeyActions::addSelects(ActionSet* set)
-{
-    KeyCommands* c = m_commands;
-    const auto add = [this, set](const ActionSpec& spec, auto&& command) {
-        m_selects += set->add(spec);
-        connect(m_selects.back(), &QAction::triggered, this, command);
-    };
-    add({"keys.selectAll",
-         QT_TRANSLATE_NOOP("Actions", "&All keys"),
-         nullptr,
-         {},
-         QT_TRANSLATE_NOOP("Actions", "In the dope sheet Ctrl+A")},
-        [c] { c->selectAll(); });
-    add({"keys.selectNone",
-         QT_TRANSLATE_NOOP("Actions", "&No key"),
-         nullptr,
-         {},
-         QT_TRANSLATE_NOOP("Actions", "In the dope sheet Esc")},
-        [c] { c->selectNone(); });
-    add({"keys.selectColumn",
-         QT_TRANSLATE_NOOP("Actions", "All at this &frame"),
-         nullptr,
-         {},
-         QT_TRANSLATE_NOOP("Actions", "In the dope sheet K, or Alt+click on a key")},
-        [c] { c->selectColumn(); });
-    add({"keys.selectBefore",
-         QT_TRANSLATE_NOOP("Actions", "All &up to this frame"),
-         nullptr,
-         {},
-         QT_TRANSLATE_NOOP("Actions", "In the dope sheet [")},
-        [c] { c->selectBefore(); });
-    add({"keys.selectBehind",
-         QT_TRANSLATE_NOOP("Actions", "All f&rom this frame on"),
-         nullptr,
-         {},
-         QT_TRANSLATE_NOOP("Actions", "In the dope sheet ]")},
-        [c] { c->selectBehind(); });
+    m_selects = m_set->add(
+        this, {{"keys.selectAll", Actions::tr("&All keys"), nullptr, noKeys,
+                Actions::tr("In the dope sheet Ctrl+A"), [c] { c->selectAll(); }},
+               {"keys.selectNone", Actions::tr("&No key"), nullptr, noKeys,
+                Actions::tr("In the dope sheet Esc"), [c] { c->selectNone(); }},
+               {"keys.selectColumn", Actions::tr("All at this &frame"), nullptr, noKeys,
+                Actions::tr("In the dope sheet K, or Alt+click on a key"), [c] { c->selectColumn(); }},
+               {"keys.selectBefore", Actions::tr("All &up to this frame"), nullptr, noKeys,
+                Actions::tr("In the dope sheet ["), [c] { c->selectBefore(); }},
+               {"keys.selectBehind", Actions::tr("All f&rom this frame on"), nullptr, noKeys,
+                Actions::tr("In the dope sheet ]"), [c] { c->selectBehind(); }}});
 }
 
 QMenu* KeyActions::insertMenu(QWidget* parent) const
 {
     auto* menu = new QMenu(parent);
-    menu->addAction(m_insert);
+    m_set->fill(menu, {"keys.insert"});
     menu->addActions(m_inserts);
     return menu;
 }
@@ -268,12 +183,11 @@ void KeyActions::fillMenu(QMenu* menu)
         return submenu;
     };
     menu->setToolTipsVisible(true);
-    menu->addAction(m_insert);
+    m_set->fill(menu, {"keys.insert"});
     QMenu* inserts = add(new QMenu(menu), QCoreApplication::translate("keys", "Insert &only"));
     inserts->addActions(m_inserts);
     inserts->setToolTipsVisible(true);
-    menu->addActions({m_removeHere, m_auto, m_previous, m_next});
-    menu->addSeparator();
+    m_set->fill(menu, {"keys.removeHere", "keys.auto", "keys.previous", "keys.next", nullptr});
     QMenu* selects = add(new QMenu(menu), QCoreApplication::translate("keys", "Select &keys"));
     selects->addActions(m_selects);
     selects->setToolTipsVisible(true);

@@ -4,6 +4,7 @@
 
 #include "core/rig/tracks/key.h"
 #include "core/rig/tracks/track.h"
+#include "widgets/base/action_set.h"
 #include <QList>
 #include <QObject>
 #include <functional>
@@ -15,7 +16,6 @@ class QWidget;
 
 namespace ramure {
 
-class ActionSet;
 class KeyCommands;
 
 class KeyActions : public QObject
@@ -27,11 +27,11 @@ public:
 
     /// May be called for several menus; the submenus belong to them.
     void fillMenu(QMenu* menu);
-    [[nodiscard]] QAction* insertAction() const { return m_insert; }
+    [[nodiscard]] QAction* insertAction() const { return m_set->find("keys.insert"); }
     /// Checkable: edits of parameters become keys.
-    [[nodiscard]] QAction* autoAction() const { return m_auto; }
-    [[nodiscard]] QAction* previousAction() const { return m_previous; }
-    [[nodiscard]] QAction* nextAction() const { return m_next; }
+    [[nodiscard]] QAction* autoAction() const { return m_set->find("keys.auto"); }
+    [[nodiscard]] QAction* previousAction() const { return m_set->find("keys.previous"); }
+    [[nodiscard]] QAction* nextAction() const { return m_set->find("keys.next"); }
     /// New menus with pictures, for the parent's tool buttons or other menus.
     QMenu* insertMenu(QWidget* parent) const;
     QMenu* modeMenu(QWidget* parent) const;
@@ -40,17 +40,11 @@ public:
     QMenu* extrapolationMenu(QWidget* parent) const;
 
 private:
-    void addInserts(ActionSet* set);
-    void addCopies(ActionSet* set);
-    void addEdits(ActionSet* set);
-    void addSelects(ActionSet* set);
+    void addEdits();
+    void addSelects();
 
     KeyCommands* m_commands;
-    QAction* m_insert;
-    QAction* m_removeHere;
-    QAction* m_auto;
-    QAction* m_previous;
-    QAction* m_next;
+    ActionSet* m_set;
     QList<QAction*> m_inserts;
     QList<QAction*> m_edits;
     QList<QAction*> m_selects;

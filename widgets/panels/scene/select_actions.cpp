@@ -18,60 +18,55 @@ SelectActions::SelectActions(Document* document, Isolation* isolation, ActionSet
     : QObject(parent)
     , m_document(document)
     , m_isolation(isolation)
-    , m_parent(set->add({"select.parent", QT_TRANSLATE_NOOP("Actions", "&Parents"), nullptr,
-                         QKeySequence(Qt::ALT | Qt::Key_Left),
-                         QT_TRANSLATE_NOOP("Actions", "Select what the selected ones spring from")}))
-    , m_children(set->add({"select.children", QT_TRANSLATE_NOOP("Actions", "&Children"), nullptr,
-                           QKeySequence(Qt::ALT | Qt::Key_Right),
-                           QT_TRANSLATE_NOOP("Actions", "Select what springs from the selected ones")}))
-    , m_siblings(set->add({"select.siblings", QT_TRANSLATE_NOOP("Actions", "&Siblings"), nullptr,
-                           QKeySequence(Qt::SHIFT | Qt::Key_S),
-                           QT_TRANSLATE_NOOP("Actions", "Select all with the same parent")}))
-    , m_subtree(set->add({"select.subtree", QT_TRANSLATE_NOOP("Actions", "Sub&tree"), nullptr,
-                          QKeySequence(Qt::SHIFT | Qt::Key_T),
-                          QT_TRANSLATE_NOOP("Actions", "Add everything that grows from the selected ones")}))
-    , m_level(set->add({"select.level", QT_TRANSLATE_NOOP("Actions", "All of the &level"), nullptr,
-                        QKeySequence(Qt::SHIFT | Qt::Key_L),
-                        QT_TRANSLATE_NOOP("Actions", "Select all as deep as the selected ones")}))
-    , m_search(set->add({"select.search", QT_TRANSLATE_NOOP("Actions", "&Find in the scene"), "search",
-                         QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_F)}))
-    , m_isolate(set->add(
-          {"select.isolate", QT_TRANSLATE_NOOP("Actions", "&Isolate"), nullptr,
-           QKeySequence(Qt::SHIFT | Qt::Key_I),
-           QT_TRANSLATE_NOOP("Actions", "Show only the selected branches, or nodes; again: show all")}))
-    , m_showAll(set->add({"select.showAll", QT_TRANSLATE_NOOP("Actions", "Sho&w all"), nullptr,
-                          QKeySequence(Qt::ALT | Qt::Key_H)}))
-    , m_up(set->add({"select.up", QT_TRANSLATE_NOOP("Actions", "Move &up"), nullptr,
-                     QKeySequence(Qt::ALT | Qt::Key_Up)}))
-    , m_down(set->add({"select.down", QT_TRANSLATE_NOOP("Actions", "Move &down"), nullptr,
-                       QKeySequence(Qt::ALT | Qt::Key_Down)}))
-    , m_copyNames(set->add({"select.copyNames", QT_TRANSLATE_NOOP("Actions", "Copy the na&me"), "copy",
-                            QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N)}))
+    , m_set(set)
 {
-    const std::pair<QAction*, SelectionStep> steps[] = {
-        {m_parent, SelectionStep::Parent},     {m_children, SelectionStep::Children},
-        {m_siblings, SelectionStep::Siblings}, {m_subtree, SelectionStep::Subtree},
-        {m_level, SelectionStep::Level},
+    addSteps();
+    const auto nodes = [this] { return !m_document->selection().nodes.empty(); };
+    const auto any = [this] { return hasAny(); };
+    const auto shift = [this](int by) {
+        report(edit::shiftNodes(*m_document, m_document->selection().nodes, by));
     };
-    for (const auto& [action, kind] : steps)
-        connect(action, &QAction::triggered, this, [this, wish = kind] { step(wish); });
-    connect(m_search, &QAction::triggered, this, &SelectActions::searchRequested);
-    connect(m_isolate, &QAction::triggered, this, &SelectActions::isolate);
-    connect(m_showAll, &QAction::triggered, this, &SelectActions::showAll);
+    set->add(this, {{"select.search", Actions::tr("&Find in the scene"), "search",
+                     Qt::CTRL | Qt::SHIFT | Qt::Key_F, QString(), [this] { emit searchRequested(); }},
+                    {"select.isolate", Actions::tr("&Isolate"), nullptr, Qt::SHIFT | Qt::Key_I,
+                     Actions::tr("Show only the selected branches, or nodes; again: show all"),
+                     [this] { isolate(); }, [this, any] { return any() || m_isolation->isActive(); }},
+                    {"select.showAll", Actions::tr("Sho&w all"), nullptr, Qt::ALT | Qt::Key_H, QString(),
+                     [this] { showAll(); }, [this] { return isAnyHidden(); }},
+                    {"select.up", Actions::tr("Move &up"), nullptr, Qt::ALT | Qt::Key_Up, QString(),
+                     [shift] { shift(-1); }, nodes},
+                    {"select.down", Actions::tr("Move &down"), nullptr, Qt::ALT | Qt::Key_Down, QString(),
+                     [shift] { shift(1); }, nodes},
+                    {"select.copyNames", Actions::tr("Copy the na&me"), "copy",
+                     Qt::CTRL | Qt::SHIFT | Qt::Key_N, QString(), [this] { copyNames(); }, any}});
     connect(isolation, &Isolation::changed, this, &SelectActions::update);
-    connect(m_up, &QAction::triggered, this,
-            [this] { report(edit::shiftNodes(*m_document, m_document->selection().nodes, -1)); });
-    connect(m_down, &QAction::triggered, this,
-            [this] { report(edit::shiftNodes(*m_document, m_document->selection().nodes, 1)); });
-    connect(m_copyNames, &QAction::triggered, this, &SelectActions::copyNames);
     connect(m_document, &Document::changed, this, &SelectActions::follow);
     update();
 }
 
+void SelectActions::addSteps()
+{
+    const auto any = [this] { return hasAny(); };
+    const auto step = [this](SelectionStep kind) {
+        return [this, kind] { m_document->setSelection(afterStep(*m_document, kind)); };
+    };
+    m_set->add(
+        this,
+        {{"select.parent", Actions::tr("&Parents"), nullptr, Qt::ALT | Qt::Key_Left,
+          Actions::tr("Select what the selected ones spring from"), step(SelectionStep::Parent), any},
+         {"select.children", Actions::tr("&Children"), nullptr, Qt::ALT | Qt::Key_Right,
+          Actions::tr("Select what springs from the selected ones"), step(SelectionStep::Children), any},
+         {"select.siblings", Actions::tr("&Siblings"), nullptr, Qt::SHIFT | Qt::Key_S,
+          Actions::tr("Select all with the same parent"), step(SelectionStep::Siblings), any},
+         {"select.subtree", Actions::tr("Sub&tree"), nullptr, Qt::SHIFT | Qt::Key_T,
+          Actions::tr("Add everything that grows from the selected ones"), step(SelectionStep::Subtree), any},
+         {"select.level", Actions::tr("All of the &level"), nullptr, Qt::SHIFT | Qt::Key_L,
+          Actions::tr("Select all as deep as the selected ones"), step(SelectionStep::Level), any}});
+}
+
 void SelectActions::fillMenu(QMenu* menu)
 {
-    menu->addAction(m_search);
-    menu->addSeparator();
+    m_set->fill(menu, {"select.search", nullptr});
     menu->addActions(stepActions());
     menu->addSeparator();
     menu->addActions(rowActions());
@@ -79,12 +74,13 @@ void SelectActions::fillMenu(QMenu* menu)
 
 QList<QAction*> SelectActions::stepActions() const
 {
-    return {m_parent, m_children, m_siblings, m_subtree, m_level};
+    return m_set->find(
+        {"select.parent", "select.children", "select.siblings", "select.subtree", "select.level"});
 }
 
 QList<QAction*> SelectActions::rowActions() const
 {
-    return {m_isolate, m_showAll, m_up, m_down, m_copyNames};
+    return m_set->find({"select.isolate", "select.showAll", "select.up", "select.down", "select.copyNames"});
 }
 
 void SelectActions::follow(const Change& change)
@@ -95,22 +91,18 @@ void SelectActions::follow(const Change& change)
 
 void SelectActions::update()
 {
-    const Selection& selection = m_document->selection();
-    const bool nodes = !selection.nodes.empty();
-    const bool any = nodes || !selection.branches.empty();
-    for (QAction* action : stepActions() + QList<QAction*>{m_copyNames, m_isolate})
-        action->setEnabled(any);
-    m_up->setEnabled(nodes);
-    m_down->setEnabled(nodes);
-    const auto& all = m_document->scene().nodes();
-    m_isolate->setEnabled(any || m_isolation->isActive());
-    m_showAll->setEnabled(m_isolation->isActive() ||
-                          std::ranges::any_of(all, [](const Node& node) { return !node.visible; }));
+    m_set->update(this);
 }
 
-void SelectActions::step(SelectionStep step)
+bool SelectActions::hasAny() const
 {
-    m_document->setSelection(afterStep(*m_document, step));
+    return !m_document->selection().nodes.empty() || !m_document->selection().branches.empty();
+}
+
+bool SelectActions::isAnyHidden() const
+{
+    return m_isolation->isActive() ||
+           std::ranges::any_of(m_document->scene().nodes(), [](const Node& node) { return !node.visible; });
 }
 
 /// Where branches are selected it is about them: a way of looking. Hiding nodes is an edit of the scene.

@@ -26,7 +26,6 @@ public:
     /// What a right click on a row offers besides the actions on nodes.
     [[nodiscard]] QList<QAction*> stepActions() const;
     [[nodiscard]] QList<QAction*> rowActions() const;
-    [[nodiscard]] QList<QAction*> isolationActions() const { return {m_isolate, m_showAll}; }
 
 signals:
     void searchRequested();
@@ -35,7 +34,9 @@ signals:
 private:
     void follow(const Change& change);
     void update();
-    void step(SelectionStep step);
+    void addSteps();
+    [[nodiscard]] bool hasAny() const;
+    [[nodiscard]] bool isAnyHidden() const;
     void copyNames();
     void isolate();
     void showAll();
@@ -43,17 +44,7 @@ private:
 
     Document* m_document;
     Isolation* m_isolation;
-    QAction* m_parent;
-    QAction* m_children;
-    QAction* m_siblings;
-    QAction* m_subtree;
-    QAction* m_level;
-    QAction* m_search;
-    QAction* m_isolate;
-    QAction* m_showAll;
-    QAction* m_up;
-    QAction* m_down;
-    QAction* m_copyNames;
+    ActionSet* m_set;
 };
 
 } // namespace ramure

@@ -17,22 +17,15 @@ BakeActions::BakeActions(Document* document, Player* player, Chooser* chooser, A
     , m_document(document)
     , m_player(player)
     , m_chooser(chooser)
+    , m_set(set)
     , m_baker(document)
-    , m_bake(
-          set->add({"play.bake",
-                    QT_TRANSLATE_NOOP("Actions", "&Bake the motion"),
-                    "bake",
-                    {},
-                    QT_TRANSLATE_NOOP("Actions", "Compute all frames of the range and keep them beside the "
-                                                 "project; pulls and fallen apples are not kept")}))
-    , m_free(set->add({"play.freeBake",
-                       QT_TRANSLATE_NOOP("Actions", "F&ree the baked motion"),
-                       nullptr,
-                       {},
-                       QT_TRANSLATE_NOOP("Actions", "Delete the project's baked motion from the disk")}))
 {
-    connect(m_bake, &QAction::triggered, this, &BakeActions::bake);
-    connect(m_free, &QAction::triggered, this, &BakeActions::free);
+    set->add(this, {{"play.bake", Actions::tr("&Bake the motion"), "bake", noKeys,
+                     Actions::tr("Compute all frames of the range and keep them beside the project; pulls "
+                                 "and fallen apples are not kept"),
+                     [this] { bake(); }},
+                    {"play.freeBake", Actions::tr("F&ree the baked motion"), nullptr, noKeys,
+                     Actions::tr("Delete the project's baked motion from the disk"), [this] { free(); }}});
     connect(&m_baker, &Baker::filesChanged, player, &Player::reloadBakes);
     connect(&m_baker, &Baker::filesChanged, this, &BakeActions::update);
     connect(m_baker.job(), &Job::runningChanged, this, &BakeActions::update);
@@ -97,7 +90,7 @@ void BakeActions::finish(const std::optional<Error>& error)
 
 void BakeActions::fillMenu(QMenu* menu) const
 {
-    menu->addActions({m_bake, m_free});
+    m_set->fill(menu, {"play.bake", "play.freeBake"});
 }
 
 QToolButton* BakeActions::makeButton(QWidget* parent)
@@ -119,14 +112,15 @@ QToolButton* BakeActions::makeButton(QWidget* parent)
 void BakeActions::update()
 {
     const BakeState state = m_player->bakeState();
-    m_bake->setEnabled(!m_baker.job()->isRunning());
-    m_free->setEnabled(state != BakeState::None);
+    QAction* bake = m_set->find("play.bake");
+    bake->setEnabled(!m_baker.job()->isRunning());
+    m_set->find("play.freeBake")->setEnabled(state != BakeState::None);
     if (!m_button)
         return;
     m_button->setIcon(icon(state == BakeState::Good    ? "bake-good"
                            : state == BakeState::Stale ? "bake-stale"
                                                        : "bake"));
-    QString tip = m_bake->toolTip();
+    QString tip = bake->toolTip();
     if (state == BakeState::Good)
         tip = tr("Baked: every frame of the range comes at once");
     if (state == BakeState::Stale)

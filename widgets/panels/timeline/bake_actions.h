@@ -47,10 +47,9 @@ private:
     Document* m_document;
     Player* m_player;
     Chooser* m_chooser;
+    ActionSet* m_set;
     Baker m_baker;
     std::function<bool()> m_save;
-    QAction* m_bake;
-    QAction* m_free;
     QToolButton* m_button = nullptr;
 };
 

@@ -14,100 +14,28 @@ PlayActions::PlayActions(Document* document, Player* player, ActionSet* set, QOb
     : QObject(parent)
     , m_document(document)
     , m_player(player)
-    , m_play(set->add({"play.toggle", QT_TRANSLATE_NOOP("Actions", "&Play"), "play",
-                       QKeySequence(Qt::SHIFT | Qt::Key_Space),
-                       QT_TRANSLATE_NOOP("Actions", "Let the trees move, or pause")}))
-    , m_stop(set->add(
-          {"play.stop", QT_TRANSLATE_NOOP("Actions", "&Stop"), "stop",
-           QKeySequence(Qt::CTRL | Qt::Key_Period),
-           QT_TRANSLATE_NOOP("Actions", "Back to the first frame; pulls and fallen apples are forgotten")}))
-    , m_forward(set->add({"play.forward", QT_TRANSLATE_NOOP("Actions", "&Next frame"), "step-forward",
-                          QKeySequence(Qt::Key_Period), nullptr}))
-    , m_back(set->add({"play.back", QT_TRANSLATE_NOOP("Actions", "Pre&vious frame"), "step-back",
-                       QKeySequence(Qt::Key_Comma), nullptr}))
-    , m_first(set->add({"play.first", QT_TRANSLATE_NOOP("Actions", "&First frame"), "to-first",
-                        QKeySequence(Qt::SHIFT | Qt::Key_Comma), nullptr}))
-    , m_last(set->add({"play.last", QT_TRANSLATE_NOOP("Actions", "&Last frame"), "to-last",
-                       QKeySequence(Qt::SHIFT | Qt::Key_Period), nullptr}))
-    , m_everyFrame(
-          set->add({"play.everyFrame",
-                    QT_TRANSLATE_NOOP("Actions", "&Every frame"),
-                    "every-frame",
-                    {},
-                    QT_TRANSLATE_NOOP("Actions", "Show all frames, if need be slower; off: keep time and "
-                                                 "drop frames that come too late")}))
-    , m_shake(
-          set->add({"play.shake",
-                    QT_TRANSLATE_NOOP("Actions", "S&hake off an apple"),
-                    "apple",
-                    {},
-                    QT_TRANSLATE_NOOP("Actions", "While playing, the next apple of the active tree falls; or "
-                                                 "double-click on one")}))
-    , m_wind(set->add(
-          {"play.wind", QT_TRANSLATE_NOOP("Actions", "&Wind arrow"), "wind",
-           QKeySequence(Qt::SHIFT | Qt::Key_W),
-           QT_TRANSLATE_NOOP("Actions", "Show the wind of the active tree, and of all that have some, as "
-                                        "arrows; drag a head to turn and strengthen the wind")}))
+    , m_set(set)
 {
-    addLoops(set);
-    connectActions();
-}
-
-void PlayActions::addLoops(ActionSet* set)
-{
-    m_loops = {set->add({"play.once",
-                         QT_TRANSLATE_NOOP("Actions", "Play &once"),
-                         "play-once",
-                         {},
-                         QT_TRANSLATE_NOOP("Actions", "Stop at the last frame")}),
-               set->add({"play.loop",
-                         QT_TRANSLATE_NOOP("Actions", "&Loop"),
-                         "play-loop",
-                         {},
-                         QT_TRANSLATE_NOOP("Actions", "Go on with the first frame after the last")}),
-               set->add({"play.pingPong",
-                         QT_TRANSLATE_NOOP("Actions", "P&ing-pong"),
-                         "play-ping-pong",
-                         {},
-                         QT_TRANSLATE_NOOP("Actions", "Play forwards and back again")})};
-    m_seamless =
-        set->add({"play.seamless",
-                  QT_TRANSLATE_NOOP("Actions", "Sea&mless loop"),
-                  "play-seamless",
-                  {},
-                  QT_TRANSLATE_NOOP("Actions", "Blend the last second of the loop into its first frame, so "
-                                               "that trees and arms go on without a jump")});
-    m_seamless->setCheckable(true);
-    connect(m_seamless, &QAction::triggered, this, [this](bool on) {
-        TimelineSettings settings = m_document->scene().timeline();
-        settings.seamless = on;
-        edit::setTimeline(*m_document, settings);
-    });
-    m_everyFrame->setCheckable(true);
-    m_wind->setCheckable(true);
-    connect(m_shake, &QAction::triggered, this, &PlayActions::shake);
-    auto* group = new QActionGroup(this);
-    for (qsizetype i = 0; i < m_loops.size(); ++i) {
-        m_loops[i]->setCheckable(true);
-        group->addAction(m_loops[i]);
-        connect(m_loops[i], &QAction::triggered, this, [this, i] {
-            TimelineSettings settings = m_document->scene().timeline();
-            settings.loop = static_cast<PlayLoop>(i);
-            edit::setTimeline(*m_document, settings);
-        });
-    }
-}
-
-void PlayActions::connectActions()
-{
-    connect(m_play, &QAction::triggered, m_player, &Player::toggle);
-    connect(m_stop, &QAction::triggered, m_player, &Player::stop);
-    connect(m_forward, &QAction::triggered, m_player, &Player::stepForward);
-    connect(m_back, &QAction::triggered, m_player, &Player::stepBack);
-    connect(m_first, &QAction::triggered, m_player, &Player::toFirst);
-    connect(m_last, &QAction::triggered, m_player, &Player::toLast);
-    connect(m_everyFrame, &QAction::toggled, m_player,
-            [this](bool on) { m_player->setPace(on ? PlayPace::EveryFrame : PlayPace::RealTime); });
+    addTransport();
+    addLoops();
+    set->add(
+        this,
+        {{"play.everyFrame", Actions::tr("&Every frame"), "every-frame", noKeys,
+          Actions::tr(
+              "Show all frames, if need be slower; off: keep time and drop frames that come too late"),
+          [player] {
+              player->setPace(player->pace() == PlayPace::EveryFrame ? PlayPace::RealTime
+                                                                     : PlayPace::EveryFrame);
+          },
+          nullptr, [player] { return player->pace() == PlayPace::EveryFrame; }},
+         {"play.shake", Actions::tr("S&hake off an apple"), "apple", noKeys,
+          Actions::tr("While playing, the next apple of the active tree falls; or double-click on one"),
+          [this] { shake(); }, [player] { return player->isPlaying(); }},
+         {"play.wind", Actions::tr("&Wind arrow"), "wind", Qt::SHIFT | Qt::Key_W,
+          Actions::tr("Show the wind of the active tree, and of all that have some, as arrows; drag a head "
+                      "to turn and strengthen the wind"),
+          [this] { m_view->setWindVisible(!m_view->windVisible()); }, nullptr,
+          [this] { return m_view && m_view->windVisible(); }}});
     connect(m_player, &Player::playingChanged, this, &PlayActions::update);
     connect(m_player, &Player::settingsChanged, this, &PlayActions::update);
     connect(m_document, &Document::changed, this, [this](const Change& change) {
@@ -117,33 +45,85 @@ void PlayActions::connectActions()
     update();
 }
 
+void PlayActions::addTransport()
+{
+    Player* p = m_player;
+    m_set->add(this, {{"play.toggle", Actions::tr("&Play"), "play", Qt::SHIFT | Qt::Key_Space,
+                       Actions::tr("Let the trees move, or pause"), [p] { p->toggle(); }},
+                      {"play.stop", Actions::tr("&Stop"), "stop", Qt::CTRL | Qt::Key_Period,
+                       Actions::tr("Back to the first frame; pulls and fallen apples are forgotten"),
+                       [p] { p->stop(); }},
+                      {"play.forward", Actions::tr("&Next frame"), "step-forward", Qt::Key_Period, QString(),
+                       [p] { p->stepForward(); }},
+                      {"play.back", Actions::tr("Pre&vious frame"), "step-back", Qt::Key_Comma, QString(),
+                       [p] { p->stepBack(); }},
+                      {"play.first", Actions::tr("&First frame"), "to-first", Qt::SHIFT | Qt::Key_Comma,
+                       QString(), [p] { p->toFirst(); }},
+                      {"play.last", Actions::tr("&Last frame"), "to-last", Qt::SHIFT | Qt::Key_Period,
+                       QString(), [p] { p->toLast(); }}});
+}
+
+void PlayActions::addLoops()
+{
+    const auto settings = [this] { return m_document->scene().timeline(); };
+    const auto choose = [this, settings](PlayLoop loop) {
+        return [this, settings, loop] {
+            TimelineSettings next = settings();
+            next.loop = loop;
+            edit::setTimeline(*m_document, next);
+        };
+    };
+    const auto isChosen = [settings](PlayLoop loop) {
+        return [settings, loop] { return settings().loop == loop; };
+    };
+    using enum PlayLoop;
+    m_loops = m_set->add(
+        this,
+        {{"play.once", Actions::tr("Play &once"), "play-once", noKeys, Actions::tr("Stop at the last frame"),
+          choose(Once), nullptr, isChosen(Once)},
+         {"play.loop", Actions::tr("&Loop"), "play-loop", noKeys,
+          Actions::tr("Go on with the first frame after the last"), choose(Loop), nullptr, isChosen(Loop)},
+         {"play.pingPong", Actions::tr("P&ing-pong"), "play-ping-pong", noKeys,
+          Actions::tr("Play forwards and back again"), choose(PingPong), nullptr, isChosen(PingPong)}});
+    auto* group = new QActionGroup(this);
+    for (QAction* loop : m_loops)
+        group->addAction(loop);
+    m_set->add(this,
+               {"play.seamless", Actions::tr("Sea&mless loop"), "play-seamless", noKeys,
+                Actions::tr("Blend the last second of the loop into its first frame, so that trees and "
+                            "arms go on without a jump"),
+                [this, settings] {
+                    TimelineSettings next = settings();
+                    next.seamless = !next.seamless;
+                    edit::setTimeline(*m_document, next);
+                },
+                [settings] { return settings().loop == Loop; }, [settings] { return settings().seamless; }});
+}
+
 QList<QAction*> PlayActions::transport() const
 {
-    return {m_first, m_back, m_play, m_stop, m_forward, m_last};
+    return m_set->find({"play.first", "play.back", "play.toggle", "play.stop", "play.forward", "play.last"});
 }
 
 void PlayActions::fillMenu(QMenu* menu) const
 {
-    menu->addActions({m_play, m_stop});
-    menu->addSeparator();
-    menu->addActions({m_back, m_forward, m_first, m_last});
-    menu->addSeparator();
+    m_set->fill(menu, {"play.toggle", "play.stop", nullptr, "play.back", "play.forward", "play.first",
+                       "play.last", nullptr});
     fillLoopMenu(menu);
-    menu->addSeparator();
-    menu->addActions({m_everyFrame, m_wind, m_shake});
+    m_set->fill(menu, {nullptr, "play.everyFrame", "play.wind", "play.shake"});
 }
 
 void PlayActions::fillLoopMenu(QMenu* menu) const
 {
     menu->addActions(m_loops);
-    menu->addAction(m_seamless);
+    m_set->fill(menu, {"play.seamless"});
 }
 
 void PlayActions::setView(ViewSettings* settings)
 {
-    m_wind->setChecked(settings->windVisible());
-    connect(m_wind, &QAction::toggled, settings, &ViewSettings::setWindVisible);
-    connect(settings, &ViewSettings::windVisibleChanged, m_wind, &QAction::setChecked);
+    m_view = settings;
+    connect(settings, &ViewSettings::windVisibleChanged, this, &PlayActions::update);
+    update();
 }
 
 /// One after the other; those that lie on the ground already stay there.
@@ -160,17 +140,12 @@ void PlayActions::shake()
 void PlayActions::update()
 {
     const bool playing = m_player->isPlaying();
-    m_shake->setEnabled(playing);
     if (!playing)
         m_nextApple = 0;
-    m_play->setText(playing ? tr("&Pause") : tr("&Play"));
-    m_play->setIcon(
-        QIcon::fromTheme(playing ? QStringLiteral("ramure-pause") : QStringLiteral("ramure-play")));
-    m_everyFrame->setChecked(m_player->pace() == PlayPace::EveryFrame);
-    const TimelineSettings& timeline = m_document->scene().timeline();
-    m_loops[static_cast<qsizetype>(timeline.loop)]->setChecked(true);
-    m_seamless->setChecked(timeline.seamless);
-    m_seamless->setEnabled(timeline.loop == PlayLoop::Loop);
+    QAction* play = m_set->find("play.toggle");
+    play->setText(playing ? tr("&Pause") : tr("&Play"));
+    play->setIcon(QIcon::fromTheme(playing ? QStringLiteral("ramure-pause") : QStringLiteral("ramure-play")));
+    m_set->update(this);
 }
 
 } // namespace ramure

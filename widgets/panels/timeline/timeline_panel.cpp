@@ -3,6 +3,7 @@
 #include "core/qt/document/key_edits.h"
 #include "core/qt/session/arm/arm_reach.h"
 #include "core/qt/session/motion/player.h"
+#include "widgets/base/action_set.h"
 #include "widgets/base/fields/number_field.h"
 #include "widgets/base/silence.h"
 #include "widgets/base/timeline_ruler.h"
@@ -114,7 +115,7 @@ void TimelinePanel::buildTransport()
     m_actions->fillLoopMenu(menu);
     m_loop->setMenu(menu);
     row->addWidget(m_loop);
-    row->addWidget(toolButton(m_actions->everyFrameAction(), m_transport));
+    row->addWidget(toolButton(m_actions->set()->find("play.everyFrame"), m_transport));
     m_frame = new TimeField(m_transport);
     m_frame->setObjectName(QStringLiteral("frameField"));
     auto* label = new QLabel(tr("Frame"), m_transport);

@@ -260,15 +260,15 @@ void TestTimelinePanel::actionsDriveThePlayer()
     QCOMPARE(m_player->frame(), std::int64_t(249));
     m_set->find("play.first")->trigger();
     QCOMPARE(m_player->frame(), std::int64_t(0));
-    const QString play = m_actions->playAction()->text();
-    m_actions->playAction()->trigger();
+    const QString play = m_set->find("play.toggle")->text();
+    m_set->find("play.toggle")->trigger();
     QVERIFY(m_player->isPlaying());
-    QVERIFY(m_actions->playAction()->text() != play);
+    QVERIFY(m_set->find("play.toggle")->text() != play);
     QTRY_VERIFY(m_player->frame() > 2);
     m_set->find("play.stop")->trigger();
     QVERIFY(!m_player->isPlaying());
     QCOMPARE(m_player->frame(), std::int64_t(0));
-    m_actions->everyFrameAction()->trigger();
+    m_set->find("play.everyFrame")->trigger();
     QCOMPARE(m_player->pace(), PlayPace::EveryFrame);
 }
 
