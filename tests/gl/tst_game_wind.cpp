@@ -215,8 +215,8 @@ private slots:
         const QImage rest = window.view->screenshot();
         ViewSettings* settings = window.host.settings();
         QSignalSpy messages(window.view, &Viewport::messageRaised);
-        settings->setGameWindStrength(1.0);
-        settings->setGameWind(WindProfile::Unity);
+        settings->gameWindStrength.set(1.0);
+        settings->gameWind.set(WindProfile::Unity);
         window.waitForPicture();
         QSignalSpy drawn(window.view, &Viewport::frameDrawn);
         QTRY_VERIFY_WITH_TIMEOUT(drawn.size() > 3, 60'000);
@@ -224,7 +224,7 @@ private slots:
         window.keep("game_wind");
         QVERIFY(test::differing(blown, rest) > 500);
         QTRY_VERIFY_WITH_TIMEOUT(test::differing(window.view->screenshot(), blown) > 500, 60'000);
-        settings->setGameWind(WindProfile::None);
+        settings->gameWind.set(WindProfile::None);
         window.waitForPicture();
         QVERIFY(window.view->screenshot() == rest);
         QVERIFY(messages.isEmpty());
@@ -235,7 +235,7 @@ private slots:
         test::ViewWindow window;
         window.show({300, 200});
         QSignalSpy messages(window.view, &Viewport::messageRaised);
-        window.host.settings()->setGameWind(WindProfile::Plain);
+        window.host.settings()->gameWind.set(WindProfile::Plain);
         QCOMPARE(messages.size(), 1);
         QVERIFY(messages.front().front().toString().contains(QLatin1String("no tree")));
     }

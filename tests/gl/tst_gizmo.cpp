@@ -144,19 +144,19 @@ void TestGizmo::handlesAreSeen()
     window.select({1});
     window.waitForPicture();
     const QImage without = window.view->grabFramebuffer();
-    window.gizmo->setTool(static_cast<TransformTool>(tool));
+    window.gizmo->tool.set(static_cast<TransformTool>(tool));
     window.waitForPicture();
     QVERIFY(differing(without, window.view->grabFramebuffer()) > 500);
     window.keep(QTest::currentDataTag());
     window.select({});
-    window.gizmo->setTool(TransformTool::Select);
+    window.gizmo->tool.set(TransformTool::Select);
 }
 
 void TestGizmo::handlesHighlightUnderTheCursor()
 {
     Window window;
     window.select({1});
-    window.gizmo->setTool(TransformTool::Move);
+    window.gizmo->tool.set(TransformTool::Move);
     window.waitForPicture();
     const QImage rest = window.view->grabFramebuffer();
     window.move(window.grip(yAxis), Qt::NoButton);
@@ -173,7 +173,7 @@ void TestGizmo::draggingAHandleMovesInOneStep()
     for (const int tool : {1, 2, 3}) {
         Window window;
         window.select({1});
-        window.gizmo->setTool(static_cast<TransformTool>(tool));
+        window.gizmo->tool.set(static_cast<TransformTool>(tool));
         const PlacementParams before = window.document.scene().find(1)->params.tree;
         const QPoint from = window.grip(yAxis);
         window.drag(from, {24, -40});
@@ -193,7 +193,7 @@ void TestGizmo::rightClickAndEscapeTakeItBack()
 {
     Window window;
     window.select({1, 2});
-    window.gizmo->setTool(TransformTool::Move);
+    window.gizmo->tool.set(TransformTool::Move);
     const Scene before = window.document.scene();
     const QPoint from = window.grip(xAxis);
     window.drag(from, {50, 10});
@@ -281,7 +281,7 @@ void TestGizmo::besideTheHandlesOneSelects()
 {
     Window window;
     window.select({1});
-    window.gizmo->setTool(TransformTool::Move);
+    window.gizmo->tool.set(TransformTool::Move);
     const auto at = gizmoPixel(window.pick(), window.origin(2) + glm::dvec3(0, 0.2, 0));
     QTest::mouseClick(window.view, Qt::LeftButton, Qt::NoModifier, at->toPoint());
     QTRY_COMPARE(window.document.selection().activeNode(), NodeId(2));
@@ -340,23 +340,23 @@ void TestGizmo::pathsAndGhostsAreSeen()
     window.select({1});
     window.waitForPicture();
     const QImage plain = window.view->grabFramebuffer();
-    window.gizmo->setShowsPath(true);
+    window.gizmo->showsPath.set(true);
     QTRY_VERIFY(differing(plain, window.view->grabFramebuffer()) > 300);
     window.waitForPicture();
     const QImage path = window.view->grabFramebuffer();
     window.keep("path");
-    window.gizmo->setShowsGhosts(true);
+    window.gizmo->showsGhosts.set(true);
     window.waitForPicture();
     window.keep("ghosts");
     QVERIFY(differing(path, window.view->grabFramebuffer()) > 2000);
     window.select({2}); // it does not move: nothing is drawn
     window.waitForPicture();
-    window.gizmo->setShowsGhosts(false);
-    window.gizmo->setShowsPath(false);
+    window.gizmo->showsGhosts.set(false);
+    window.gizmo->showsPath.set(false);
     window.waitForPicture();
     const QImage none = window.view->grabFramebuffer();
-    window.gizmo->setShowsGhosts(true);
-    window.gizmo->setShowsPath(true);
+    window.gizmo->showsGhosts.set(true);
+    window.gizmo->showsPath.set(true);
     window.waitForPicture();
     QCOMPARE(differing(none, window.view->grabFramebuffer()), 0);
 }
@@ -365,8 +365,8 @@ void TestGizmo::playingShowsNoGhosts()
 {
     Window window(demoScene("MovingCylinder").value_or(Scene()));
     window.select({window.document.scene().nodes().front().id});
-    window.gizmo->setTool(TransformTool::Move);
-    window.gizmo->setShowsGhosts(true);
+    window.gizmo->tool.set(TransformTool::Move);
+    window.gizmo->showsGhosts.set(true);
     window.player.play();
     QTRY_VERIFY(window.player.frame() > 2);
     QVERIFY(window.player.isPlaying());

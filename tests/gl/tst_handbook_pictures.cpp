@@ -250,8 +250,8 @@ private slots:
             QVERIFY(QDir().mkpath(m_folder));
         }
         m_preferences = std::make_unique<Preferences>();
-        m_preferences->setLanguage(language);
-        m_preferences->setTheme(ThemeChoice::Light);
+        m_preferences->language.set(language);
+        m_preferences->theme.set(ThemeChoice::Light);
         m_language = std::make_unique<Language>(*m_preferences);
         m_theme = std::make_unique<Theme>(qApp, m_preferences.get());
         m_document = std::make_unique<Document>();

@@ -99,7 +99,7 @@ struct Window : test::ViewWindow
         result.tree = *TreePipeline().evaluate(node.params);
         document.setResult(tree, std::move(result));
         view->setSoftware(true);
-        host.settings()->setQuality(Quality::Best);
+        host.settings()->quality.set(Quality::Best);
     }
     [[nodiscard]] bool isWhole() const { return !view->isSettling() && !view->isPictureInMaking(); }
     /// Of orange ink in the picture of now, below the words that say what it is.
@@ -217,7 +217,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(window.isWhole(), 120'000);
         const QImage whole = window.view->grabFramebuffer();
 
-        window.host.settings()->setGridVisible(!window.host.settings()->gridVisible());
+        window.host.settings()->gridVisible.set(!window.host.settings()->gridVisible());
         window.waitForPicture();
         QTRY_VERIFY(window.view->isPictureInMaking());
         QVERIFY(window.view->grabFramebuffer() != whole);
@@ -228,7 +228,7 @@ private slots:
         QVERIFY(window.view->isPictureInMaking());
         dialog.close();
         QTRY_VERIFY_WITH_TIMEOUT(window.isWhole(), 120'000);
-        window.host.settings()->setGridVisible(!window.host.settings()->gridVisible());
+        window.host.settings()->gridVisible.set(!window.host.settings()->gridVisible());
         window.waitForPicture();
         QTRY_VERIFY_WITH_TIMEOUT(window.isWhole(), 120'000);
         QVERIFY(window.view->grabFramebuffer() == whole);

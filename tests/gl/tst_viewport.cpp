@@ -152,8 +152,8 @@ private slots:
     void clickSelectsTheBranchUnderIt()
     {
         Window window;
-        window.host.settings()->setLeavesVisible(false);
-        window.host.settings()->setApplesVisible(false);
+        window.host.settings()->leavesVisible.set(false);
+        window.host.settings()->applesVisible.set(false);
         window.waitForPicture();
         window.click(window.pixelOf(middle(window.skeleton(), 0)));
         Selection expected;
@@ -172,10 +172,10 @@ private slots:
     void everyDisplayModeCanBePicked()
     {
         Window window;
-        window.host.settings()->setLeavesVisible(false);
-        window.host.settings()->setApplesVisible(false);
+        window.host.settings()->leavesVisible.set(false);
+        window.host.settings()->applesVisible.set(false);
         for (const DisplayModeRow& row : displayModes()) {
-            window.host.settings()->setDisplayMode(row.mode);
+            window.host.settings()->displayMode.set(row.mode);
             window.waitForPicture();
             window.document.setSelection({});
             window.click(window.pixelOf(middle(window.skeleton(), 0)));
@@ -186,8 +186,8 @@ private slots:
     {
         Window window;
         const auto ink = [&window](bool again) {
-            window.host.settings()->setOutlineVisible(window.host.settings()->outlineVisible() != again);
-            window.host.settings()->setOutlineVisible(true);
+            window.host.settings()->outlineVisible.set(window.host.settings()->outlineVisible() != again);
+            window.host.settings()->outlineVisible.set(true);
             const QImage image = window.view->grabFramebuffer();
             int count = 0;
             for (int y = 60; y < image.height(); ++y) // below the words
@@ -203,7 +203,7 @@ private slots:
     void shiftAddsAndTakesOut()
     {
         Window window;
-        window.host.settings()->setDisplayMode(DisplayMode::Simplified);
+        window.host.settings()->displayMode.set(DisplayMode::Simplified);
         window.waitForPicture();
         const QPoint first = window.pixelOf(glm::mix(window.skeleton().p0[0], window.skeleton().p1[0], 0.3));
         Index other = 1; // of another limb
@@ -219,7 +219,7 @@ private slots:
     void controlDragBendsTheLimb()
     {
         Window window;
-        window.host.settings()->setDisplayMode(DisplayMode::Simplified);
+        window.host.settings()->displayMode.set(DisplayMode::Simplified);
         window.waitForPicture();
         const Index tip = window.skeleton().size() - 1;
         const glm::dvec3 end = glm::mix(window.skeleton().p0[tip], window.skeleton().p1[tip], 0.8);
@@ -245,7 +245,7 @@ private slots:
     void boxSelects()
     {
         Window window;
-        window.host.settings()->setDisplayMode(DisplayMode::Simplified);
+        window.host.settings()->displayMode.set(DisplayMode::Simplified);
         window.waitForPicture();
         window.drag({1, 1}, {478, 358}, Qt::LeftButton);
         QCOMPARE(window.document.selection().branches.size(), std::size_t(window.skeleton().size()));
@@ -255,7 +255,7 @@ private slots:
     void hoverIsHeardAndHighlighted()
     {
         Window window;
-        window.host.settings()->setDisplayMode(DisplayMode::Skeleton);
+        window.host.settings()->displayMode.set(DisplayMode::Skeleton);
         window.waitForPicture();
         const QPoint trunk = window.pixelOf(glm::mix(window.skeleton().p0[0], window.skeleton().p1[0], 0.2));
         const QImage before = window.view->grabFramebuffer();
@@ -348,27 +348,27 @@ private slots:
             QVERIFY2(now != last, what);
             last = now;
         };
-        settings->setLeavesVisible(false);
+        settings->leavesVisible.set(false);
         differs("leaves");
-        settings->setApplesVisible(false);
+        settings->applesVisible.set(false);
         differs("apples");
-        settings->setGridVisible(false);
+        settings->gridVisible.set(false);
         differs("grid");
-        settings->setShadingMode(ShadingMode::SolidWire);
+        settings->shadingMode.set(ShadingMode::SolidWire);
         differs("wireframe over solid");
-        settings->setShadingMode(ShadingMode::Wire);
+        settings->shadingMode.set(ShadingMode::Wire);
         differs("wireframe");
-        settings->setDisplayMode(DisplayMode::Skeleton);
+        settings->displayMode.set(DisplayMode::Skeleton);
         differs("skeleton");
-        settings->setDisplayMode(DisplayMode::Simplified);
+        settings->displayMode.set(DisplayMode::Simplified);
         differs("simplified");
-        settings->setDisplayMode(DisplayMode::Sections);
+        settings->displayMode.set(DisplayMode::Sections);
         differs("sections");
-        settings->setFrameDisplay(FrameDisplay::All);
+        settings->frameDisplay.set(FrameDisplay::All);
         differs("frames");
-        settings->setDisplayMode(DisplayMode::Rough);
+        settings->displayMode.set(DisplayMode::Rough);
         differs("rough");
-        settings->setOrthographic(true);
+        settings->orthographic.set(true);
         differs("orthographic");
         QVERIFY(window.view->camera().orthographic);
     }

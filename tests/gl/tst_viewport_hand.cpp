@@ -49,7 +49,7 @@ struct Window : test::ViewWindow
         node.params = presetParams("TinyTree").value_or(NodeParams{});
         (void)scene.insert({node}, noNode, 0);
         document.reset(scene, {});
-        host.settings()->setDisplayMode(DisplayMode::Simplified);
+        host.settings()->displayMode.set(DisplayMode::Simplified);
         compute();
         show({480, 360});
         view->setFocus();
@@ -112,7 +112,7 @@ int farApart(const QImage& a, const QImage& b)
 void TestViewportHand::aLimbIsSeenBeforeItsMesh()
 {
     Window window;
-    window.host.settings()->setOutlineVisible(false); // it fades from one picture to the next
+    window.host.settings()->outlineVisible.set(false); // it fades from one picture to the next
     window.waitForPicture();
     const QImage before = window.view->grabFramebuffer();
     window.bend({30, -12});

@@ -120,7 +120,7 @@ void FileActions::fillRecentMenu()
     }
     m_recentMenu->addSeparator();
     connect(m_recentMenu->addAction(tr("Forget these files")), &QAction::triggered, m_preferences,
-            &Preferences::clearRecentFiles);
+            [this] { m_preferences->recentFiles.set({}); });
 }
 
 QString FileActions::projectFilter() const

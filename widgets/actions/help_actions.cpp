@@ -73,7 +73,7 @@ bool HelpActions::startTourOnce()
 {
     if (m_preferences->tourSeen())
         return false;
-    m_preferences->setTourSeen();
+    m_preferences->tourSeen.set(true);
     m_tour->start();
     return true;
 }

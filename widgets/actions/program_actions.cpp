@@ -40,7 +40,7 @@ ProgramActions::ProgramActions(ActionSet* set, Preferences* preferences, ViewSet
     set->find("edit.preferences")->setMenuRole(QAction::PreferencesRole);
     connect(m_preferences, &Preferences::changed, this, &ProgramActions::takePreferences);
     takePreferences();
-    connect(m_view, &ViewSettings::groundVisibleChanged, m_preferences, &Preferences::setGroundVisible);
+    m_view->groundVisible.follow(this, [this] { m_preferences->groundVisible.set(m_view->groundVisible()); });
 }
 
 void ProgramActions::setMenus(const QList<QMenu*>& menus)
@@ -52,8 +52,8 @@ void ProgramActions::setMenus(const QList<QMenu*>& menus)
 
 void ProgramActions::takePreferences()
 {
-    m_view->setNavigationStyle(m_preferences->navigationStyle());
-    m_view->setGroundVisible(m_preferences->groundVisible());
+    m_view->navigationStyle.set(m_preferences->navigationStyle());
+    m_view->groundVisible.set(m_preferences->groundVisible());
 }
 
 } // namespace ramure

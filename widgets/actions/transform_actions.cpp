@@ -25,7 +25,7 @@ TransformActions::TransformActions(ViewportHost* host, Preferences* preferences,
     , m_tools(new QActionGroup(this))
 {
     m_settings->restore(preferences->toolSettings());
-    m_settings->setRadians(preferences->angleUnit() == AngleUnit::Radians);
+    m_settings->radians.set(preferences->angleUnit() == AngleUnit::Radians);
     const auto exists = [this] { return m_host->viewport() != nullptr; };
     addTools(exists);
     addGestures(exists);
@@ -41,11 +41,11 @@ TransformActions::TransformActions(ViewportHost* host, Preferences* preferences,
     }
     connect(m_settings, &GizmoSettings::changed, this, [this] {
         take();
-        m_preferences->setToolSettings(m_settings->saved());
+        m_preferences->toolSettings.set(m_settings->saved());
     });
     connect(m_hand, &HandSettings::toolChanged, this, &TransformActions::take);
     connect(preferences, &Preferences::changed, this,
-            [this] { m_settings->setRadians(m_preferences->angleUnit() == AngleUnit::Radians); });
+            [this] { m_settings->radians.set(m_preferences->angleUnit() == AngleUnit::Radians); });
     take();
 }
 
@@ -54,7 +54,7 @@ void TransformActions::addTools(const std::function<bool()>& exists)
     const auto choose = [this](TransformTool tool) {
         return [this, tool] {
             m_hand->setTool(HandTool::None);
-            m_settings->setTool(tool);
+            m_settings->tool.set(tool);
         };
     };
     const auto isChosen = [this](TransformTool tool) {
@@ -83,7 +83,7 @@ void TransformActions::addTools(const std::function<bool()>& exists)
                                             nullptr,
                                             {},
                                             {},
-                                            [this, space] { m_settings->setSpace(space); },
+                                            [this, space] { m_settings->space.set(space); },
                                             exists,
                                             [this, space] { return m_settings->space() == space; }}));
     };
@@ -117,13 +117,13 @@ void TransformActions::addSwitches(const std::function<bool()>& exists)
     m_set->add(this,
                {{"tool.snap", Actions::tr("S&nap to steps"), "snap", noKeys,
                  Actions::tr("Dragged values go in steps; Ctrl while dragging: the other way round"),
-                 [s] { s->setSnaps(!s->snaps()); }, exists, [s] { return s->snaps(); }},
+                 [s] { s->snaps.set(!s->snaps()); }, exists, [s] { return s->snaps(); }},
                 {"view.path", Actions::tr("Motion &path"), "path", Qt::SHIFT | Qt::Key_P,
                  Actions::tr("The way of the selected nodes over all frames, with its keys"),
-                 [s] { s->setShowsPath(!s->showsPath()); }, exists, [s] { return s->showsPath(); }},
+                 [s] { s->showsPath.set(!s->showsPath()); }, exists, [s] { return s->showsPath(); }},
                 {"view.ghosts", Actions::tr("G&hosts"), "ghosts", Qt::SHIFT | Qt::Key_O,
                  Actions::tr("Translucent copies of the selected nodes at frames before and after this one"),
-                 [s] { s->setShowsGhosts(!s->showsGhosts()); }, exists, [s] { return s->showsGhosts(); }},
+                 [s] { s->showsGhosts.set(!s->showsGhosts()); }, exists, [s] { return s->showsGhosts(); }},
                 {"tool.settings", Actions::tr("Steps and &ghosts…"), "tool-settings", noKeys,
                  Actions::tr("What values snap to, how many ghosts there are"), [this] { showSettings(); }}});
 }
@@ -154,7 +154,7 @@ void TransformActions::fillToolBar(QToolBar* bar)
     m_spaceBox->setFocusPolicy(Qt::TabFocus); // a click leaves the keys with the view
     m_spaceBox->setEnabled(m_host->viewport() != nullptr);
     connect(m_spaceBox, &QComboBox::activated, m_settings,
-            [this](int index) { m_settings->setSpace(static_cast<TransformSpace>(index)); });
+            [this](int index) { m_settings->space.set(static_cast<TransformSpace>(index)); });
     bar->addWidget(m_spaceBox);
     m_set->fill(bar, {"tool.snap", "tool.settings"});
     m_spaceBox->setToolTip(tr("Axes along which nodes are moved, turned and scaled"));

@@ -130,72 +130,56 @@ static constexpr ModeRow<double> gameWindStrengths[] = {
      QT_TRANSLATE_NOOP("Actions", "The top of a tree leans by a tenth of its height")}};
 
 /// One action for each row of a table of modes; the one of the present mode is checked.
-template <class Row, class Mode>
-static QActionGroup* addChoices(ActionSet* set, ViewSettings* settings, std::span<const Row> rows,
-                                bool hasKeys, Mode (ViewSettings::*get)() const,
-                                void (ViewSettings::*choose)(Mode), void (ViewSettings::*changed)(Mode))
+template <class Rows, class Mode>
+static QActionGroup* addChoices(ActionSet* set, ViewSettings* settings, const Rows& rows,
+                                ViewSettings::Option<Mode>& option, bool hasKeys = false)
 {
     auto* group = new QActionGroup(settings);
     int key = Qt::Key_0;
-    for (const Row& row : rows) {
+    for (const auto& row : rows) {
         const bool hasKey = hasKeys && ++key <= Qt::Key_9;
-        group->addAction(
-            set->add(settings, {row.action,
-                                Actions::tr(row.text),
-                                row.icon,
-                                hasKey ? QKeySequence(Qt::ALT | Qt::Key(key)) : QKeySequence(),
-                                row.tip ? Actions::tr(row.tip) : QString(),
-                                [settings, choose, mode = row.mode] { (settings->*choose)(mode); },
-                                {},
-                                [settings, get, mode = row.mode] { return (settings->*get)() == mode; }}));
+        group->addAction(set->add(settings, {row.action, Actions::tr(row.text), row.icon,
+                                             hasKey ? QKeySequence(Qt::ALT | Qt::Key(key)) : QKeySequence(),
+                                             row.tip ? Actions::tr(row.tip) : QString(),
+                                             [&option, mode = row.mode] { option.set(mode); }, nullptr,
+                                             [&option, mode = row.mode] { return option() == mode; }}));
     }
-    QObject::connect(settings, changed, group, [set, settings] { set->update(settings); });
-    set->update(settings);
     return group;
 }
 
 void ViewActions::addModes()
 {
-    ActionSet* set = m_set;
-    m_modes = addChoices(set, m_host->settings(), displayModes(), true, &ViewSettings::displayMode,
-                         &ViewSettings::setDisplayMode, &ViewSettings::displayModeChanged);
-    m_shading = addChoices(set, m_host->settings(), shadingModes(), false, &ViewSettings::shadingMode,
-                           &ViewSettings::setShadingMode, &ViewSettings::shadingModeChanged);
-    m_qualities = addChoices(set, m_host->settings(), qualities(), false, &ViewSettings::quality,
-                             &ViewSettings::setQuality, &ViewSettings::qualityChanged);
-    m_gameWinds =
-        addChoices(set, m_host->settings(), std::span<const ModeRow<WindProfile>>(gameWinds), false,
-                   &ViewSettings::gameWind, &ViewSettings::setGameWind, &ViewSettings::gameWindChanged);
-    m_gameWindStrengths =
-        addChoices(set, m_host->settings(), std::span<const ModeRow<double>>(gameWindStrengths), false,
-                   &ViewSettings::gameWindStrength, &ViewSettings::setGameWindStrength,
-                   &ViewSettings::gameWindStrengthChanged);
+    ViewSettings* s = m_host->settings();
+    m_modes = addChoices(m_set, s, displayModes(), s->displayMode, true);
+    m_shading = addChoices(m_set, s, shadingModes(), s->shadingMode);
+    m_qualities = addChoices(m_set, s, qualities(), s->quality);
+    m_gameWinds = addChoices(m_set, s, gameWinds, s->gameWind);
+    m_gameWindStrengths = addChoices(m_set, s, gameWindStrengths, s->gameWindStrength);
 }
 
 void ViewActions::addSwitches()
 {
     ViewSettings* s = m_host->settings();
-    m_switches = m_set->add(
-        s,
-        {{"view.leaves", Actions::tr("&Leaves"), "leaf", noKeys, QString(),
-          [s] { s->setLeavesVisible(!s->leavesVisible()); }, nullptr, [s] { return s->leavesVisible(); }},
-         {"view.apples", Actions::tr("F&ruit"), "apple", noKeys, QString(),
-          [s] { s->setApplesVisible(!s->applesVisible()); }, nullptr, [s] { return s->applesVisible(); }},
-         {"view.grid", Actions::tr("&Grid"), "grid", Qt::SHIFT | Qt::Key_G, QString(),
-          [s] { s->setGridVisible(!s->gridVisible()); }, nullptr, [s] { return s->gridVisible(); }},
-         {"view.ground", Actions::tr("G&round"), nullptr, noKeys,
-          Actions::tr("Without the ground, what lies below it can be seen"),
-          [s] { s->setGroundVisible(!s->groundVisible()); }, nullptr, [s] { return s->groundVisible(); }},
-         {"view.outline", Actions::tr("O&utline of the selection"), nullptr, Qt::SHIFT | Qt::Key_E,
-          Actions::tr("An orange line around what is selected, seen through leaves and branches for a "
-                      "second after it was selected"),
-          [s] { s->setOutlineVisible(!s->outlineVisible()); }, nullptr, [s] { return s->outlineVisible(); }},
-         {"view.crowns", Actions::tr("&Crown to fill"), nullptr, noKeys,
-          Actions::tr("The envelope and the points that a selected tree grows to fill, where it grows by "
-                      "space colonisation"),
-          [s] { s->setCrownsVisible(!s->crownsVisible()); }, nullptr, [s] { return s->crownsVisible(); }},
-         {"view.orthographic", Actions::tr("&Orthographic"), "orthographic", Qt::Key_5, QString(),
-          [s] { s->setOrthographic(!s->orthographic()); }, nullptr, [s] { return s->orthographic(); }}});
+    const auto add = [this, s](const char* id, const QString& text, const char* icon,
+                               const QKeySequence& keys, ViewSettings::Option<bool>& option,
+                               const QString& tip = {}) {
+        m_switches += m_set->add(s, {id, text, icon, keys, tip, [&option] { option.set(!option()); }, nullptr,
+                                     [&option] { return option(); }});
+    };
+    add("view.leaves", Actions::tr("&Leaves"), "leaf", noKeys, s->leavesVisible);
+    add("view.apples", Actions::tr("F&ruit"), "apple", noKeys, s->applesVisible);
+    add("view.grid", Actions::tr("&Grid"), "grid", Qt::SHIFT | Qt::Key_G, s->gridVisible);
+    add("view.ground", Actions::tr("G&round"), nullptr, noKeys, s->groundVisible,
+        Actions::tr("Without the ground, what lies below it can be seen"));
+    add("view.outline", Actions::tr("O&utline of the selection"), nullptr, Qt::SHIFT | Qt::Key_E,
+        s->outlineVisible,
+        Actions::tr("An orange line around what is selected, seen through leaves and branches for a second "
+                    "after it was selected"));
+    add("view.crowns", Actions::tr("&Crown to fill"), nullptr, noKeys, s->crownsVisible,
+        Actions::tr("The envelope and the points that a selected tree grows to fill, where it grows by space "
+                    "colonisation"));
+    add("view.orthographic", Actions::tr("&Orthographic"), "orthographic", Qt::Key_5, s->orthographic);
+    m_set->update(s);
     connect(s, &ViewSettings::changed, this, [this, s] { m_set->update(s); });
     if (Viewport* view = m_host->viewport())
         view->setOutlineKey([outline = m_set->find("view.outline")] {
@@ -213,9 +197,9 @@ void ViewActions::addLight()
     const QString key = QStringLiteral("quality");
     const int usual = static_cast<int>(settings->quality());
     const int quality = m_preferences->viewLight().value(key, usual).toInt();
-    settings->setQuality(static_cast<Quality>(std::clamp(quality, 0, static_cast<int>(Quality::Best))));
-    connect(settings, &ViewSettings::qualityChanged, this, [this, key](Quality chosen) {
-        m_preferences->setViewLight({{key, static_cast<int>(chosen)}});
+    settings->quality.set(static_cast<Quality>(std::clamp(quality, 0, static_cast<int>(Quality::Best))));
+    settings->quality.follow(this, [this, key, settings] {
+        m_preferences->viewLight.set({{key, static_cast<int>(settings->quality())}});
     });
 }
 
@@ -241,7 +225,7 @@ void ViewActions::addPreferences()
                                  nullptr,
                                  {},
                                  {},
-                                 [=] { p->setTheme(choice); },
+                                 [=] { p->theme.set(choice); },
                                  {},
                                  [=] { return p->theme() == choice; }});
     };
@@ -251,7 +235,7 @@ void ViewActions::addPreferences()
                                  nullptr,
                                  {},
                                  {},
-                                 [=] { p->setAngleUnit(choice); },
+                                 [=] { p->angleUnit.set(choice); },
                                  {},
                                  [=] { return p->angleUnit() == choice; }});
     };
@@ -263,7 +247,7 @@ void ViewActions::addPreferences()
                            {},
                            {},
                            [=, this] {
-                               p->setLanguage(code);
+                               p->language.set(code);
                                emit messageRaised(tr("The language changes when Ramure is started again."));
                            },
                            {},

@@ -1,7 +1,6 @@
 #include "widgets/dialogs/preferences_dialog.h"
 
 #include "widgets/base/theme/language.h"
-#include "widgets/base/theme/preferences.h"
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -68,7 +67,6 @@ PreferencesDialog::PreferencesDialog(Preferences* preferences, QWidget* parent)
                              .arg(Preferences::mostMotionMb));
     m_welcome->setObjectName(QStringLiteral("welcome"));
     build();
-    take();
     connectFields();
 }
 
@@ -115,51 +113,47 @@ void PreferencesDialog::build()
     connect(defaults, &QPushButton::clicked, m_preferences, &Preferences::restoreDefaults);
 }
 
-void PreferencesDialog::connectFields()
+/// The field shows the preference, whoever changes it, and changes it.
+void PreferencesDialog::follow(QWidget* field, const std::function<void()>& show)
 {
-    const auto on = [this](QComboBox* box, auto apply) {
-        connect(box, &QComboBox::currentIndexChanged, this, [this, apply](int index) {
-            if (!m_taking && index >= 0)
-                apply(index);
-        });
+    const auto quietly = [field, show] {
+        const QSignalBlocker quiet(field);
+        show();
     };
-    on(m_navigation,
-       [this](int index) { m_preferences->setNavigationStyle(static_cast<NavigationStyle>(index)); });
-    on(m_units, [this](int index) { m_preferences->setAngleUnit(static_cast<AngleUnit>(index)); });
-    on(m_times, [this](int index) { m_preferences->setTimeDisplay(static_cast<TimeDisplay>(index)); });
-    on(m_theme, [this](int index) { m_preferences->setTheme(static_cast<ThemeChoice>(index)); });
-    on(m_language, [this](int index) { m_preferences->setLanguage(m_language->itemData(index).toString()); });
-    connect(m_autosave, &QSpinBox::valueChanged, this, [this](int minutes) {
-        if (!m_taking)
-            m_preferences->setAutosaveMinutes(minutes);
-    });
-    connect(m_memory, &QSpinBox::valueChanged, this, [this](int megabytes) {
-        if (!m_taking)
-            m_preferences->setMotionMemoryMb(megabytes);
-    });
-    connect(m_welcome, &QCheckBox::toggled, this, [this](bool shown) {
-        if (!m_taking)
-            m_preferences->setWelcomeAtStart(shown);
-    });
-    connect(m_preferences, &Preferences::changed, this, &PreferencesDialog::take);
+    connect(m_preferences, &Preferences::changed, field, quietly);
+    quietly();
 }
 
-void PreferencesDialog::take()
+template <class Enum> void PreferencesDialog::connectField(QComboBox* box, Preferences::Choice<Enum>& choice)
 {
-    m_taking = true;
-    m_navigation->setCurrentIndex(static_cast<int>(m_preferences->navigationStyle()));
-    m_units->setCurrentIndex(static_cast<int>(m_preferences->angleUnit()));
-    m_times->setCurrentIndex(static_cast<int>(m_preferences->timeDisplay()));
-    m_memory->setValue(m_preferences->motionMemoryMb());
-    m_theme->setCurrentIndex(static_cast<int>(m_preferences->theme()));
-    m_language->setCurrentIndex(std::max(0, m_language->findData(m_preferences->language())));
-    m_autosave->setValue(m_preferences->autosaveMinutes());
-    m_welcome->setChecked(m_preferences->welcomeAtStart());
-    m_taking = false;
-    m_navigationHint->setText(
-        m_preferences->navigationStyle() == NavigationStyle::Maya
-            ? tr("Alt with the left button orbits, with the middle one pans, with the right one zooms.")
-            : tr("The middle button orbits, with Shift it pans, with Ctrl it zooms."));
+    follow(box, [box, &choice] { box->setCurrentIndex(static_cast<int>(choice())); });
+    connect(box, &QComboBox::currentIndexChanged, this,
+            [&choice](int index) { choice.set(static_cast<Enum>(index)); });
+}
+
+void PreferencesDialog::connectFields()
+{
+    Preferences* p = m_preferences;
+    connectField(m_theme, p->theme);
+    connectField(m_units, p->angleUnit);
+    connectField(m_times, p->timeDisplay);
+    connectField(m_navigation, p->navigationStyle);
+    follow(m_language,
+           [this, p] { m_language->setCurrentIndex(std::max(0, m_language->findData(p->language()))); });
+    connect(m_language, &QComboBox::currentIndexChanged, this,
+            [this, p](int index) { p->language.set(m_language->itemData(index).toString()); });
+    follow(m_autosave, [this, p] { m_autosave->setValue(p->autosaveMinutes()); });
+    connect(m_autosave, &QSpinBox::valueChanged, p, &Preferences::setAutosaveMinutes);
+    follow(m_memory, [this, p] { m_memory->setValue(p->motionMemoryMb()); });
+    connect(m_memory, &QSpinBox::valueChanged, p, &Preferences::setMotionMemoryMb);
+    follow(m_welcome, [this, p] { m_welcome->setChecked(p->welcomeAtStart()); });
+    connect(m_welcome, &QCheckBox::toggled, this, [p](bool shown) { p->welcomeAtStart.set(shown); });
+    follow(m_navigationHint, [this, p] {
+        m_navigationHint->setText(
+            p->navigationStyle() == NavigationStyle::Maya
+                ? tr("Alt with the left button orbits, with the middle one pans, with the right one zooms.")
+                : tr("The middle button orbits, with Shift it pans, with Ctrl it zooms."));
+    });
 }
 
 } // namespace ramure

@@ -2,17 +2,16 @@
 /// The preferences: every change is applied and stored at once, so there is nothing to confirm.
 #pragma once
 
+#include "widgets/base/theme/preferences.h"
 #include <QDialog>
+#include <functional>
 
 class QCheckBox;
 class QComboBox;
 class QLabel;
-class QPushButton;
 class QSpinBox;
 
 namespace ramure {
-
-class Preferences;
 
 class PreferencesDialog : public QDialog
 {
@@ -24,10 +23,10 @@ public:
 private:
     void build();
     void connectFields();
-    void take();
+    void follow(QWidget* field, const std::function<void()>& show);
+    template <class Enum> void connectField(QComboBox* box, Preferences::Choice<Enum>& choice);
 
     Preferences* m_preferences;
-    bool m_taking = false; ///< the fields follow the preferences and must not answer
     // In the order of the form, which is that of the Tab key.
     QComboBox* m_theme;
     QComboBox* m_language;

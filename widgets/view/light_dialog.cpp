@@ -127,7 +127,7 @@ LightDialog::LightDialog(ViewSettings* settings, QWidget* parent)
     connect(m_time, &QDateTimeEdit::dateTimeChanged, this, &LightDialog::tellMoment);
     for (QDoubleSpinBox* box : {m_latitude, m_longitude})
         connect(box, &QDoubleSpinBox::valueChanged, this, &LightDialog::tellMoment);
-    connect(settings, &ViewSettings::lightChanged, this, &LightDialog::take);
+    settings->light.follow(this, [this] { take(); });
 }
 
 void LightDialog::build()
@@ -190,7 +190,7 @@ void LightDialog::buildButtons()
     m_usual->setAutoDefault(false);
     m_usual->setObjectName(QStringLiteral("usualLight"));
     layout()->addWidget(buttons);
-    connect(m_usual, &QPushButton::clicked, this, [this] { m_settings->setLight({}); });
+    connect(m_usual, &QPushButton::clicked, this, [this] { m_settings->light.set({}); });
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
 }
 
@@ -212,9 +212,9 @@ void LightDialog::take()
 void LightDialog::apply()
 {
     if (!m_taking)
-        m_settings->setLight({double(m_direction->value()), double(m_height->value()),
-                              static_cast<Backdrop>(m_backdrop->currentIndex()), m_haze->value(),
-                              m_exposure->value()});
+        m_settings->light.set({double(m_direction->value()), double(m_height->value()),
+                               static_cast<Backdrop>(m_backdrop->currentIndex()), m_haze->value(),
+                               m_exposure->value()});
 }
 
 SunPosition LightDialog::momentsSun() const
@@ -241,7 +241,7 @@ void LightDialog::takeMoment()
     SceneLight light = m_settings->light();
     light.azimuthDeg = sun.azimuthDeg;
     light.heightDeg = std::max(sun.heightDeg, SceneLight::leastHeightDeg);
-    m_settings->setLight(light);
+    m_settings->light.set(light);
 }
 
 } // namespace ramure

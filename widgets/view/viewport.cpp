@@ -88,13 +88,14 @@ Viewport::Viewport(Document* document, ViewSettings* settings, QWidget* parent)
     setAccessibleName(tr("3D view"));
 
     connect(document, &Document::changed, this, &Viewport::onDocumentChanged);
+    settings->windVisible.follow(this, [this] { explainWind(); });
+    settings->gameWind.follow(this, [this] { beginGameWind(); });
+    settings->outlineVisible.follow(this, [this] { d->showOutline(); });
     connect(settings, &ViewSettings::changed, this, &Viewport::onSettingsChanged);
     connect(&d->tools.picks(), &PendingPick::missed, this, &Viewport::clearDefect);
     connect(&d->tools.picks(), &PendingPick::menuWanted, this, [this](QPointF at, NodeId node, Index branch) {
         emit menuRequested(mapToGlobal(at.toPoint()), node, branch);
     });
-    connect(settings, &ViewSettings::windVisibleChanged, this, &Viewport::explainWind);
-    connect(settings, &ViewSettings::gameWindChanged, this, &Viewport::beginGameWind);
     d->picker.setDisposal([this](std::shared_ptr<const void> last) { d->builder.dispose(std::move(last)); });
     connect(&d->builder, &BackgroundBuilder::built, this, &Viewport::takeScene);
     const auto complain = [this](const Error& error) { emit messageRaised(errorText(error)); };
@@ -133,7 +134,6 @@ Viewport::Viewport(Document* document, ViewSettings* settings, QWidget* parent)
             d->outlineFades.stop();
         update();
     });
-    connect(settings, &ViewSettings::outlineVisibleChanged, this, [this] { d->showOutline(); });
     wishScene();
 }
 
@@ -259,7 +259,7 @@ void Viewport::setCamera(const Camera& camera)
     d->frameNext = false;
     d->leaveCamera();
     d->setCamera(camera);
-    d->settings->setOrthographic(camera.orthographic);
+    d->settings->orthographic.set(camera.orthographic);
 }
 
 void Viewport::moveCamera(const Camera& to)
@@ -344,7 +344,7 @@ void Viewport::turnOpposite()
 
 void Viewport::flyTo(const Camera& camera)
 {
-    d->settings->setOrthographic(camera.orthographic);
+    d->settings->orthographic.set(camera.orthographic);
     moveCamera(camera);
 }
 

@@ -203,8 +203,8 @@ private:
     void paintOverlay();
     void paintLabels(QPainter& painter) const;
     void updateTrail();
-    void explainWind(bool visible);
-    void beginGameWind(ramure::WindProfile game);
+    void explainWind();
+    void beginGameWind();
     void moveCamera(const Camera& to);
     void frameBox(const Box& box);
     void hoverAt(QPointF position);

@@ -27,7 +27,7 @@ void Viewport::lookThrough(NodeId camera)
     EvaluatedScene now(d->document->scene(), d->context.seconds());
     if (!viewThrough(now, camera))
         return d->leaveCamera();
-    d->settings->setOrthographic(false);
+    d->settings->orthographic.set(false);
     d->frameNext = false;
     d->framed = false;
     d->framing = Private::Framing::None;

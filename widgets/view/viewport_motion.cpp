@@ -82,11 +82,11 @@ void Viewport::updateTrail()
 }
 
 /// Where there is nothing to see, it is said why.
-void Viewport::explainWind(bool visible)
+void Viewport::explainWind()
 {
     const auto trees = windyTrees(d->document->scene(), d->document->selection().activeNode(), 1);
     const auto* none = std::get_if<NoWind>(&trees);
-    if (!visible || !none)
+    if (!d->settings->windVisible() || !none)
         return;
     emit messageRaised(
         *none == NoWind::NoTree
@@ -103,9 +103,9 @@ bool Viewport::Private::isWindy() const
 }
 
 /// It begins anew with each choice.
-void Viewport::beginGameWind(WindProfile game)
+void Viewport::beginGameWind()
 {
-    if (game == WindProfile::None)
+    if (d->settings->gameWind() == WindProfile::None)
         return d->windClock.invalidate();
     if (!d->windClock.isValid())
         d->windClock.start();

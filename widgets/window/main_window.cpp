@@ -181,7 +181,8 @@ void MainWindow::connectTimeline()
         m_player->setMemoryLimit(std::size_t(m_preferences->motionMemoryMb()) << 20);
     };
     connect(m_preferences, &Preferences::changed, this, apply);
-    connect(m_timeline, &TimelinePanel::displayChanged, m_preferences, &Preferences::setTimeDisplay);
+    connect(m_timeline, &TimelinePanel::displayChanged, m_preferences,
+            [this](TimeDisplay display) { m_preferences->timeDisplay.set(display); });
     m_bakes->setSave([this] { return m_files->save(); });
     apply();
 }
@@ -307,7 +308,8 @@ void MainWindow::closeEvent(QCloseEvent* event)
         event->ignore();
         return;
     }
-    m_preferences->setWindow(saveGeometry(), saveState(layoutVersion));
+    m_preferences->windowGeometry.set(saveGeometry());
+    m_preferences->windowState.set(saveState(layoutVersion));
     event->accept();
 }
 

@@ -36,9 +36,10 @@ ExportDialog* MainWindow::newExportDialog()
         look.view.apples = settings->applesVisible();
         dialog->setPictureLook(look);
         dialog->offerWind();
-        connect(dialog, &ExportDialog::windShown, settings, &ViewSettings::setGameWind);
+        connect(dialog, &ExportDialog::windShown, settings,
+                [settings](WindProfile game) { settings->gameWind.set(game); });
         connect(dialog, &QDialog::finished, settings,
-                [settings, before = settings->gameWind()] { settings->setGameWind(before); });
+                [settings, before = settings->gameWind()] { settings->gameWind.set(before); });
     }
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAnalysis(m_analysis);

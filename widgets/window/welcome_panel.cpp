@@ -59,7 +59,8 @@ WelcomePanel::WelcomePanel(FileActions* files, ActionSet* set, Preferences* pref
         if (opened)
             hide();
     });
-    connect(m_atStart, &QCheckBox::toggled, m_preferences, &Preferences::setWelcomeAtStart);
+    connect(m_atStart, &QCheckBox::toggled, m_preferences,
+            [this](bool on) { m_preferences->welcomeAtStart.set(on); });
     connect(m_preferences, &Preferences::changed, this, &WelcomePanel::takePreferences);
     takePreferences();
     hide();

@@ -97,7 +97,7 @@ void EditorBench::setParam(const char* key, ParamValue value)
 
 double EditorBench::frameMs(Quality quality, QSize size, int times, bool selected)
 {
-    m_window.viewportHost()->settings()->setQuality(quality);
+    m_window.viewportHost()->settings()->quality.set(quality);
     view()->setFixedSize(size);
     settle();
     view()->frameAll();
@@ -121,7 +121,7 @@ double EditorBench::frameMs(Quality quality, QSize size, int times, bool selecte
 
 void EditorBench::setMode(DisplayMode mode)
 {
-    m_window.viewportHost()->settings()->setDisplayMode(mode);
+    m_window.viewportHost()->settings()->displayMode.set(mode);
     settle();
 }
 

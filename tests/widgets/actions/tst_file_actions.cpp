@@ -76,7 +76,7 @@ private slots:
         test::failOnWidgetWarning();
         m_folder = std::make_unique<QTemporaryDir>();
         m_preferences = std::make_unique<Preferences>();
-        m_preferences->clearRecentFiles();
+        m_preferences->recentFiles.set({});
         m_document = std::make_unique<Document>();
         m_chooser = std::make_unique<test::FakeChooser>();
         m_set = std::make_unique<ActionSet>();

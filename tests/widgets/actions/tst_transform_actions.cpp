@@ -48,13 +48,13 @@ private slots:
     }
     void buttonsFollowTheSettings()
     {
-        gizmo()->setTool(TransformTool::Rotate);
+        gizmo()->tool.set(TransformTool::Rotate);
         QVERIFY(action("tool.rotate")->isChecked());
         QVERIFY(!action("tool.select")->isChecked());
         action("tool.scale")->setEnabled(true);
         action("tool.scale")->trigger();
         QCOMPARE(gizmo()->tool(), TransformTool::Scale);
-        gizmo()->setSpace(TransformSpace::Local);
+        gizmo()->space.set(TransformSpace::Local);
         QVERIFY(action("tool.local")->isChecked());
         auto* box = m_window->findChild<QComboBox*>(QStringLiteral("transformSpace"));
         QCOMPARE(box->currentText(), QStringLiteral("Local"));
@@ -67,8 +67,8 @@ private slots:
     {
         gizmo()->setSteps({0.5, 30.0, 0.25});
         gizmo()->setGhostFrames({3, 4, 2});
-        gizmo()->setShowsGhosts(true);
-        gizmo()->setSpace(TransformSpace::Local);
+        gizmo()->showsGhosts.set(true);
+        gizmo()->space.set(TransformSpace::Local);
         open();
         QCOMPARE(gizmo()->steps(), (SnapSteps{0.5, 30.0, 0.25}));
         QVERIFY(gizmo()->ghostFrames() == (GhostFrames{3, 4, 2}));
@@ -79,7 +79,7 @@ private slots:
     void anglesAreThoseOfThePreferences()
     {
         QVERIFY(!gizmo()->radians());
-        m_preferences->setAngleUnit(AngleUnit::Radians);
+        m_preferences->angleUnit.set(AngleUnit::Radians);
         QVERIFY(gizmo()->radians());
     }
     void theDialogAppliesAtOnce()

@@ -40,7 +40,7 @@ private slots:
         QVERIFY(blocker.open(QIODevice::WriteOnly)); // not even the administrator writes below a file
         Preferences preferences;
         QSignalSpy failures(&preferences, &Preferences::failed);
-        preferences.setWelcomeAtStart(false);
+        preferences.welcomeAtStart.set(false);
         QTRY_COMPARE(failures.count(), 1);
         QCOMPARE(errorOf(failures).message(), file().toStdString() + ": cannot be written: Not a directory");
         preferences.setAutosaveMinutes(7);
@@ -48,7 +48,7 @@ private slots:
         QCOMPARE(failures.count(), 1); // told once
         QVERIFY(!preferences.welcomeAtStart());
         QVERIFY(blocker.remove());
-        preferences.setGroundVisible(false);
+        preferences.groundVisible.set(false);
         QTRY_VERIFY(QFile::exists(file()));
         const QSettings stored(file(), QSettings::IniFormat);
         QCOMPARE(stored.value(QStringLiteral("files/autosaveMinutes")).toInt(), 7); // nothing was lost
@@ -98,7 +98,8 @@ private slots:
     {
         {
             Preferences preferences;
-            preferences.setWindow("geometry", "state"); // as a window that closes does
+            preferences.windowGeometry.set("geometry"); // as a window that closes does
+            preferences.windowState.set("state");
         }
         QVERIFY(test::filesIn(folder()).value(QFileInfo(file()).fileName()).contains("geometry"));
         Preferences nothing;

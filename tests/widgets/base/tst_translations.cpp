@@ -128,12 +128,12 @@ private slots:
     {
         const test::OwnSettings settings;
         Preferences preferences;
-        preferences.setLanguage(QStringLiteral("fr"));
+        preferences.language.set(QStringLiteral("fr"));
         {
             const Language language(preferences);
             QCOMPARE(language.current(), QStringLiteral("fr"));
             QCOMPARE(QCoreApplication::translate("core", "Grammar"), QStringLiteral("Grammaire"));
-            preferences.setLanguage(QStringLiteral("en"));
+            preferences.language.set(QStringLiteral("en"));
             QCOMPARE(language.current(), QStringLiteral("fr"));
             QCOMPARE(QCoreApplication::translate("core", "Grammar"), QStringLiteral("Grammaire"));
         }
@@ -141,7 +141,7 @@ private slots:
         QCOMPARE(QCoreApplication::translate("core", "Grammar"), QStringLiteral("Grammar"));
         QCOMPARE(QCoreApplication::translate("ramure::PropertiesPanel", "%n node(s) selected", nullptr, 1),
                  QStringLiteral("1 node selected"));
-        preferences.setLanguage(QStringLiteral("xx")); // not there: English
+        preferences.language.set(QStringLiteral("xx")); // not there: English
         QCOMPARE(Language(preferences).current(), QStringLiteral("en"));
     }
 };

@@ -103,9 +103,9 @@ private slots:
     {
         Preferences preferences;
         PreferencesDialog dialog(&preferences);
-        preferences.setNavigationStyle(NavigationStyle::Maya);
+        preferences.navigationStyle.set(NavigationStyle::Maya);
         preferences.setAutosaveMinutes(9);
-        preferences.setTheme(ThemeChoice::Light);
+        preferences.theme.set(ThemeChoice::Light);
         preferences.addRecentFile(QStringLiteral("/a/b.ramure"));
         preferences.setShortcut(QStringLiteral("x"), QKeySequence(Qt::Key_X));
         auto* minutes = dialog.findChild<QSpinBox*>(QStringLiteral("autosave"));
@@ -122,7 +122,7 @@ private slots:
     void theLanguageChangesAtTheNextStart()
     {
         Preferences preferences;
-        preferences.setLanguage(QStringLiteral("en"));
+        preferences.language.set(QStringLiteral("en"));
         {
             const Language language(preferences);
             PreferencesDialog dialog(&preferences);
@@ -151,7 +151,7 @@ private slots:
     {
         Preferences preferences;
         for (const char* code : {"en", "fr"}) {
-            preferences.setLanguage(QString::fromLatin1(code));
+            preferences.language.set(QString::fromLatin1(code));
             const Language language(preferences);
             PreferencesDialog dialog(&preferences);
             dialog.show();

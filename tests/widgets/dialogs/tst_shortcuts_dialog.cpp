@@ -104,7 +104,7 @@ private slots:
     void keysOfGesturesAreListed()
     {
         for (const char* code : {"en", "fr"}) {
-            m_preferences->setLanguage(QString::fromLatin1(code));
+            m_preferences->language.set(QString::fromLatin1(code));
             const Language language(*m_preferences);
             openWindow();
             auto shown = dialog();
@@ -148,7 +148,7 @@ private slots:
     void everyMenuHasAKeyOfItsOwn()
     {
         for (const char* code : {"en", "fr"}) {
-            m_preferences->setLanguage(QString::fromLatin1(code));
+            m_preferences->language.set(QString::fromLatin1(code));
             const Language language(*m_preferences);
             openWindow();
             QSet<QString> keys;

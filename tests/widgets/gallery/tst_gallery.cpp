@@ -292,8 +292,8 @@ private slots:
         m_wrong.clear();
         QSettings().clear();
         m_preferences = std::make_unique<Preferences>();
-        m_preferences->setLanguage(language);
-        m_preferences->setTheme(dark ? ThemeChoice::Dark : ThemeChoice::Light);
+        m_preferences->language.set(language);
+        m_preferences->theme.set(dark ? ThemeChoice::Dark : ThemeChoice::Light);
         m_preferences->addRecentFile(QStringLiteral("/home/someone/trees/oak.ramure"));
         m_language = std::make_unique<Language>(*m_preferences);
         m_theme = std::make_unique<Theme>(qApp, m_preferences.get());

@@ -55,7 +55,7 @@ private:
     /// For all that is made from now on.
     void speak(const char* language)
     {
-        m_preferences->setLanguage(QLatin1String(language));
+        m_preferences->language.set(QLatin1String(language));
         m_language = std::make_unique<Language>(*m_preferences);
     }
 

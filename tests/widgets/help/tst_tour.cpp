@@ -37,7 +37,7 @@ private slots:
         test::failOnWidgetWarning();
         QSettings().clear();
         m_preferences = std::make_unique<Preferences>();
-        m_preferences->setLanguage(QLatin1String(language));
+        m_preferences->language.set(QLatin1String(language));
         m_language = std::make_unique<Language>(*m_preferences);
         m_document = std::make_unique<Document>();
         m_recompute = std::make_unique<Recompute>(m_document.get());
@@ -119,7 +119,7 @@ private slots:
                 cleanup();
                 open(code);
                 const Theme theme(qApp, m_preferences.get());
-                m_preferences->setTheme(choice);
+                m_preferences->theme.set(choice);
                 tour()->start();
                 for (int step = 0; step < Tour::stepCount(); ++step) {
                     QCoreApplication::processEvents();

@@ -77,15 +77,15 @@ void TestGizmoTrail::settingsGoRound()
 {
     GizmoSettings one, other;
     QSignalSpy changed(&one, &GizmoSettings::changed);
-    one.setSpace(TransformSpace::Parent);
-    one.setSnaps(true);
+    one.space.set(TransformSpace::Parent);
+    one.snaps.set(true);
     one.setSteps({0.25, 15.0, 0.5});
-    one.setShowsPath(true);
-    one.setShowsGhosts(true);
+    one.showsPath.set(true);
+    one.showsGhosts.set(true);
     one.setGhostFrames({1, 2, 7});
-    one.setSpace(TransformSpace::Parent); // as it is: silent
+    one.space.set(TransformSpace::Parent); // as it is: silent
     QCOMPARE(changed.count(), 6);
-    one.setTool(TransformTool::Scale);
+    one.tool.set(TransformTool::Scale);
     other.restore(one.saved());
     QCOMPARE(other.saved(), one.saved());
     QCOMPARE(other.ghostFrames(), (GhostFrames{1, 2, 7}));
@@ -141,8 +141,8 @@ void TestGizmoTrail::nothingMovesAndNothingIsShown()
 {
     GizmoTrail trail;
     GizmoSettings how;
-    how.setShowsPath(true);
-    how.setShowsGhosts(true);
+    how.showsPath.set(true);
+    how.showsGhosts.set(true);
     Node still;
     still.id = 1;
     const Scene scene = *Scene::fromNodes({still});
@@ -157,7 +157,7 @@ void TestGizmoTrail::pathsComeFromTheBackground()
 {
     GizmoTrail trail;
     GizmoSettings how;
-    how.setShowsPath(true);
+    how.showsPath.set(true);
     const Scene scene = cylinder();
     const NodeId node = movingIn(scene);
     trail.show(scene, {node}, how, 0, true);
@@ -179,7 +179,7 @@ void TestGizmoTrail::onlyChangesAreComputed()
 {
     GizmoTrail trail;
     GizmoSettings how;
-    how.setShowsPath(true);
+    how.showsPath.set(true);
     Scene scene = cylinder();
     const NodeId node = movingIn(scene);
     trail.show(scene, {node}, how, 0, true);
@@ -201,7 +201,7 @@ void TestGizmoTrail::longPathsDoNotBlock()
 {
     auto trail = std::make_unique<GizmoTrail>();
     GizmoSettings how;
-    how.setShowsPath(true);
+    how.showsPath.set(true);
     Scene scene = cylinder();
     TimelineSettings timeline = scene.timeline();
     timeline.lastFrame = 150'000;
@@ -224,7 +224,7 @@ void TestGizmoTrail::ghostsStandWhereTheNodesWere()
 {
     GizmoTrail trail;
     GizmoSettings how;
-    how.setShowsGhosts(true);
+    how.showsGhosts.set(true);
     how.setGhostFrames({2, 3, 4});
     const Scene scene = cylinder();
     const NodeId node = movingIn(scene);
@@ -261,7 +261,7 @@ void TestGizmoTrail::armsHaveGhostsToo()
             arm = node.id;
     QVERIFY(arm != noNode);
     GizmoSettings how;
-    how.setShowsGhosts(true);
+    how.showsGhosts.set(true);
     how.setGhostFrames({0, 3, 10});
     for (const bool follows : {false, true}) {
         Node& node = *scene.find(arm);
@@ -316,7 +316,7 @@ void TestGizmoTrail::ghostsHaveAnEnd()
 {
     GizmoTrail trail;
     GizmoSettings how;
-    how.setShowsGhosts(true);
+    how.showsGhosts.set(true);
     how.setGhostFrames({20, 20, 1});
     const Scene scene = demoScene("MovingTree").value_or(Scene());
     QVERIFY(scene.nodes().size() > 1000);

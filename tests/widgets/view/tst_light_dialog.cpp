@@ -24,7 +24,7 @@ private slots:
     void init()
     {
         test::failOnAnyWarning();
-        m_settings.setLight({});
+        m_settings.light.set({});
     }
     void theSunStandsWhereItIsSaidToStand()
     {
@@ -49,7 +49,7 @@ private slots:
         const SceneLight light{270.0, 8.0, Backdrop::Sky, 5.5, -1.5};
         QCOMPARE(m_settings.light(), light);
         QCOMPARE(changed.size(), 5);
-        m_settings.setQuality(Quality::Best);
+        m_settings.quality.set(Quality::Best);
         m_settings.beginDocument();
         QCOMPARE(m_settings.light(), SceneLight());
         QCOMPARE(dialog.findChild<QSpinBox*>("sunDirection")->value(), int(SceneLight().azimuthDeg));
@@ -60,7 +60,7 @@ private slots:
         LightDialog dialog(&m_settings);
         auto* haze = dialog.findChild<QDoubleSpinBox*>("haze");
         QVERIFY(!haze->isEnabled());
-        m_settings.setLight({10.0, 20.0, Backdrop::Sky});
+        m_settings.light.set({10.0, 20.0, Backdrop::Sky});
         QVERIFY(haze->isEnabled());
     }
     void theSunOfADayAndAPlace()
@@ -84,7 +84,7 @@ private slots:
         LightDialog dialog(&m_settings);
         auto* usual = dialog.findChild<QPushButton*>("usualLight");
         QVERIFY(!usual->isEnabled());
-        m_settings.setLight({12.4, 30.0, Backdrop::LightStudio});
+        m_settings.light.set({12.4, 30.0, Backdrop::LightStudio});
         QCOMPARE(dialog.findChild<QSpinBox*>("sunDirection")->value(), 12);
         QCOMPARE(dialog.findChildren<QSlider*>()[1]->value(), 30);
         QCOMPARE(m_settings.light().azimuthDeg, 12.4); // being shown changes nothing

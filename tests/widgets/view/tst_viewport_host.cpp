@@ -50,21 +50,22 @@ private slots:
     {
         ViewSettings settings;
         QSignalSpy changed(&settings, &ViewSettings::changed);
-        QSignalSpy mode(&settings, &ViewSettings::displayModeChanged);
-        settings.setDisplayMode(settings.displayMode());
+        int modes = 0;
+        settings.displayMode.follow(&settings, [&modes] { ++modes; });
+        settings.displayMode.set(settings.displayMode());
         QCOMPARE(changed.count(), 0);
-        settings.setDisplayMode(DisplayMode::Sections);
-        QCOMPARE(mode.count(), 1);
+        settings.displayMode.set(DisplayMode::Sections);
+        QCOMPARE(modes, 1);
         QCOMPARE(settings.displayMode(), DisplayMode::Sections);
-        settings.setShadingMode(ShadingMode::Wire);
-        settings.setFrameDisplay(FrameDisplay::All);
-        settings.setNavigationStyle(NavigationStyle::Maya);
-        settings.setLeavesVisible(false);
-        settings.setApplesVisible(false);
-        settings.setGridVisible(false);
-        settings.setOrthographic(true);
+        settings.shadingMode.set(ShadingMode::Wire);
+        settings.frameDisplay.set(FrameDisplay::All);
+        settings.navigationStyle.set(NavigationStyle::Maya);
+        settings.leavesVisible.set(false);
+        settings.applesVisible.set(false);
+        settings.gridVisible.set(false);
+        settings.orthographic.set(true);
         QCOMPARE(changed.count(), 8);
-        QCOMPARE(mode.count(), 1);
+        QCOMPARE(modes, 1);
     }
     void displayModesHaveNames()
     {

@@ -47,7 +47,7 @@ private slots:
     {
         test::failOnWidgetWarning();
         m_preferences = std::make_unique<Preferences>();
-        m_preferences->setLanguage(QLatin1String(language));
+        m_preferences->language.set(QLatin1String(language));
         m_language = std::make_unique<Language>(*m_preferences);
         m_document = std::make_unique<Document>();
         m_recompute = std::make_unique<Recompute>(m_document.get());

@@ -58,7 +58,7 @@ private:
     void restart(const char* language)
     {
         cleanup();
-        Preferences().setLanguage(QLatin1String(language));
+        Preferences().language.set(QLatin1String(language));
         m_language = std::make_unique<Language>(Preferences());
         init();
     }
@@ -165,7 +165,7 @@ private slots:
         QCOMPARE(names, sorted);
         QVERIFY(names.contains(QStringLiteral("Baobab africain")) &&
                 names.front() != QStringLiteral("American Elm"));
-        Preferences().setLanguage(QStringLiteral("en"));
+        Preferences().language.set(QStringLiteral("en"));
     }
 
     void wrongGrammarsShowWhereAndKeepTheTree()
@@ -415,7 +415,7 @@ private slots:
     void preferencesThatCannotBeStoredAreTold()
     {
         const test::SmallDisk disk(0);
-        m_preferences->setTheme(ThemeChoice::Dark);
+        m_preferences->theme.set(ThemeChoice::Dark);
         QTRY_COMPARE(m_chooser.reports.size(), 1);
         const QString name = QFileInfo(QSettings().fileName()).fileName();
         QVERIFY2(m_chooser.reports.last().contains(name), qPrintable(m_chooser.reports.last()));
@@ -560,7 +560,7 @@ private slots:
         QVERIFY(m_window->menuBar()->actions().constFirst()->text().contains(QStringLiteral("Fichier")));
         const auto* label = m_window->properties()->row(*findParam("turtle.decay"))->findChild<QLabel*>();
         QCOMPARE(label->text(), QStringLiteral("Effilement"));
-        Preferences().setLanguage(QStringLiteral("en"));
+        Preferences().language.set(QStringLiteral("en"));
     }
 
     void theBadgeOpensTheValidationPanel()
@@ -578,14 +578,14 @@ private slots:
     void themesSwitchWhileRunning()
     {
         Theme theme(qApp, m_preferences.get());
-        m_preferences->setTheme(ThemeChoice::Dark);
+        m_preferences->theme.set(ThemeChoice::Dark);
         QVERIFY(isDark(m_window->palette()));
         QVERIFY(!action("file.open")->icon().isNull());
         const QImage dark = action("file.open")->icon().pixmap(16, 16).toImage();
-        m_preferences->setTheme(ThemeChoice::Light);
+        m_preferences->theme.set(ThemeChoice::Light);
         QVERIFY(!isDark(m_window->palette()));
         QVERIFY(dark != action("file.open")->icon().pixmap(16, 16).toImage());
-        m_preferences->setTheme(ThemeChoice::System);
+        m_preferences->theme.set(ThemeChoice::System);
     }
 };
 

@@ -74,10 +74,10 @@ private slots:
         other.brushStrength = 0.9;
         view()->hand()->setOptions(other);
         view()->hand()->setTool(HandTool::Draw);
-        view()->gizmo()->setSpace(TransformSpace::Local);
-        view()->gizmo()->setSnaps(true);
-        view()->setLight({270.0, 8.0, Backdrop::Sky, 5.5, -1.5});
-        view()->setQuality(Quality::Draft);
+        view()->gizmo()->space.set(TransformSpace::Local);
+        view()->gizmo()->snaps.set(true);
+        view()->light.set({270.0, 8.0, Backdrop::Sky, 5.5, -1.5});
+        view()->quality.set(Quality::Draft);
         autoKey()->setChecked(true);
         QVERIFY(m_window->findChild<AutoKey*>()->isOn());
         switch (way) {

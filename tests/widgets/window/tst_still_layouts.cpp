@@ -66,7 +66,7 @@ private:
     void setLanguage()
     {
         const auto* language = static_cast<QString*>(QTest::qData("language", qMetaTypeId<QString>()));
-        m_preferences.setLanguage(*language);
+        m_preferences.language.set(*language);
     }
 
 private slots:

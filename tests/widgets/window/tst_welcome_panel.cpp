@@ -160,7 +160,7 @@ private slots:
         QVERIFY(box->isChecked());
         box->setChecked(false);
         QVERIFY(!Preferences().welcomeAtStart());
-        m_preferences->setWelcomeAtStart(true);
+        m_preferences->welcomeAtStart.set(true);
         QVERIFY(box->isChecked());
     }
 
@@ -168,7 +168,7 @@ private slots:
     {
         for (const char* code : {"en", "fr"}) {
             cleanup();
-            Preferences().setLanguage(QString::fromLatin1(code));
+            Preferences().language.set(QString::fromLatin1(code));
             const Language language{Preferences()};
             init();
             m_panel->resize(m_panel->width(), 700);

@@ -4,48 +4,13 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
-#include <QVariantMap>
-#include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace ramure {
 namespace {
 
-const QString angleKey = QStringLiteral("units/angle");
-const QString themeKey = QStringLiteral("view/theme");
-const QString languageKey = QStringLiteral("view/language");
-const QString navigationKey = QStringLiteral("view/navigation");
-const QString groundKey = QStringLiteral("view/ground");
 const QString autosaveKey = QStringLiteral("files/autosaveMinutes");
-const QString timeKey = QStringLiteral("units/time");
 const QString motionMemoryKey = QStringLiteral("motion/memoryMb");
-const QString welcomeKey = QStringLiteral("view/welcomeAtStart");
-const QString shortcutsKey = QStringLiteral("shortcuts");
-const QString recentKey = QStringLiteral("files/recent");
-const QString folderKey = QStringLiteral("files/folder");
-const QString exportKey = QStringLiteral("files/export");
-const QString exportSpaceKey = QStringLiteral("files/exportSpace");
-const QString findsKey = QStringLiteral("window/recentFinds");
-const QString tourKey = QStringLiteral("window/tourSeen");
-const QString favouritesKey = QStringLiteral("gallery/favourites");
-const QString foldedKey = QStringLiteral("properties/folded");
-const QString lightKey = QStringLiteral("view/light");
-const QString toolsKey = QStringLiteral("window/tools");
-const QString columnsKey = QStringLiteral("scene/columns");
-const QString geometryKey = QStringLiteral("window/geometry");
-const QString stateKey = QStringLiteral("window/state");
-
-// In the order of the enumerations; what is not stored is the first.
-const QStringList angleNames{QStringLiteral("degrees"), QStringLiteral("radians")};
-const QStringList themeNames{QStringLiteral("system"), QStringLiteral("light"), QStringLiteral("dark")};
-const QStringList navigationNames{QStringLiteral("blender"), QStringLiteral("maya")};
-const QStringList timeNames{QStringLiteral("frames"), QStringLiteral("seconds"), QStringLiteral("timecode")};
-
-template <class Enum> Enum named(const QVariant& stored, const QStringList& names)
-{
-    return static_cast<Enum>(std::max<qsizetype>(names.indexOf(stored.toString()), 0));
-}
 
 } // namespace
 
@@ -65,18 +30,14 @@ Preferences::~Preferences()
         write();
 }
 
-void Preferences::store(const QString& key, const QVariant& value)
+void Preferences::store(const QString& key, const QVariant& value, bool isTold)
 {
     if (m_settings.value(key) == value)
         return;
-    set(key, value);
-    emit changed();
-}
-
-void Preferences::set(const QString& key, const QVariant& value)
-{
     m_settings.setValue(key, value);
     m_rest.start();
+    if (isTold)
+        emit changed();
 }
 
 /// Qt writes beside and renames, but its settings do not say why they could not, and it leaves the folder to
@@ -100,56 +61,6 @@ void Preferences::write()
         emit failed(written.error());
 }
 
-AngleUnit Preferences::angleUnit() const
-{
-    return named<AngleUnit>(m_settings.value(angleKey), angleNames);
-}
-
-void Preferences::setAngleUnit(AngleUnit unit)
-{
-    store(angleKey, angleNames[static_cast<int>(unit)]);
-}
-
-ThemeChoice Preferences::theme() const
-{
-    return named<ThemeChoice>(m_settings.value(themeKey), themeNames);
-}
-
-void Preferences::setTheme(ThemeChoice theme)
-{
-    store(themeKey, themeNames[static_cast<int>(theme)]);
-}
-
-QString Preferences::language() const
-{
-    return m_settings.value(languageKey).toString();
-}
-
-void Preferences::setLanguage(const QString& language)
-{
-    store(languageKey, language);
-}
-
-NavigationStyle Preferences::navigationStyle() const
-{
-    return named<NavigationStyle>(m_settings.value(navigationKey), navigationNames);
-}
-
-void Preferences::setNavigationStyle(NavigationStyle style)
-{
-    store(navigationKey, navigationNames[static_cast<int>(style)]);
-}
-
-bool Preferences::groundVisible() const
-{
-    return m_settings.value(groundKey, true).toBool();
-}
-
-void Preferences::setGroundVisible(bool on)
-{
-    store(groundKey, on);
-}
-
 int Preferences::autosaveMs() const
 {
     constexpr double msPerMinute = 60'000.0;
@@ -171,16 +82,6 @@ void Preferences::setAutosaveMinutes(int minutes)
     store(autosaveKey, std::clamp(minutes, 0, maxAutosaveMinutes));
 }
 
-TimeDisplay Preferences::timeDisplay() const
-{
-    return named<TimeDisplay>(m_settings.value(timeKey), timeNames);
-}
-
-void Preferences::setTimeDisplay(TimeDisplay display)
-{
-    store(timeKey, timeNames[static_cast<int>(display)]);
-}
-
 int Preferences::motionMemoryMb() const
 {
     bool good = false;
@@ -193,21 +94,11 @@ void Preferences::setMotionMemoryMb(int megabytes)
     store(motionMemoryKey, std::clamp(megabytes, leastMotionMb, mostMotionMb));
 }
 
-bool Preferences::welcomeAtStart() const
-{
-    return m_settings.value(welcomeKey, true).toBool();
-}
-
-void Preferences::setWelcomeAtStart(bool on)
-{
-    store(welcomeKey, on);
-}
-
 void Preferences::restoreDefaults()
 {
-    for (const QString& key : {angleKey, timeKey, themeKey, languageKey, navigationKey, groundKey,
-                               autosaveKey, motionMemoryKey, welcomeKey})
-        m_settings.remove(key);
+    for (const char* key : {"units/angle", "units/time", "view/theme", "view/language", "view/navigation",
+                            "view/ground", "files/autosaveMinutes", "motion/memoryMb", "view/welcomeAtStart"})
+        m_settings.remove(QLatin1String(key));
     m_rest.start();
     emit changed();
 }
@@ -215,7 +106,7 @@ void Preferences::restoreDefaults()
 QMap<QString, QKeySequence> Preferences::shortcuts() const
 {
     QMap<QString, QKeySequence> found;
-    const QVariantMap stored = m_settings.value(shortcutsKey).toMap();
+    const QVariantMap stored = m_shortcuts();
     for (auto it = stored.begin(); it != stored.end(); ++it)
         found.insert(it.key(), QKeySequence::fromString(it.value().toString(), QKeySequence::PortableText));
     return found;
@@ -223,22 +114,17 @@ QMap<QString, QKeySequence> Preferences::shortcuts() const
 
 void Preferences::setShortcut(const QString& action, const std::optional<QKeySequence>& keys)
 {
-    QVariantMap stored = m_settings.value(shortcutsKey).toMap();
+    QVariantMap stored = m_shortcuts();
     if (keys)
         stored.insert(action, keys->toString(QKeySequence::PortableText));
     else
         stored.remove(action);
-    store(shortcutsKey, stored);
+    m_shortcuts.set(stored);
 }
 
 void Preferences::clearShortcuts()
 {
-    store(shortcutsKey, QVariantMap());
-}
-
-QStringList Preferences::recentFiles() const
-{
-    return m_settings.value(recentKey).toStringList();
+    m_shortcuts.set({});
 }
 
 void Preferences::addRecentFile(const QString& path)
@@ -247,78 +133,30 @@ void Preferences::addRecentFile(const QString& path)
     QStringList files = recentFiles();
     files.removeAll(absolute);
     files.prepend(absolute);
-    store(recentKey, QStringList(files.mid(0, maxRecentFiles)));
+    recentFiles.set(files.mid(0, maxRecentFiles));
 }
 
 void Preferences::removeRecentFile(const QString& path)
 {
     QStringList files = recentFiles();
     files.removeAll(path);
-    store(recentKey, files);
-}
-
-void Preferences::clearRecentFiles()
-{
-    store(recentKey, QStringList());
+    recentFiles.set(files);
 }
 
 QString Preferences::lastFolder() const
 {
-    const QString folder = m_settings.value(folderKey).toString();
+    const QString folder = m_folder();
     return !folder.isEmpty() && QDir(folder).exists() ? folder : QDir::homePath();
-}
-
-void Preferences::setLastFolder(const QString& folder)
-{
-    store(folderKey, folder);
 }
 
 FileSpace Preferences::exportSpace() const
 {
-    const QString text = m_settings.value(exportSpaceKey).toString();
-    return fileSpaceIn("# " + text.toStdString()).value_or(FileSpace());
+    return fileSpaceIn("# " + m_exportSpace().toStdString()).value_or(FileSpace());
 }
 
 void Preferences::setExportSpace(const FileSpace& space)
 {
-    store(exportSpaceKey, QString::fromStdString(space.comment()));
-}
-
-QVariantMap Preferences::exportSettings() const
-{
-    return m_settings.value(exportKey).toMap();
-}
-
-void Preferences::setExportSettings(const QVariantMap& settings)
-{
-    set(exportKey, settings);
-}
-
-QVariantMap Preferences::viewLight() const
-{
-    return m_settings.value(lightKey).toMap();
-}
-
-void Preferences::setViewLight(const QVariantMap& light)
-{
-    if (light != viewLight())
-        store(lightKey, light);
-}
-
-QVariantMap Preferences::toolSettings() const
-{
-    return m_settings.value(toolsKey).toMap();
-}
-
-void Preferences::setToolSettings(const QVariantMap& settings)
-{
-    if (settings != toolSettings())
-        store(toolsKey, settings);
-}
-
-QStringList Preferences::recentFinds() const
-{
-    return m_settings.value(findsKey).toStringList();
+    m_exportSpace.set(QString::fromStdString(space.comment()));
 }
 
 void Preferences::addRecentFind(const QString& name)
@@ -326,64 +164,7 @@ void Preferences::addRecentFind(const QString& name)
     QStringList names = recentFinds();
     names.removeAll(name);
     names.prepend(name);
-    set(findsKey, names.mid(0, maxRecentFinds));
-}
-
-bool Preferences::tourSeen() const
-{
-    return m_settings.value(tourKey, false).toBool();
-}
-
-void Preferences::setTourSeen()
-{
-    set(tourKey, true);
-}
-
-QStringList Preferences::favouritePresets() const
-{
-    return m_settings.value(favouritesKey).toStringList();
-}
-
-void Preferences::setFavouritePresets(const QStringList& presets)
-{
-    store(favouritesKey, presets);
-}
-
-QStringList Preferences::foldedGroups() const
-{
-    return m_settings.value(foldedKey).toStringList();
-}
-
-void Preferences::setFoldedGroups(const QStringList& groups)
-{
-    store(foldedKey, groups);
-}
-
-std::optional<QStringList> Preferences::sceneColumns() const
-{
-    const QVariant stored = m_settings.value(columnsKey);
-    return stored.isValid() ? std::optional(stored.toStringList()) : std::nullopt;
-}
-
-void Preferences::setSceneColumns(const QStringList& columns)
-{
-    store(columnsKey, columns);
-}
-
-QByteArray Preferences::windowGeometry() const
-{
-    return m_settings.value(geometryKey).toByteArray();
-}
-
-QByteArray Preferences::windowState() const
-{
-    return m_settings.value(stateKey).toByteArray();
-}
-
-void Preferences::setWindow(const QByteArray& geometry, const QByteArray& state)
-{
-    set(geometryKey, geometry);
-    set(stateKey, state);
+    recentFinds.set(names.mid(0, maxRecentFinds));
 }
 
 } // namespace ramure

@@ -13,7 +13,10 @@
 #include <QSettings>
 #include <QStringList>
 #include <QTimer>
+#include <QVariantMap>
+#include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace ramure {
 
@@ -23,6 +26,56 @@ class Preferences : public QObject
 {
     Q_OBJECT
 public:
+    /// One preference: a key of the settings file, and what it is while nothing is stored there.
+    template <class T> class Value
+    {
+    public:
+        /// \param isTold changed() tells of it
+        Value(Preferences* all, const char* key, T usual = T(), bool isTold = true)
+            : m_all(all)
+            , m_key(QLatin1String(key))
+            , m_usual(std::move(usual))
+            , m_isTold(isTold)
+        {
+        }
+        [[nodiscard]] T operator()() const
+        {
+            const QVariant stored = m_all->m_settings.value(m_key);
+            return stored.isValid() ? stored.value<T>() : m_usual;
+        }
+        void set(const T& value)
+        {
+            if (!m_all->m_settings.contains(m_key) || (*this)() != value)
+                m_all->store(m_key, QVariant::fromValue(value), m_isTold);
+        }
+
+    private:
+        Preferences* m_all;
+        QString m_key;
+        T m_usual;
+        bool m_isTold;
+    };
+    /// One of an enumeration, stored by its name.
+    template <class Enum> class Choice
+    {
+    public:
+        /// \param names in the order of the enumeration; the first is the default
+        Choice(Preferences* all, const char* key, QStringList names)
+            : m_stored(all, key)
+            , m_names(std::move(names))
+        {
+        }
+        [[nodiscard]] Enum operator()() const
+        {
+            return static_cast<Enum>(std::max<qsizetype>(m_names.indexOf(m_stored()), 0));
+        }
+        void set(Enum value) { m_stored.set(m_names[static_cast<int>(value)]); }
+
+    private:
+        Value<QString> m_stored;
+        QStringList m_names;
+    };
+
     static constexpr int maxRecentFiles = 10;
     static constexpr int maxRecentFinds = 12;
     static constexpr int defaultAutosaveMinutes = 1;
@@ -32,32 +85,25 @@ public:
     explicit Preferences(QObject* parent = nullptr);
     ~Preferences() override; ///< what was set last is on the disk
 
-    [[nodiscard]] AngleUnit angleUnit() const;
-    void setAngleUnit(AngleUnit unit);
-    [[nodiscard]] ThemeChoice theme() const;
-    void setTheme(ThemeChoice theme);
+    Choice<AngleUnit> angleUnit{this, "units/angle", {"degrees", "radians"}};
+    Choice<ThemeChoice> theme{this, "view/theme", {"system", "light", "dark"}};
     /// "en", "fr"; empty: that of the system.
-    [[nodiscard]] QString language() const;
-    void setLanguage(const QString& language);
-    [[nodiscard]] NavigationStyle navigationStyle() const;
-    void setNavigationStyle(NavigationStyle style);
-    [[nodiscard]] bool groundVisible() const;
-    void setGroundVisible(bool on);
+    Value<QString> language{this, "view/language"};
+    Choice<NavigationStyle> navigationStyle{this, "view/navigation", {"blender", "maya"}};
+    Value<bool> groundVisible{this, "view/ground", true};
+    /// How moments are shown.
+    Choice<TimeDisplay> timeDisplay{this, "units/time", {"frames", "seconds", "timecode"}};
+    /// Whether the welcome page comes up when the program starts without a file.
+    Value<bool> welcomeAtStart{this, "view/welcomeAtStart", true};
     /// Minutes between two recovery files; 0: none are written. A part of a minute counts as a whole one.
     [[nodiscard]] int autosaveMinutes() const;
     void setAutosaveMinutes(int minutes);
     /// The same in milliseconds. The settings file may name a part of a minute ("0.05"), which no dialog
     /// offers: for slow disks to be tried out, and for tests.
     [[nodiscard]] int autosaveMs() const;
-    /// How moments are shown.
-    [[nodiscard]] TimeDisplay timeDisplay() const;
-    void setTimeDisplay(TimeDisplay display);
     /// Megabytes (2^20 bytes) of memory for computed motion, of all trees together.
     [[nodiscard]] int motionMemoryMb() const;
     void setMotionMemoryMb(int megabytes);
-    /// Whether the welcome page comes up when the program starts without a file.
-    [[nodiscard]] bool welcomeAtStart() const;
-    void setWelcomeAtStart(bool on);
     /// All of the above as they were when the program was new. Files, window and shortcuts stay.
     void restoreDefaults();
 
@@ -68,52 +114,37 @@ public:
     void clearShortcuts();
 
     /// The latest first; absolute paths.
-    [[nodiscard]] QStringList recentFiles() const;
+    Value<QStringList> recentFiles{this, "files/recent"};
     void addRecentFile(const QString& path);
     void removeRecentFile(const QString& path);
-    void clearRecentFiles();
     /// The folder where the last file dialog ended, for the next one.
     [[nodiscard]] QString lastFolder() const;
-    void setLastFolder(const QString& folder);
+    void setLastFolder(const QString& folder) { m_folder.set(folder); }
 
     /// The axes and the unit of the last mesh that was exported.
     [[nodiscard]] FileSpace exportSpace() const;
     void setExportSpace(const FileSpace& space);
-
     /// What the export dialog keeps: settings under names, and those of the last exports.
-    [[nodiscard]] QVariantMap exportSettings() const;
-    void setExportSettings(const QVariantMap& settings);
+    Value<QVariantMap> exportSettings{this, "files/export", {}, false};
+    void setExportSettings(const QVariantMap& settings) { exportSettings.set(settings); }
 
     /// What the tools of the view remember, see GizmoSettings::saved.
-    [[nodiscard]] QVariantMap toolSettings() const;
-    void setToolSettings(const QVariantMap& settings);
-
+    Value<QVariantMap> toolSettings{this, "window/tools"};
     /// What is remembered of the picture in the view: its quality (ViewActions).
-    [[nodiscard]] QVariantMap viewLight() const;
-    void setViewLight(const QVariantMap& light);
-
+    Value<QVariantMap> viewLight{this, "view/light"};
     /// What the palette found and was asked to do, the latest first (paletteName).
-    [[nodiscard]] QStringList recentFinds() const;
+    Value<QStringList> recentFinds{this, "window/recentFinds", {}, false};
     void addRecentFind(const QString& name);
     /// Whether the tour has begun once.
-    [[nodiscard]] bool tourSeen() const;
-    void setTourSeen();
-
+    Value<bool> tourSeen{this, "window/tourSeen", false, false};
     /// Of the gallery, as namedTree takes them, in the order in which they became that.
-    [[nodiscard]] QStringList favouritePresets() const;
-    void setFavouritePresets(const QStringList& presets);
-
-    [[nodiscard]] QStringList foldedGroups() const;
-    void setFoldedGroups(const QStringList& groups);
-
-    /// Names of the columns of the scene panel that are shown besides the nodes' names; nothing: never
-    /// chosen.
-    [[nodiscard]] std::optional<QStringList> sceneColumns() const;
-    void setSceneColumns(const QStringList& columns);
-
-    [[nodiscard]] QByteArray windowGeometry() const;
-    [[nodiscard]] QByteArray windowState() const;
-    void setWindow(const QByteArray& geometry, const QByteArray& state);
+    Value<QStringList> favouritePresets{this, "gallery/favourites"};
+    Value<QStringList> foldedGroups{this, "properties/folded"};
+    /// Columns of the scene panel that are shown besides the nodes' names. In a narrow panel names matter
+    /// most; the rest is a right click on the header away.
+    Value<QStringList> sceneColumns{this, "scene/columns", {"visible", "locked", "length", "children"}};
+    Value<QByteArray> windowGeometry{this, "window/geometry", {}, false};
+    Value<QByteArray> windowState{this, "window/state", {}, false};
 
 signals:
     void changed();
@@ -121,10 +152,12 @@ signals:
     void failed(const ramure::Error& error);
 
 private:
-    void store(const QString& key, const QVariant& value);
-    void set(const QString& key, const QVariant& value); ///< what nobody needs to hear of
+    void store(const QString& key, const QVariant& value, bool isTold = true);
     void write();
 
+    Value<QString> m_folder{this, "files/folder"};
+    Value<QString> m_exportSpace{this, "files/exportSpace"};
+    Value<QVariantMap> m_shortcuts{this, "shortcuts"};
     QSettings m_settings;
     QTimer m_rest; ///< until what was set is written
     bool m_isFailing = false;

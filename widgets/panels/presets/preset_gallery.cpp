@@ -152,14 +152,14 @@ void PresetGallery::changeFavourite(const QString& id)
     QStringList favourites = m_preferences->favouritePresets();
     if (favourites.removeAll(id) == 0)
         favourites += id;
-    m_preferences->setFavouritePresets(favourites);
+    m_preferences->favouritePresets.set(favourites);
 }
 
 void PresetGallery::followRename(const QString& from, const QString& to)
 {
     QStringList favourites = m_preferences->favouritePresets();
     std::ranges::replace(favourites, from, to);
-    m_preferences->setFavouritePresets(favourites);
+    m_preferences->favouritePresets.set(favourites);
 }
 
 void PresetGallery::showOwn(const OwnPresets& presets)

@@ -130,7 +130,7 @@ void PropertiesPanel::buildRows()
                     if (each->isFolded())
                         folded += QString::fromLatin1(each->group());
                 }
-                m_preferences->setFoldedGroups(folded);
+                m_preferences->foldedGroups.set(folded);
                 updateGeometry();
             });
             found = m_sections.insert(m_sections.end(), section);

@@ -17,10 +17,7 @@ static QString columnKey(SceneModel::Column column)
 
 void ScenePanel::showColumns()
 {
-    // In a narrow panel names matter most; the rest is a right click on the header away.
-    const QStringList usual{columnKey(SceneModel::VisibleColumn), columnKey(SceneModel::LockedColumn),
-                            columnKey(SceneModel::LengthColumn), columnKey(SceneModel::ChildrenColumn)};
-    const QStringList shown = m_preferences->sceneColumns().value_or(usual);
+    const QStringList shown = m_preferences->sceneColumns();
     for (int column = SceneModel::VisibleColumn; column < SceneModel::columns; ++column) {
         const bool hidden = !shown.contains(columnKey(static_cast<SceneModel::Column>(column)));
         m_view->setColumnHidden(column, hidden);
@@ -34,7 +31,7 @@ void ScenePanel::chooseColumn(SceneModel::Column column, bool on)
     for (int each = SceneModel::VisibleColumn; each < SceneModel::columns; ++each)
         if (each == column ? on : !m_view->isColumnHidden(each))
             shown += columnKey(static_cast<SceneModel::Column>(each));
-    m_preferences->setSceneColumns(shown);
+    m_preferences->sceneColumns.set(shown);
     showColumns();
 }
 

@@ -34,7 +34,7 @@ PlayActions::PlayActions(Document* document, Player* player, ActionSet* set, QOb
          {"play.wind", Actions::tr("&Wind arrow"), "wind", Qt::SHIFT | Qt::Key_W,
           Actions::tr("Show the wind of the active tree, and of all that have some, as arrows; drag a head "
                       "to turn and strengthen the wind"),
-          [this] { m_view->setWindVisible(!m_view->windVisible()); }, nullptr,
+          [this] { m_view->windVisible.set(!m_view->windVisible()); }, nullptr,
           [this] { return m_view && m_view->windVisible(); }}});
     connect(m_player, &Player::playingChanged, this, &PlayActions::update);
     connect(m_player, &Player::settingsChanged, this, &PlayActions::update);
@@ -122,7 +122,7 @@ void PlayActions::fillLoopMenu(QMenu* menu) const
 void PlayActions::setView(ViewSettings* settings)
 {
     m_view = settings;
-    connect(settings, &ViewSettings::windVisibleChanged, this, &PlayActions::update);
+    settings->windVisible.follow(this, [this] { update(); });
     update();
 }
 

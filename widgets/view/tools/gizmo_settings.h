@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/scene/node_transform.h"
+#include "widgets/base/option.h"
 #include <QObject>
 #include <QVariantMap>
 
@@ -36,45 +37,31 @@ public:
 
     explicit GizmoSettings(QObject* parent = nullptr);
 
-    [[nodiscard]] TransformTool tool() const { return m_tool; }
-    [[nodiscard]] TransformSpace space() const { return m_space; }
-    [[nodiscard]] bool snaps() const { return m_snaps; } ///< always; Ctrl turns it round while dragging
-    [[nodiscard]] SnapSteps steps() const { return m_steps; }
-    [[nodiscard]] bool showsPath() const { return m_path; }
-    [[nodiscard]] bool showsGhosts() const { return m_ghosts; }
-    [[nodiscard]] GhostFrames ghostFrames() const { return m_ghostFrames; }
-    [[nodiscard]] bool radians() const { return m_radians; } ///< angles are typed and shown in radians
+    template <class T> using Option = ramure::Option<GizmoSettings, T>;
+    Option<TransformTool> tool{this, TransformTool::Select};
+    Option<TransformSpace> space{this, TransformSpace::World};
+    Option<bool> snaps{this, false}; ///< always; Ctrl turns it round while dragging
+    Option<bool> showsPath{this, false};
+    Option<bool> showsGhosts{this, false};
+    Option<bool> radians{this, false}; ///< angles are typed and shown in radians
+    [[nodiscard]] SnapSteps steps() const { return m_steps(); }
+    [[nodiscard]] GhostFrames ghostFrames() const { return m_ghostFrames(); }
 
     /// What is remembered between sessions: the steps, and which frames ghosts show.
     [[nodiscard]] QVariantMap saved() const;
     void restore(const QVariantMap& saved); ///< what is missing or out of range stays as it is
 
-public slots:
     /// Gives tool, axes, snapping, path and ghosts their defaults. What is remembered stays.
     void beginDocument();
-    void setTool(ramure::TransformTool tool);
-    void setSpace(ramure::TransformSpace space);
-    void setSnaps(bool on);
-    void setSteps(const ramure::SnapSteps& steps); ///< those not above 0 stay as they are
-    void setShowsPath(bool on);
-    void setShowsGhosts(bool on);
+    void setSteps(const ramure::SnapSteps& steps);          ///< those not above 0 stay as they are
     void setGhostFrames(const ramure::GhostFrames& frames); ///< clamped
-    void setRadians(bool on);
 
 signals:
     void changed();
 
 private:
-    template <class T> void set(T& member, const T& value);
-
-    TransformTool m_tool = TransformTool::Select;
-    TransformSpace m_space = TransformSpace::World;
-    bool m_snaps = false;
-    SnapSteps m_steps;
-    bool m_path = false;
-    bool m_ghosts = false;
-    GhostFrames m_ghostFrames;
-    bool m_radians = false;
+    Option<SnapSteps> m_steps{this, {}};
+    Option<GhostFrames> m_ghostFrames{this, {}};
 };
 
 } // namespace ramure

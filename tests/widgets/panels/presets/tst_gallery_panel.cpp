@@ -68,7 +68,7 @@ private slots:
         qputenv("XDG_DATA_HOME", m_data->path().toUtf8());
         m_document = std::make_unique<Document>();
         m_preferences = std::make_unique<Preferences>();
-        m_preferences->setFavouritePresets({});
+        m_preferences->favouritePresets.set({});
         m_panel = std::make_unique<GalleryPanel>(m_document.get(), m_preferences.get());
         m_panel->resize(420, 500);
         m_panel->show();
@@ -162,7 +162,7 @@ private slots:
         QFETCH(const QString, typed);
         QFETCH(const QString, found);
         cleanup();
-        Preferences().setLanguage(QStringLiteral("fr"));
+        Preferences().language.set(QStringLiteral("fr"));
         auto language = std::make_unique<Language>(Preferences());
         init();
         QCOMPARE(picture("EnglishOak")->text(), QStringLiteral("Chêne pédonculé"));
@@ -171,7 +171,7 @@ private slots:
         picture("SilverBirch")->click();
         QCOMPARE(m_document->scene().nodes().back().name, std::string("Bouleau verruqueux"));
         cleanup();
-        Preferences().setLanguage(QStringLiteral("en"));
+        Preferences().language.set(QStringLiteral("en"));
         language.reset();
         language = std::make_unique<Language>(Preferences());
         init();
@@ -299,7 +299,7 @@ private slots:
             QTest::mouseClick(on, Qt::LeftButton, {}, on->starPlace().center());
         };
         // Of what is no longer there nothing is shown.
-        m_preferences->setFavouritePresets({QStringLiteral("own:Gone"), QStringLiteral("FanTree")});
+        m_preferences->favouritePresets.set({QStringLiteral("own:Gone"), QStringLiteral("FanTree")});
         QCOMPARE(favourites(), QStringList{QStringLiteral("FanTree")});
         clickStar(picture("SilverBirch"));
         QCOMPARE(favourites(), (QStringList{QStringLiteral("FanTree"), QStringLiteral("SilverBirch")}));

@@ -65,7 +65,7 @@ private slots:
             return panel.findChild<QLabel*>(QStringLiteral("hint"), Qt::FindDirectChildrenOnly)->text();
         };
         const QString english = text();
-        m_preferences->setLanguage(QStringLiteral("fr"));
+        m_preferences->language.set(QStringLiteral("fr"));
         {
             const Language language(*m_preferences);
             QVERIFY2(text() != english && !text().isEmpty(), qPrintable(text()));

@@ -173,8 +173,8 @@ private slots:
         if (!isShared) {
             m_panel.reset();
             m_preferences = std::make_unique<Preferences>();
-            m_preferences->setAngleUnit(AngleUnit::Degrees);
-            m_preferences->setFoldedGroups({});
+            m_preferences->angleUnit.set(AngleUnit::Degrees);
+            m_preferences->foldedGroups.set({});
             m_document = std::make_unique<Document>();
         }
         test::openNodes(*m_document,
@@ -492,7 +492,7 @@ private slots:
         auto* field = m_panel->row(param("turtle.theta"))->findChild<NumberField*>();
         QVERIFY(edit::setParam(*m_document, {1}, param("turtle.theta"), std::numbers::pi / 6.0));
         QCOMPARE(field->text(), QStringLiteral("30.00°"));
-        m_preferences->setAngleUnit(AngleUnit::Radians);
+        m_preferences->angleUnit.set(AngleUnit::Radians);
         QCOMPARE(field->text(), QStringLiteral("0.5236 rad"));
         field->setFocus();
         field->selectAll();

@@ -132,7 +132,7 @@ private slots:
     {
         m_preferences->setMotionMemoryMb(128);
         QCOMPARE(m_window->player()->memoryLimit(), std::size_t(128) << 20);
-        m_preferences->setTimeDisplay(TimeDisplay::Timecode);
+        m_preferences->timeDisplay.set(TimeDisplay::Timecode);
         QCOMPARE(m_window->timeline()->display(), TimeDisplay::Timecode);
         m_window->timeline()->setDisplay(TimeDisplay::Seconds);
         QCOMPARE(m_preferences->timeDisplay(), TimeDisplay::Seconds);

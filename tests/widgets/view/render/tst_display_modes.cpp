@@ -73,7 +73,7 @@ private slots:
         QCOMPARE(mode->shortcut(), QKeySequence(Qt::ALT | Qt::Key_2));
         QVERIFY(mode->toolTip().contains(QStringLiteral("Nothing at all")));
         QVERIFY(!mode->isChecked());
-        settings->setDisplayMode(fakeMode);
+        settings->displayMode.set(fakeMode);
         QVERIFY(mode->isChecked());
         QAction* mesh = window.actionSet()->find(QStringLiteral("view.mesh"));
         mesh->setEnabled(true); // off where there is no OpenGL

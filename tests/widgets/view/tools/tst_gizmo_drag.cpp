@@ -263,7 +263,7 @@ void TestGizmoDrag::ringsFromTheEdgeTurnToo()
 void TestGizmoDrag::boxesScale()
 {
     Desk desk;
-    desk.settings.setSpace(TransformSpace::Local);
+    desk.settings.space.set(TransformSpace::Local);
     desk.begin(TransformTool::Scale, yAxis);
     const glm::dvec2 pivot = desk.pixel(desk.origin(3));
     desk.by(desk.hand - pivot); // twice as far
@@ -287,7 +287,7 @@ void TestGizmoDrag::controlSnaps()
     desk.by({71.0, 3.0}, {true, false});
     const double steps = (desk.origin(3).x - from.x) / 0.25;
     QVERIFY(std::abs(steps - std::nearbyint(steps)) < 1e-9 && steps != 0.0);
-    desk.settings.setSnaps(true); // always: then Ctrl is free of steps
+    desk.settings.snaps.set(true); // always: then Ctrl is free of steps
     desk.begin(TransformTool::Rotate, GizmoHandle{GizmoPart::View, 0});
     desk.by({-40.0, 90.0});
     const double turns = desk.drag->angleRad() * 180.0 / pi / 15.0;
@@ -338,7 +338,7 @@ void TestGizmoDrag::numbersGoBeforeTheHand()
     QCOMPARE(desk.placement(3).scale, glm::dvec3(2.5));
     desk.drag->keep();
     QCOMPARE(desk.document.undoStack()->count(), 3);
-    desk.settings.setRadians(true);
+    desk.settings.radians.set(true);
     desk.begin(TransformTool::Rotate, std::nullopt);
     desk.type("y1.25");
     QVERIFY(std::abs(desk.placement(3).rotation.y - (1.25 - 0.5 * pi)) < 1e-12);

@@ -39,7 +39,7 @@ struct Bench : test::ToolBench
         node.params.primitive.shape = PrimitiveShape::Box;
         open(Scene::fromNodes({node}).value_or(Scene()));
         document.setSelection({{1}, noNode, {}, noIndex});
-        gizmo.setTool(TransformTool::Move);
+        gizmo.tool.set(TransformTool::Move);
         context.gestureKeys = [] { return QStringLiteral("G R S"); };
     }
     [[nodiscard]] glm::dvec3 place() const { return document.scene().find(1)->params.tree.translation; }
@@ -67,7 +67,7 @@ void TestGizmoTool::withoutNodesNothingBegins()
     QVERIFY(!bench.tools.current());
     QVERIFY(!bench.tools.hover(bench.at(middle)));
     bench.document.setSelection({{1}, noNode, {}, noIndex});
-    bench.gizmo.setTool(TransformTool::Select);
+    bench.gizmo.tool.set(TransformTool::Select);
     QVERIFY(!bench.tools.hover(bench.at(bench.grip())));
 }
 
@@ -164,7 +164,7 @@ void TestGizmoTool::theHintNamesWhatMoves()
     bench.tool.beginByKeys(TransformTool::Scale, bench.at(middle));
     QVERIFY(bench.hint().startsWith(QStringLiteral("Scale ")) && bench.says("Enter: done"));
     bench.key(Qt::Key_Escape);
-    bench.gizmo.setTool(TransformTool::Move);
+    bench.gizmo.tool.set(TransformTool::Move);
     bench.press(bench.grip());
     QVERIFY(bench.says("release: done"));
 }

@@ -168,7 +168,7 @@ bool GizmoTool::beginByKeys(TransformTool tool, const ToolPoint& point)
                 : tr("Select a node that is shown and not locked: then it can be moved"));
         return false;
     }
-    m_context.gizmo.setTool(tool);
+    m_context.gizmo.tool.set(tool);
     begin(Qt::NoButton);
     return true;
 }
