@@ -146,7 +146,7 @@ void MainWindow::connectPanels()
     connect(m_timeline, &TimelinePanel::messageRaised, this, say);
     connect(m_bakes, &BakeActions::messageRaised, this, say);
     connect(m_arm, &ArmPanel::messageRaised, this, say);
-    connect(m_keyCommands, &KeyCommands::messageRaised, this, say);
+    connect(findChild<KeyCommands*>(), &KeyCommands::messageRaised, this, say);
     connect(m_keyActions->autoAction(), &QAction::toggled, m_autoKey, &AutoKey::setOn);
     connect(m_player, &Player::failed, this, [say](const Error& error) { say(errorTextWithPlace(error)); });
     connect(m_validation, &ValidationPanel::separateRequested, this, &MainWindow::showSeparateDialog);
@@ -166,7 +166,6 @@ void MainWindow::connectPanels()
                               .arg(locale().formattedDataSize(qint64(Document::usualUndoMemory), 0)));
     });
     applyUnits();
-    m_plays->setView(m_host->settings());
     m_scene->setTime([this] { return m_player->timeSeconds(); });
     connectTimeline();
     if (Viewport* view = m_host->viewport())
@@ -237,11 +236,8 @@ void MainWindow::showInspector()
 
 void MainWindow::follow(const Change& change)
 {
-    if (change.has(changeSelection | changeReset)) {
-        const bool branch = m_document->selection().activeBranch != noIndex;
-        for (QAction* action : m_branchActions)
-            action->setEnabled(branch);
-    }
+    if (change.has(changeSelection | changeReset))
+        m_actions->update(this);
     if (change.has(changeFile | changeReset))
         updateTitle();
     if (change.has(changeReset)) {

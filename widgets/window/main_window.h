@@ -29,28 +29,21 @@ class IsolationButton;
 class Job;
 class JobPanel;
 class KeyActions;
-class KeyCommands;
 class KeyModel;
 class KeyPanel;
 class MessageBanner;
 class ImportActions;
 class PictureActions;
-class PlayActions;
 class Player;
 class Preferences;
 class ProblemButton;
-class ProgramActions;
 class PropertiesPanel;
 class Recompute;
 class ScenePanel;
-class SeedsDialog;
-class VariationsDialog;
 class SequenceTask;
 class SelectActions;
 class StatusPanel;
 class TimelinePanel;
-class ToolBox;
-class ToolStrip;
 class TransformActions;
 class ValidationPanel;
 class ViewActions;
@@ -171,13 +164,14 @@ private:
     BranchInspector* m_inspector = nullptr;
     ValidationPanel* m_validation = nullptr;
     TimelinePanel* m_timeline = nullptr;
-    PlayActions* m_plays = nullptr;
     BakeActions* m_bakes = nullptr;
     SequenceTask* m_sequences = nullptr;
-    QVariantMap m_lastExport; ///< ExportDialog::settings
-    QString m_lastExportPath;
+    struct
+    {
+        QVariantMap settings; ///< ExportDialog::settings
+        QString path;
+    } m_lastExport;
     KeyModel* m_keyModel = nullptr;
-    KeyCommands* m_keyCommands = nullptr;
     KeyActions* m_keyActions = nullptr;
     AutoKey* m_autoKey = nullptr;
     KeyPanel* m_keys = nullptr;
@@ -187,20 +181,15 @@ private:
     FileActions* m_files = nullptr;
     EditActions* m_edits = nullptr;
     SelectActions* m_selects = nullptr;
-    SeedsDialog* m_seeds = nullptr; ///< once it was wished for
-    VariationsDialog* m_variations = nullptr;
     ViewActions* m_views = nullptr;
     TransformActions* m_transforms = nullptr;
     HandActions* m_hands = nullptr;
     ImportActions* m_imports = nullptr;
     PictureActions* m_pictures = nullptr;
     BillboardActions* m_billboards = nullptr;
-    ProgramActions* m_program = nullptr;
     HelpActions* m_help = nullptr;
     WelcomePanel* m_welcome = nullptr;
-    QList<QAction*> m_branchActions;
     QToolBar* m_toolBar = nullptr;
-    ToolStrip* m_strip = nullptr; ///< over the view
     ArmPanel* m_arm = nullptr;
     QList<QDockWidget*> m_docks; ///< one for each row of panels()
     TallDock m_tallDocks[2];     ///< keys, gallery

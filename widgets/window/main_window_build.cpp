@@ -104,14 +104,15 @@ void MainWindow::addPanel(const PanelRow& row, QWidget* content)
 
 void MainWindow::buildDocks()
 {
-    m_plays = new PlayActions(m_document, m_player, m_actions, this);
+    auto* plays = new PlayActions(m_document, m_player, m_actions, this);
+    plays->setView(m_host->settings());
     m_bakes = new BakeActions(m_document, m_player, m_chooser, m_actions, this);
     m_keyModel = new KeyModel(m_document, this);
-    m_keyCommands = new KeyCommands(m_keyModel, m_player, this);
-    m_keyActions = new KeyActions(m_keyCommands, m_actions, this);
+    auto* commands = new KeyCommands(m_keyModel, m_player, this);
+    m_keyActions = new KeyActions(commands, m_actions, this);
     m_autoKey = new AutoKey(m_document, m_player, this);
-    const PanelServices services{m_document, m_preferences, m_analysis,    m_player,
-                                 m_plays,    m_keyModel,    m_keyCommands, m_keyActions};
+    const PanelServices services{m_document, m_preferences, m_analysis, m_player,
+                                 plays,      m_keyModel,    commands,   m_keyActions};
     for (const PanelRow& row : panels())
         addPanel(row, row.make(services, this));
     m_scene = findChild<ScenePanel*>();
@@ -247,7 +248,7 @@ void MainWindow::buildActions()
     connect(m_imports, &ImportActions::imported, m_arm->meshRow(), &ArmMeshRow::takeImported);
     m_pictures = new PictureActions(m_host, m_preferences, m_chooser, m_actions, this);
     m_billboards = new BillboardActions(m_document, m_host, m_preferences, m_chooser, m_actions, this);
-    m_program = new ProgramActions(m_actions, m_preferences, m_host->settings(), this);
+    new ProgramActions(m_actions, m_preferences, m_host->settings(), this);
     m_help = new HelpActions(m_actions, m_document, m_preferences, this);
     m_welcome = new WelcomePanel(m_files, m_actions, m_preferences, this);
     connect(m_actions->find("file.welcome"), &QAction::triggered, this, &MainWindow::showWelcome);
@@ -270,9 +271,8 @@ void MainWindow::buildActions()
 void MainWindow::buildManyTrees()
 {
     const auto seeds = [this] {
-        if (!m_seeds)
-            m_seeds = new SeedsDialog(m_document, this);
-        return m_seeds;
+        auto* dialog = findChild<SeedsDialog*>();
+        return dialog ? dialog : new SeedsDialog(m_document, this);
     };
     connect(m_edits, &EditActions::moreRequested, this, [seeds](NodeId tree) { seeds()->offerFor(tree); });
     connect(findChild<GalleryPanel*>(), &GalleryPanel::sceneRequested, m_files, &FileActions::newFromPreset);
@@ -281,14 +281,14 @@ void MainWindow::buildManyTrees()
     connect(findChild<GalleryPanel*>(), &GalleryPanel::moreRequested, this,
             [seeds](const Node& like) { seeds()->offerNew(like); });
     connect(m_edits, &EditActions::variationsRequested, this, [this](NodeId tree) {
-        if (!m_variations) {
-            m_variations = new VariationsDialog(m_document, m_preferences, m_chooser, this);
-            for (const char* id : {"edit.undo", "edit.redo"}) // their keys work there, too
-                m_variations->addAction(m_actions->find(QLatin1String(id)));
-            connect(m_variations, &VariationsDialog::presetKept, findChild<GalleryPanel*>(),
+        auto* dialog = findChild<VariationsDialog*>();
+        if (!dialog) {
+            dialog = new VariationsDialog(m_document, m_preferences, m_chooser, this);
+            dialog->addActions(m_actions->find({"edit.undo", "edit.redo"})); // their keys work there, too
+            connect(dialog, &VariationsDialog::presetKept, findChild<GalleryPanel*>(),
                     &GalleryPanel::refreshOwn);
         }
-        m_variations->offerFor(tree);
+        dialog->offerFor(tree);
     });
 }
 
@@ -301,18 +301,20 @@ void MainWindow::buildBranchActions()
             (m_inspector->*then)();
         };
     };
-    m_branchActions = m_actions->add(
-        this,
-        {{"inspect.show", Actions::tr("&Inspect the branch"), nullptr, noKeys,
-          Actions::tr("Show the facts and sections of the branch"), [this] { showInspector(); }},
-         {"inspect.nextSection", Actions::tr("Ne&xt section"), nullptr, Qt::CTRL | Qt::Key_Right,
-          Actions::tr("Inspect the next cross-section of the branch"), step(&BranchInspector::nextSection)},
-         {"inspect.previousSection", Actions::tr("P&revious section"), nullptr, Qt::CTRL | Qt::Key_Left,
-          Actions::tr("Inspect the cross-section before this one"), step(&BranchInspector::previousSection)},
-         {"inspect.roll", Actions::tr("Roll by h&and"), nullptr, Qt::SHIFT | Qt::Key_R,
-          Actions::tr("Turn the frames of the selected branches"), step(&BranchInspector::focusRoll)}});
-    for (QAction* action : m_branchActions)
-        action->setEnabled(false);
+    const auto isAny = [this] { return m_document->selection().activeBranch != noIndex; };
+    m_actions->add(
+        this, {{"inspect.show", Actions::tr("&Inspect the branch"), nullptr, noKeys,
+                Actions::tr("Show the facts and sections of the branch"), [this] { showInspector(); }, isAny},
+               {"inspect.nextSection", Actions::tr("Ne&xt section"), nullptr, Qt::CTRL | Qt::Key_Right,
+                Actions::tr("Inspect the next cross-section of the branch"),
+                step(&BranchInspector::nextSection), isAny},
+               {"inspect.previousSection", Actions::tr("P&revious section"), nullptr, Qt::CTRL | Qt::Key_Left,
+                Actions::tr("Inspect the cross-section before this one"),
+                step(&BranchInspector::previousSection), isAny},
+               {"inspect.roll", Actions::tr("Roll by h&and"), nullptr, Qt::SHIFT | Qt::Key_R,
+                Actions::tr("Turn the frames of the selected branches"), step(&BranchInspector::focusRoll),
+                isAny}});
+    m_actions->update(this);
 }
 
 void MainWindow::buildMenus()
@@ -332,14 +334,15 @@ void MainWindow::buildMenus()
     select->addActions(m_pictures->selectionActions());
     m_selects->fillMenu(select);
     select->addSeparator();
-    select->addActions(m_branchActions);
+    m_actions->fill(select,
+                    {"inspect.show", "inspect.nextSection", "inspect.previousSection", "inspect.roll"});
     QMenu* view = menuBar()->addMenu(tr("&View"));
     QList<QAction*> shownPanels;
     for (const QDockWidget* dock : m_docks)
         shownPanels += dock->toggleViewAction();
     m_views->fillMenu(view, shownPanels);
     QMenu* play = menuBar()->addMenu(tr("&Play"));
-    m_plays->fillMenu(play);
+    findChild<PlayActions*>()->fillMenu(play);
     play->addSeparator();
     m_bakes->fillMenu(play);
     QMenu* keys = menuBar()->addMenu(tr("&Keys"));
@@ -348,7 +351,7 @@ void MainWindow::buildMenus()
     m_actions->fill(help,
                     {"help.find", "help.handbook", "help.tour", nullptr, "help.shortcuts", "help.about"});
     const QList<QMenu*> menus{file, edit, select, view, play, keys, help};
-    m_program->setMenus(menus);
+    findChild<ProgramActions*>()->setMenus(menus);
     m_help->setMenus(menus);
     m_scene->setMenuActions(m_edits->nodeActions(), m_selects, m_hands->branchActions());
 }
@@ -382,8 +385,7 @@ void MainWindow::buildHandBar(QVBoxLayout* column)
     transforms->setObjectName(QStringLiteral("transformBar"));
     transforms->setIconSize({18, 18});
     m_transforms->fillToolBar(transforms);
-    m_strip = new ToolStrip(m_host->settings(), tools, transforms, centre);
-    column->addWidget(m_strip);
+    column->addWidget(new ToolStrip(m_host->settings(), tools, transforms, centre));
     auto* view = new QHBoxLayout;
     view->setSpacing(0);
     view->addWidget(handBar);

@@ -48,9 +48,8 @@ ExportDialog* MainWindow::newExportDialog()
         showPanel(m_validation);
     });
     const auto remember = [this, dialog] {
-        m_lastExport = dialog->settings();
-        m_lastExportPath = dialog->path();
-        m_files->setLastExport(m_lastExportPath);
+        m_lastExport = {dialog->settings(), dialog->path()};
+        m_files->setLastExport(m_lastExport.path);
     };
     connect(dialog, &ExportDialog::started, this, remember);
     connect(dialog, &ExportDialog::exported, this, [this, remember](const QString& path) {
@@ -82,7 +81,7 @@ void MainWindow::repeatExport()
 {
     ExportDialog* dialog = newExportDialog();
     dialog->open();
-    dialog->repeat(m_lastExport, m_lastExportPath);
+    dialog->repeat(m_lastExport.settings, m_lastExport.path);
 }
 
 /// Where it went, and the way there.

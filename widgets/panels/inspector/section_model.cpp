@@ -1,11 +1,66 @@
 #include "widgets/panels/inspector/section_model.h"
 
 #include "widgets/base/texts/fact_text.h"
+#include <iterator>
 
 namespace ramure {
 namespace {
 
 constexpr int tableDecimals = 4;
+
+struct ColumnRow
+{
+    const char *name, *help;
+    QString (*text)(const SectionFacts& section, AngleUnit unit, int decimals);
+};
+
+using Facts = const SectionFacts&;
+
+/// By SectionModel::Column.
+constexpr ColumnRow columns[] = {
+    {QT_TRANSLATE_NOOP("ramure::SectionModel", "Section"),
+     QT_TRANSLATE_NOOP("ramure::SectionModel", "Counted from 1 at the branch's start."),
+     [](Facts s, AngleUnit, int) { return facttext::number(s.section + 1.0, 0); }},
+    {QT_TRANSLATE_NOOP("ramure::SectionModel", "Parameter t"),
+     QT_TRANSLATE_NOOP("ramure::SectionModel",
+                       "Where the section is on the branch's curve: 0 at its start, 1 at its end."),
+     [](Facts s, AngleUnit, int) { return facttext::number(s.t, 4); }},
+    {QT_TRANSLATE_NOOP("ramure::SectionModel", "Arc length"),
+     QT_TRANSLATE_NOOP("ramure::SectionModel", "Way along the curve from the branch's start."),
+     [](Facts s, AngleUnit, int) { return facttext::length(s.arcLength); }},
+    {QT_TRANSLATE_NOOP("ramure::SectionModel", "Centre"),
+     QT_TRANSLATE_NOOP("ramure::SectionModel", "In the tree's space, Y up."),
+     [](Facts s, AngleUnit, int decimals) { return facttext::point(s.centre, decimals); }},
+    {QT_TRANSLATE_NOOP("ramure::SectionModel", "Tangent"),
+     QT_TRANSLATE_NOOP("ramure::SectionModel", "Where the curve goes; the section lies across it."),
+     [](Facts s, AngleUnit, int decimals) { return facttext::vector(s.tangent, decimals); }},
+    {QT_TRANSLATE_NOOP("ramure::SectionModel", "Normal"),
+     QT_TRANSLATE_NOOP("ramure::SectionModel",
+                       "Points from the centre to the first point of the section's circle."),
+     [](Facts s, AngleUnit, int decimals) { return facttext::vector(s.normal, decimals); }},
+    {QT_TRANSLATE_NOOP("ramure::SectionModel", "Binormal"),
+     QT_TRANSLATE_NOOP("ramure::SectionModel", "Tangent × normal: a quarter turn on from the normal."),
+     [](Facts s, AngleUnit, int decimals) { return facttext::vector(s.binormal, decimals); }},
+    {QT_TRANSLATE_NOOP("ramure::SectionModel", "Radius"),
+     QT_TRANSLATE_NOOP("ramure::SectionModel", "Of the section's circle."),
+     [](Facts s, AngleUnit, int) { return facttext::length(s.radius); }},
+    {QT_TRANSLATE_NOOP("ramure::SectionModel", "Curvature"),
+     QT_TRANSLATE_NOOP("ramure::SectionModel",
+                       "One over the radius of the circle that fits the curve here; 0 where it is straight."),
+     [](Facts s, AngleUnit, int) { return facttext::curvature(s.curvature); }},
+    {QT_TRANSLATE_NOOP("ramure::SectionModel", "Twist per metre"),
+     QT_TRANSLATE_NOOP("ramure::SectionModel",
+                       "How fast the frame turns about the curve beyond what carrying it along needs: 0 for "
+                       "rotation-minimising frames."),
+     [](Facts s, AngleUnit unit, int) { return facttext::anglePerMetre(s.twistRadPerMetre, unit); }},
+    {QT_TRANSLATE_NOOP("ramure::SectionModel", "Twist"),
+     QT_TRANSLATE_NOOP(
+         "ramure::SectionModel",
+         "How far the frame is turned about the curve since the parent's end: the roll by hand and the "
+         "twist up to here."),
+     [](Facts s, AngleUnit unit, int) { return facttext::angle(s.twistRad, unit); }},
+};
+static_assert(std::size(columns) == SectionModel::columnTotal);
 
 } // namespace
 
@@ -47,95 +102,17 @@ int SectionModel::columnCount(const QModelIndex& parent) const
 
 QString SectionModel::columnName(int column)
 {
-    switch (column) {
-    case SectionColumn:
-        return tr("Section");
-    case ParameterColumn:
-        return tr("Parameter t");
-    case ArcLengthColumn:
-        return tr("Arc length");
-    case CentreColumn:
-        return tr("Centre");
-    case TangentColumn:
-        return tr("Tangent");
-    case NormalColumn:
-        return tr("Normal");
-    case BinormalColumn:
-        return tr("Binormal");
-    case RadiusColumn:
-        return tr("Radius");
-    case CurvatureColumn:
-        return tr("Curvature");
-    case TwistPerMetreColumn:
-        return tr("Twist per metre");
-    case TwistColumn:
-        return tr("Twist");
-    default:
-        return {};
-    }
+    return tr(columns[column].name);
 }
 
 QString SectionModel::columnHelp(int column)
 {
-    switch (column) {
-    case SectionColumn:
-        return tr("Counted from 1 at the branch's start.");
-    case ParameterColumn:
-        return tr("Where the section is on the branch's curve: 0 at its start, 1 at its end.");
-    case ArcLengthColumn:
-        return tr("Way along the curve from the branch's start.");
-    case CentreColumn:
-        return tr("In the tree's space, Y up.");
-    case TangentColumn:
-        return tr("Where the curve goes; the section lies across it.");
-    case NormalColumn:
-        return tr("Points from the centre to the first point of the section's circle.");
-    case BinormalColumn:
-        return tr("Tangent × normal: a quarter turn on from the normal.");
-    case RadiusColumn:
-        return tr("Of the section's circle.");
-    case CurvatureColumn:
-        return tr("One over the radius of the circle that fits the curve here; 0 where it is straight.");
-    case TwistPerMetreColumn:
-        return tr("How fast the frame turns about the curve beyond what carrying it along needs: 0 for "
-                  "rotation-minimising frames.");
-    case TwistColumn:
-        return tr(
-            "How far the frame is turned about the curve since the parent's end: the roll by hand and the "
-            "twist up to here.");
-    default:
-        return {};
-    }
+    return tr(columns[column].help);
 }
 
 QString SectionModel::valueText(const SectionFacts& section, int column, AngleUnit unit, int decimals)
 {
-    switch (column) {
-    case SectionColumn:
-        return facttext::number(section.section + 1.0, 0);
-    case ParameterColumn:
-        return facttext::number(section.t, 4);
-    case ArcLengthColumn:
-        return facttext::length(section.arcLength);
-    case CentreColumn:
-        return facttext::point(section.centre, decimals);
-    case TangentColumn:
-        return facttext::vector(section.tangent, decimals);
-    case NormalColumn:
-        return facttext::vector(section.normal, decimals);
-    case BinormalColumn:
-        return facttext::vector(section.binormal, decimals);
-    case RadiusColumn:
-        return facttext::length(section.radius);
-    case CurvatureColumn:
-        return facttext::curvature(section.curvature);
-    case TwistPerMetreColumn:
-        return facttext::anglePerMetre(section.twistRadPerMetre, unit);
-    case TwistColumn:
-        return facttext::angle(section.twistRad, unit);
-    default:
-        return {};
-    }
+    return columns[column].text(section, unit, decimals);
 }
 
 QVariant SectionModel::data(const QModelIndex& index, int role) const
