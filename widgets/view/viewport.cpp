@@ -105,7 +105,7 @@ Viewport::Viewport(Document* document, ViewSettings* settings, QWidget* parent)
     connect(&d->picker, &BackgroundPicker::readyChanged, this, [this] {
         d->tools.sceneReady();
         if (underMouse())
-            hoverAt(d->cursor);
+            hoverAt(d->pointer.at);
     });
     connect(&d->barks, &BarkWaiter::ready, this, &Viewport::wishScene);
     connect(d->barks.job(), &Job::runningChanged, this, &Viewport::barkMissing);
@@ -122,16 +122,16 @@ Viewport::Viewport(Document* document, ViewSettings* settings, QWidget* parent)
         update();
     });
     d->hoverRest.setInterval(hoverRestMs);
-    connect(&d->hoverRest, &QTimer::timeout, this, [this] { hoverAt(d->cursor); });
+    connect(&d->hoverRest, &QTimer::timeout, this, [this] { hoverAt(d->pointer.at); });
     connect(settings->gizmo(), &GizmoSettings::changed, this, [this] {
         updateTrail();
         update();
     });
     connect(&d->trail, &GizmoTrail::changed, this, qOverload<>(&QWidget::update));
-    connect(&d->outlineFades, &QTimer::timeout, this, [this] {
-        d->outlineFades.setInterval(outlineStepMs);
+    connect(&d->outline.fades, &QTimer::timeout, this, [this] {
+        d->outline.fades.setInterval(outlineStepMs);
         if (d->outlineOpacity() <= 0.0)
-            d->outlineFades.stop();
+            d->outline.fades.stop();
         update();
     });
     wishScene();
@@ -200,7 +200,7 @@ void Viewport::initializeGL()
 
 void Viewport::resizeGL(int, int)
 {
-    if (!d->framed || d->scene->box.empty() || d->flight.isFlying())
+    if (!d->frame.isAll || d->scene->box.empty() || d->flight.isFlying())
         return;
     Camera to = d->camera();
     to.frame(framingPoints(d->document->scene(), *d->scene), d->view().aspect());
@@ -256,7 +256,7 @@ void Viewport::paintOverlay()
 
 void Viewport::setCamera(const Camera& camera)
 {
-    d->frameNext = false;
+    d->frame.next = false;
     d->leaveCamera();
     d->setCamera(camera);
     d->settings->orthographic.set(camera.orthographic);
@@ -268,8 +268,8 @@ void Viewport::moveCamera(const Camera& to)
         setCamera(to);
         return;
     }
-    d->frameNext = false;
-    d->framed = false;
+    d->frame.next = false;
+    d->frame.isAll = false;
     d->leaveCamera();
     d->flight.flyTo(to);
 }
@@ -303,7 +303,7 @@ std::optional<glm::dvec3> Viewport::groundAt(QPointF position) const
 void Viewport::frameAll()
 {
     if (d->isStale()) {
-        d->framing = Private::Framing::All;
+        d->frame.wanted = Private::Frame::Wish::All;
         return;
     }
     const std::vector<glm::dvec3> points = framingPoints(d->document->scene(), *d->scene);
@@ -311,14 +311,14 @@ void Viewport::frameAll()
     to.frame(points, d->view().aspect());
     if (!points.empty()) {
         moveCamera(to);
-        d->framed = true;
+        d->frame.isAll = true;
     }
 }
 
 void Viewport::frameSelection()
 {
     if (d->isStale()) {
-        d->framing = Private::Framing::Selection;
+        d->frame.wanted = Private::Frame::Wish::Selection;
         return;
     }
     const Box box = selectionBox(*d->document, *d->scene, d->context.seconds());

@@ -28,9 +28,9 @@ void Viewport::lookThrough(NodeId camera)
     if (!viewThrough(now, camera))
         return d->leaveCamera();
     d->settings->orthographic.set(false);
-    d->frameNext = false;
-    d->framed = false;
-    d->framing = Private::Framing::None;
+    d->frame.next = false;
+    d->frame.isAll = false;
+    d->frame.wanted = Private::Frame::Wish::None;
     d->flight.stop();
     d->through = camera;
     d->followCamera();

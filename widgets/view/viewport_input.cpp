@@ -41,18 +41,18 @@ PickView Viewport::Private::view() const
 
 ToolPoint Viewport::Private::pointAt(QPointF position) const
 {
-    return {view(), position, Qt::NoButton, held, position, pressure, isEraser, 0};
+    return {view(), position, Qt::NoButton, pointer.held, position, pointer.pressure, pointer.isEraser, 0};
 }
 
 ToolPoint Viewport::Private::pointOf(const QMouseEvent& event) const
 {
-    return {view(),           event.position(), event.button(), event.modifiers(),
-            event.position(), pressure,         isEraser,       event.timestamp()};
+    return {view(),           event.position(), event.button(),   event.modifiers(),
+            event.position(), pointer.pressure, pointer.isEraser, event.timestamp()};
 }
 
 void Viewport::Private::setCamera(const Camera& moved)
 {
-    framed = false;
+    frame.isAll = false;
     leaveCamera();
     flight.setCamera(moved);
 }
@@ -87,7 +87,7 @@ void Viewport::Private::markBranches(NodeId node, std::vector<Index> branches, b
 
 void Viewport::Private::updateHint()
 {
-    hints.say(tools.hint(pointAt(cursor)));
+    hints.say(tools.hint(pointAt(pointer.at)));
     hints.setGesture(tools.goesOn());
 }
 
@@ -116,7 +116,7 @@ void Viewport::beginTransform(TransformTool tool)
         at = QPointF(rect().center());
     if (!d->tools.tool<GizmoTool>().beginByKeys(tool, d->pointAt(at)))
         return;
-    d->cursor = at;
+    d->pointer.at = at;
     d->hoverRest.stop();
     setFocus(Qt::OtherFocusReason);
 }
@@ -132,8 +132,8 @@ void Viewport::beginMovingCopies()
 void Viewport::tabletEvent(QTabletEvent* event)
 {
     const bool touches = event->type() != QEvent::TabletRelease && event->buttons() != Qt::NoButton;
-    d->pressure = touches ? std::optional(event->pressure()) : std::nullopt;
-    d->isEraser = touches && event->pointerType() == QPointingDevice::PointerType::Eraser;
+    d->pointer.pressure = touches ? std::optional(event->pressure()) : std::nullopt;
+    d->pointer.isEraser = touches && event->pointerType() == QPointingDevice::PointerType::Eraser;
     event->ignore();
 }
 
@@ -145,7 +145,7 @@ void Viewport::mousePressEvent(QMouseEvent* event)
 
 void Viewport::mouseMoveEvent(QMouseEvent* event)
 {
-    d->cursor = event->position();
+    d->pointer.at = event->position();
     if (d->tools.move(d->pointOf(*event)))
         return;
     if (d->tools.hover(d->pointOf(*event)))
@@ -274,7 +274,7 @@ bool Viewport::event(QEvent* event)
         event->accept();
     const bool taken = given || QOpenGLWidget::event(event);
     if (event->isInputEvent() && event->type() != QEvent::ShortcutOverride) {
-        d->held = heldAfter(*static_cast<QInputEvent*>(event));
+        d->pointer.held = heldAfter(*static_cast<QInputEvent*>(event));
         d->updateHint();
     }
     return taken;

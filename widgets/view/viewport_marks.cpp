@@ -51,20 +51,21 @@ void Viewport::showDefect(NodeId node, const DefectPlace& place)
 
 void Viewport::setOutlineKey(std::function<QString()> key)
 {
-    d->outlineKey = std::move(key);
+    d->outline.key = std::move(key);
 }
 
 void Viewport::Private::showOutline()
 {
-    outlined.start();
-    outlineFades.start(outlineStaysMs);
+    outline.since.start();
+    outline.fades.start(outlineStaysMs);
     widget->update();
 }
 
 /// From 1, for a second, to 0: by then it was seen, and is in the way of what it goes around.
 double Viewport::Private::outlineOpacity() const
 {
-    const double past = outlined.isValid() ? double(outlined.elapsed() - outlineStaysMs) : outlineFadesMs;
+    const double past =
+        outline.since.isValid() ? double(outline.since.elapsed() - outlineStaysMs) : outlineFadesMs;
     return std::clamp(1.0 - past / outlineFadesMs, 0.0, 1.0);
 }
 
@@ -75,7 +76,7 @@ void Viewport::Private::paintOutlineKey(QPainter& painter) const
     if (!settings->outlineVisible() || opacity <= 0.0 || document->selection().nodes.empty())
         return;
     constexpr double margin = 12.0, swatch = 22.0, gap = 8.0;
-    const QString key = outlineKey ? outlineKey() : QString();
+    const QString key = outline.key ? outline.key() : QString();
     const QString text =
         key.isEmpty() ? Viewport::tr("selected") : Viewport::tr("selected · %1: on or off").arg(key);
     const QSizeF size =

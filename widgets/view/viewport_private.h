@@ -48,17 +48,22 @@ struct Viewport::Private final : ToolHost
         bool operator==(const Pictured&) const = default;
     };
     Pictured pictured;
-    int pictures = 0;      ///< whole ones of it: with a lens many, of which the mean is shown
-    QTimer drawing;        ///< runs while one is made in parts
-    bool frameNext = true; ///< the next scene that has something in it is framed
-    /// The camera shows all, and nobody has moved it since: it still does when the view gets another size.
-    bool framed = false;
-    bool framesAgain = false; ///< nodes have come or gone since, and are not all seen yet
-    quint64 frameAfter = 0;   ///< serial number of a wish: scenes up to it are of another document
-    /// From where the last document was looked at means nothing for this one.
-    bool cameraIsOfLast = false;
-    enum class Framing : std::uint8_t { None, All, Selection };
-    Framing framing = Framing::None; ///< waits for the scene of now
+    int pictures = 0; ///< whole ones of it: with a lens many, of which the mean is shown
+    QTimer drawing;   ///< runs while one is made in parts
+    /// What the camera shows of the scene.
+    struct Frame
+    {
+        enum class Wish : std::uint8_t { None, All, Selection };
+        Wish wanted = Wish::None; ///< waits for the scene of now
+        bool next = true;         ///< the next scene that has something in it is framed
+        /// The camera shows all, and nobody has moved it since: it still does when the view gets another
+        /// size.
+        bool isAll = false;
+        bool again = false; ///< nodes have come or gone since, and are not all seen yet
+        quint64 after = 0;  ///< serial number of a wish: scenes up to it are of another document
+        /// From where the last document was looked at means nothing for this one.
+        bool isOfLast = false;
+    } frame;
 
     BackgroundBuilder builder;
     BarkWaiter barks;
@@ -67,10 +72,14 @@ struct Viewport::Private final : ToolHost
     std::optional<BuiltScene> next;        ///< on its way to the graphics card
     QTimer uploading;
     QElapsedTimer windClock; ///< runs while trees stand in the wind of a game
-    QElapsedTimer outlined;  ///< since something else is selected, or the line around it was switched on
-    QTimer outlineFades;
-    bool outlineIsNew = false; ///< something else is selected than the scene shows
-    std::function<QString()> outlineKey;
+    /// The line around what is selected.
+    struct Outline
+    {
+        QElapsedTimer since; ///< something else is selected, or the line was switched on
+        QTimer fades;
+        bool isNew = false; ///< something else is selected than the scene shows
+        std::function<QString()> key;
+    } outline;
     QTimer settling;         ///< runs while something moves: software rasterisers then do less for a picture
     double uploadedMs = 0.0; ///< of next
     std::shared_ptr<const RenderScene> scene = std::make_shared<const RenderScene>();
@@ -106,10 +115,13 @@ struct Viewport::Private final : ToolHost
 
     BackgroundPicker picker;
     QTimer hoverRest;
-    QPointF cursor;
-    Qt::KeyboardModifiers held;
-    std::optional<double> pressure; ///< of the pen that touches
-    bool isEraser = false;
+    struct Pointer
+    {
+        QPointF at;
+        Qt::KeyboardModifiers held;
+        std::optional<double> pressure; ///< of the pen that touches
+        bool isEraser = false;
+    } pointer;
     HintSource hints;
     ToolContext context{*this, *document, *settings->gizmo(), *settings->hand(), reach};
     ToolManager tools{context}; ///< last: it uses the above

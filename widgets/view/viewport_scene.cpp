@@ -133,15 +133,15 @@ void Viewport::onDocumentChanged(const Change& change)
         d->trail.forgetSkeletons();
     if (change.has(changeSelection | changeStructure | changeReset))
         d->updateHint();
-    d->outlineIsNew = d->outlineIsNew || change.has(changeSelection | changeReset);
+    d->outline.isNew = d->outline.isNew || change.has(changeSelection | changeReset);
     if (d->through != noNode && !d->document->scene().find(d->through))
         d->leaveCamera();
-    d->framesAgain = d->framesAgain || (change.has(changeStructure) && d->framed);
+    d->frame.again = d->frame.again || (change.has(changeStructure) && d->frame.isAll);
     if (change.has(changeReset)) {
-        d->cameraIsOfLast = true; // and stays as long as the last document is seen
-        d->frameNext = true;
-        d->frameAfter = d->wishes;
-        d->framing = Private::Framing::None;
+        d->frame.isOfLast = true; // and stays as long as the last document is seen
+        d->frame.next = true;
+        d->frame.after = d->wishes;
+        d->frame.wanted = Private::Frame::Wish::None;
         d->context.hoverNode = noNode;
         d->context.hoverBranch = noIndex;
         d->pointed = d->marked = {};
@@ -251,28 +251,28 @@ void Viewport::showScene()
     d->updateShown();
     if (underMouse())
         d->hoverRest.start(); // what is under the cursor has other numbers now
-    if (built.serial > d->frameAfter && std::exchange(d->cameraIsOfLast, false)) {
+    if (built.serial > d->frame.after && std::exchange(d->frame.isOfLast, false)) {
         Camera camera;
         camera.orthographic = d->settings->orthographic();
         d->flight.setCamera(camera);
     }
-    if (d->frameNext && built.serial > d->frameAfter && !d->scene->box.empty()) {
-        d->frameNext = false;
-        d->framed = true;
+    if (d->frame.next && built.serial > d->frame.after && !d->scene->box.empty()) {
+        d->frame.next = false;
+        d->frame.isAll = true;
         Camera camera = d->camera();
         camera.frame(framingPoints(d->document->scene(), *d->scene), d->view().aspect());
         d->flight.setCamera(camera);
     }
     if (!d->isStale()) {
-        if (std::exchange(d->outlineIsNew, false))
+        if (std::exchange(d->outline.isNew, false))
             d->showOutline();
-        if (d->framesAgain && d->framed)
-            d->framing = Private::Framing::All;
-        d->framesAgain = d->framesAgain && d->framed && !d->isAllGrown();
-        const auto framing = std::exchange(d->framing, Private::Framing::None);
-        if (framing == Private::Framing::All)
+        if (d->frame.again && d->frame.isAll)
+            d->frame.wanted = Private::Frame::Wish::All;
+        d->frame.again = d->frame.again && d->frame.isAll && !d->isAllGrown();
+        const auto framing = std::exchange(d->frame.wanted, Private::Frame::Wish::None);
+        if (framing == Private::Frame::Wish::All)
             frameAll();
-        else if (framing == Private::Framing::Selection)
+        else if (framing == Private::Frame::Wish::Selection)
             frameSelection();
         d->tools.sceneReady();
     }
