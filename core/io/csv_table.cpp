@@ -227,11 +227,9 @@ Expected<CsvTable> parseCsv(std::string_view bytes, const std::string& file)
 
 Expected<CsvTable> readCsv(const std::string& path)
 {
-    auto file = reading::InputFile::open(path);
-    RAMURE_TRY(file);
-    const auto bytes = reading::loadFile(*file, path);
+    const auto bytes = reading::loadFile(path);
     RAMURE_TRY(bytes);
-    return parseCsv(bytes->view(), path);
+    return parseCsv(*bytes, path);
 }
 
 std::string csvCell(std::string_view text)

@@ -1,6 +1,5 @@
 #include "core/io/read_parts.h"
 #include "core/base/plain_text.h"
-#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
@@ -24,29 +23,6 @@ tl::unexpected<Error> readError(const std::string& path, int code)
 
 /// Pipes and devices do not say how long they are.
 constexpr std::size_t largestStream = std::size_t(1) << 30;
-
-Expected<Bytes> loadStream(InputFile& file, const std::string& path)
-{
-    std::string text;
-    for (;;) {
-        const std::size_t before = text.size();
-        constexpr std::size_t block = std::size_t(1) << 20;
-        text.resize(before + block);
-        const auto got = file.read(text.data() + before, block);
-        RAMURE_TRY(got);
-        text.resize(before + *got);
-        if (*got < block)
-            break;
-        if (text.size() >= largestStream) {
-            auto error = fail(ErrorCode::Limit, RAMURE_NOOP("more than 1 GiB from a pipe or device"));
-            error.value().file = path;
-            return error;
-        }
-    }
-    Bytes out{LargeBuffer<char>(text.size() + 1), text.size()};
-    text.copy(out.buffer.data(), text.size());
-    return out;
-}
 
 bool isContinued(const char* begin, const char* feed)
 {
@@ -112,15 +88,31 @@ void InputFile::rewind()
     ::lseek(m_file, 0, SEEK_SET); // reading tells what is wrong, if anything is
 }
 
-Expected<Bytes> loadFile(InputFile& file, const std::string& path)
+Expected<std::string> loadFile(InputFile& file)
 {
-    if (!file.isRegular())
-        return loadStream(file, path);
-    Bytes out{LargeBuffer<char>(file.size() + 1), 0};
-    const auto got = file.read(out.buffer.data(), file.size());
-    RAMURE_TRY(got);
-    out.size = *got;
-    return out;
+    const std::size_t block = file.isRegular() ? file.size() : std::size_t(1) << 20;
+    std::string out;
+    for (;;) {
+        const std::size_t before = out.size();
+        out.resize(before + block);
+        const auto got = file.read(out.data() + before, block);
+        RAMURE_TRY(got);
+        out.resize(before + *got);
+        if (*got < block || file.isRegular())
+            return out;
+        if (out.size() < largestStream)
+            continue;
+        auto error = fail(ErrorCode::Limit, RAMURE_NOOP("more than 1 GiB from a pipe or device"));
+        error.value().file = file.path();
+        return error;
+    }
+}
+
+Expected<std::string> loadFile(const std::string& path)
+{
+    auto file = InputFile::open(path);
+    RAMURE_TRY(file);
+    return loadFile(*file);
 }
 
 /// Behind the last line feed that is not taken back by a backslash before it, or 0.
@@ -138,14 +130,6 @@ std::size_t LineBlocks::lastLineEnd() const
     }
 }
 
-/// A line that is longer than the buffer.
-void LineBlocks::grow()
-{
-    LargeBuffer<char> larger((m_buffer.size() - tail) * 2 + tail);
-    std::memcpy(larger.data(), m_buffer.data(), m_used);
-    m_buffer = std::move(larger);
-}
-
 Expected<std::string_view> LineBlocks::next()
 {
     if (m_isAtEnd)
@@ -153,7 +137,7 @@ Expected<std::string_view> LineBlocks::next()
     m_used -= m_given;
     std::memmove(m_buffer.data(), m_buffer.data() + m_given, m_used);
     for (;;) {
-        const std::size_t room = m_buffer.size() - tail - m_used;
+        const std::size_t room = m_buffer.size() - 1 - m_used;
         const auto got = m_file.read(m_buffer.data() + m_used, room);
         RAMURE_TRY(got);
         m_used += *got;
@@ -163,13 +147,12 @@ Expected<std::string_view> LineBlocks::next()
             m_used -= m_padding;
             m_given = m_used + 1;
             m_buffer[m_used] = '\n';
-            std::fill_n(m_buffer.data() + m_given, tail - 1, '\0');
             break;
         }
         m_given = lastLineEnd();
         if (m_given > 0)
             break;
-        grow();
+        m_buffer.resize(2 * m_buffer.size()); // for a line that is longer
     }
     mendLineEnds(m_buffer.data(), m_given - 1);
     return std::string_view(m_buffer.data(), m_given);
@@ -178,24 +161,6 @@ Expected<std::string_view> LineBlocks::next()
 std::string stem(const std::string& path)
 {
     return std::filesystem::path(path).stem().string();
-}
-
-ScanBlocks::ScanBlocks(std::string_view text)
-{
-    // The last line feed that is far enough from the end and is not taken back by a backslash before it.
-    std::size_t split =
-        text.size() > padding ? text.rfind('\n', text.size() - padding - 1) : std::string_view::npos;
-    const auto isContinued = [&](std::size_t at) {
-        if (at > 0 && text[at - 1] == '\r')
-            --at;
-        return at > 0 && text[at - 1] == '\\';
-    };
-    while (split != std::string_view::npos && isContinued(split))
-        split = split > 0 ? text.rfind('\n', split - 1) : std::string_view::npos;
-    body = split == std::string_view::npos ? std::string_view() : text.substr(0, split + 1);
-    rest = text.substr(body.size());
-    rest += '\n';
-    rest.append(padding, '\0');
 }
 
 std::string excerpt(std::string_view text)

@@ -2,7 +2,6 @@
 /// What the OBJ and the PLY reader share. Internal to core/io.
 #pragma once
 
-#include "core/base/large_buffer.h"
 #include "core/io/float_text.h"
 #include "core/io/mesh_file.h"
 #include <algorithm>
@@ -37,6 +36,7 @@ public:
     InputFile& operator=(InputFile&&) = delete;
     ~InputFile();
 
+    [[nodiscard]] const std::string& path() const { return m_path; }
     [[nodiscard]] bool isRegular() const { return m_isRegular; }
     [[nodiscard]] std::size_t size() const { return m_size; } ///< of a regular file
     /// Reads up to \p room bytes; fewer only at the end. Error: Io.
@@ -52,43 +52,36 @@ private:
     std::size_t m_size = 0;
 };
 
-/// The whole file. Errors: Io, Limit (a device or pipe that does not end).
-struct Bytes
-{
-    LargeBuffer<char> buffer;
-    std::size_t size = 0;
-    [[nodiscard]] std::string_view view() const { return {buffer.data(), size}; }
-};
-Expected<Bytes> loadFile(InputFile& file, const std::string& path);
+/// The rest of the file. Errors: Io, Limit (a device or pipe that does not end).
+Expected<std::string> loadFile(InputFile& file);
+Expected<std::string> loadFile(const std::string& path);
 
 /// Bytes of a file that are looked at together: they stay in the cache.
 inline constexpr std::size_t lineBlockSize = std::size_t(1) << 18;
 
 /// A file as blocks of whole lines, in one buffer that stays in the cache: fresh memory of the whole file's
-/// size would cost as much as scanning it. Lines that a backslash continues are not torn.
+/// size would cost as much again as the mesh. Lines that a backslash continues are not torn.
 class LineBlocks
 {
 public:
     /// \p size: of the buffer at first; a longer line makes it grow.
     explicit LineBlocks(InputFile& file, std::size_t size)
         : m_file(file)
-        , m_buffer(std::max<std::size_t>(size, 1) + tail)
+        , m_buffer(std::max<std::size_t>(size, 1) + 1, '\0')
     {
     }
-    /// The next block, or nothing when there is none; bytes behind it are readable. The last block ends in a
-    /// line feed that the file need not have. Lone carriage returns have become line feeds. Error: Io.
+    /// The next block, or nothing when there is none. The last block ends in a line feed that the file need
+    /// not have. Lone carriage returns have become line feeds. Error: Io.
     Expected<std::string_view> next();
     [[nodiscard]] bool isLast() const { return m_isAtEnd; }
     /// Of zeros and end marks behind the text, which are left out; known with the last block.
     [[nodiscard]] std::size_t padding() const { return m_padding; }
 
 private:
-    static constexpr std::size_t tail = 64; ///< room for the last line feed and what is read behind it
     [[nodiscard]] std::size_t lastLineEnd() const;
-    void grow();
 
     InputFile& m_file;
-    LargeBuffer<char> m_buffer;
+    std::string m_buffer;    ///< one byte more than are read, for the last line feed
     std::size_t m_used = 0;  ///< bytes in the buffer
     std::size_t m_given = 0; ///< of which those in front were given out
     std::size_t m_padding = 0;
@@ -102,19 +95,6 @@ inline bool isBlank(char c)
 {
     return c == ' ' || c == '\t' || c == '\r';
 }
-
-/// A text that can be scanned without looking for its end at every byte: the lines but for the last few in
-/// place, the rest as a copy that ends in a line feed and zeros. Lines are never torn, nor are lines that a
-/// backslash continues.
-struct ScanBlocks
-{
-    explicit ScanBlocks(std::string_view text);
-
-    std::string_view body;
-    std::string rest; ///< with `padding` zeros that are not part of the text
-    static constexpr std::size_t padding = 16;
-    [[nodiscard]] std::string_view restView() const { return {rest.data(), rest.size() - padding}; }
-};
 
 /// Regular files in blocks.
 Expected<ReadMesh> readObjFile(const std::string& path, const Progress& progress,

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/base/file_writer.h"
-#include "core/io/float_rows.h"
+#include "core/io/float_text.h"
 #include "core/io/mesh_file.h"
 
 namespace ramure::writing {
@@ -43,17 +43,20 @@ private:
     std::size_t m_done = 0;
 };
 
-/// Writes \p count elements, each of which needs at most \p mostBytes of room: calls
-/// `end = write(to, begin, end)` for ranges of them, with a look at \p ticker every chunk. False = stopped.
+/// Writes \p count elements, each of which needs at most \p mostBytes of room, by `to = write(to, i)`, with a
+/// look at \p ticker every chunk. False = stopped.
 template <class Write>
-bool forRanges(std::size_t count, std::size_t mostBytes, Ticker& ticker, FileWriter& out, Write&& write)
+bool forEach(std::size_t count, std::size_t mostBytes, Ticker& ticker, FileWriter& out, Write&& write)
 {
     const std::size_t range = FileWriter::largestRoom / mostBytes;
     for (std::size_t chunkBegin = 0; chunkBegin < count; chunkBegin += chunk) {
         const std::size_t chunkEnd = std::min(count, chunkBegin + chunk);
-        for (std::size_t begin = chunkBegin; begin < chunkEnd; begin += range) {
-            const std::size_t end = std::min(chunkEnd, begin + range);
-            out.advance(write(out.room((end - begin) * mostBytes), begin, end));
+        for (std::size_t i = chunkBegin; i < chunkEnd;) {
+            const std::size_t end = std::min(chunkEnd, i + range);
+            char* to = out.room((end - i) * mostBytes);
+            for (; i < end; ++i)
+                to = write(to, i);
+            out.advance(to);
         }
         if (!ticker.tick(out, chunkEnd - chunkBegin))
             return false;
@@ -61,37 +64,32 @@ bool forRanges(std::size_t count, std::size_t mostBytes, Ticker& ticker, FileWri
     return true;
 }
 
-/// The same for one element at a time: `to = write(to, i)`.
-template <class Write>
-bool forEach(std::size_t count, std::size_t mostBytes, Ticker& ticker, FileWriter& out, Write&& write)
+inline char* appendText(char* to, std::string_view text)
 {
-    return forRanges(count, mostBytes, ticker, out, [&](char* to, std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            to = write(to, i);
+    return text.copy(to, text.size()) + to;
+}
+
+/// The numbers of a vector with a space between two.
+template <class Vector> char* appendVector(char* to, const Vector& v)
+{
+    to = appendFloat(to, v[0]);
+    for (glm::length_t k = 1; k < Vector::length(); ++k) {
+        *to++ = ' ';
+        to = appendFloat(to, v[k]);
+    }
+    return to;
+}
+
+/// A line for each vector: \p head and its numbers.
+template <class Vector>
+bool writeVectors(std::string_view head, const std::vector<Vector>& vectors, Ticker& ticker, FileWriter& out)
+{
+    const std::size_t most = head.size() + std::size_t(Vector::length()) * (maxFloatText + 1);
+    return forEach(vectors.size(), most, ticker, out, [&](char* to, std::size_t i) {
+        to = appendVector(appendText(to, head), vectors[i]);
+        *to++ = '\n';
         return to;
     });
-}
-
-/// A line of \p columns floats for each of \p rows, after \p head.
-inline bool writeRows(std::string_view head, const float* numbers, std::size_t columns, std::size_t rows,
-                      Ticker& ticker, FileWriter& out)
-{
-    return forRanges(rows, rowRoom(head.size(), columns), ticker, out,
-                     [&](char* to, std::size_t begin, std::size_t end) {
-                         return appendRows(to, head, numbers + begin * columns, columns, end - begin);
-                     });
-}
-
-inline bool writeVectors(std::string_view head, std::span<const glm::vec3> vectors, Ticker& ticker,
-                         FileWriter& out)
-{
-    return vectors.empty() || writeRows(head, &vectors[0].x, 3, vectors.size(), ticker, out);
-}
-
-inline bool writeVectors(std::string_view head, std::span<const glm::vec2> vectors, Ticker& ticker,
-                         FileWriter& out)
-{
-    return vectors.empty() || writeRows(head, &vectors[0].x, 2, vectors.size(), ticker, out);
 }
 
 /// Texture coordinates are written where every corner has one.
@@ -117,20 +115,6 @@ inline bool hasColours(const TriangleMesh& mesh)
 inline bool hasNormals(const TriangleMesh& mesh)
 {
     return !mesh.normals.empty() && mesh.normals.size() == mesh.positions.size();
-}
-
-inline char* appendText(char* to, std::string_view text)
-{
-    return text.copy(to, text.size()) + to;
-}
-
-inline char* appendVector(char* to, const glm::vec3& v)
-{
-    to = appendFloat(to, v.x);
-    *to++ = ' ';
-    to = appendFloat(to, v.y);
-    *to++ = ' ';
-    return appendFloat(to, v.z);
 }
 
 } // namespace ramure::writing

@@ -28,13 +28,13 @@ STAGES = [
     ("physics step, per branch", "BM_physicsStep/12/1", 80, COMPUTE),
     ("skin, per vertex", "BM_skinRigid/12", 1.0, MEMORY),
     ("skin with normals, per vertex", "BM_skinRigidNormals/12", 2.0, MEMORY),
-    ("OBJ written, per triangle", "BM_writeObj/plain", 45, COMPUTE),
+    ("OBJ written, per triangle", "BM_writeObj/plain", 90, COMPUTE),
     ("OBJ written with normals", "BM_writeObj/everything", None, COMPUTE),
-    ("OBJ read, per triangle", "BM_readObj/plain", 45, COMPUTE),
+    ("OBJ read, per triangle", "BM_readObj/plain", 60, COMPUTE),
     ("OBJ read with normals", "BM_readObj/everything", None, COMPUTE),
     ("PLY written, per triangle", "BM_writePly/plain", 15, MEMORY),
     ("PLY written with normals, colours, branches", "BM_writePly/everything", None, MEMORY),
-    ("PLY read, per triangle", "BM_readPly/plain", 8, MEMORY),
+    ("PLY read, per triangle", "BM_readPly/plain", 60, COMPUTE),
     ("PLY read with normals, colours, branches", "BM_readPly/everything", None, MEMORY),
 ]
 # From the parameters to the checked mesh with normals, SmallTree with 12 iterations; milliseconds. Of one thread the

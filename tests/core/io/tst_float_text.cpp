@@ -1,9 +1,6 @@
-#include "core/io/float_rows.h"
 #include "core/io/float_text.h"
-#include "core/io/float_text_parts.h"
 #include "tests/core/io/io_support.h"
 #include <charconv>
-#include <cstring>
 
 namespace tst_float_text {
 
@@ -24,13 +21,11 @@ struct Scanned
     std::size_t length = 0;
 };
 
-Scanned scanned(std::string text)
+Scanned scanned(const std::string& text)
 {
-    text += " ";
-    text.append(16, '\0');
     const char* at = text.data();
     Scanned out{};
-    out.result = scanFloat(at, out.value);
+    out.result = scanFloat(at, at + text.size(), out.value);
     out.length = static_cast<std::size_t>(at - text.data());
     return out;
 }
@@ -61,7 +56,7 @@ private slots:
 
     void whatIsNoNumber()
     {
-        for (const char* text : {"", "-", "+", ".", "-.", "e5", "x", "/", "--1", "-+1"}) {
+        for (const char* text : {"", "-", "+", ".", "-.", "e5", "x", "/", "--1", "-+1", "+-1", "++1"}) {
             const Scanned result = scanned(text);
             QVERIFY2(result.result == FloatScan::NoNumber, text);
             QCOMPARE(result.length, std::size_t(0));
@@ -120,62 +115,6 @@ private slots:
                 QCOMPARE(scanned(std::string(text, shortEnd)).value, expected);
         }
     }
-    /// The quick way reads the same as the other one, or leaves it to that.
-    void plainNumbersAreReadTheSame()
-    {
-        std::mt19937 random(11);
-        const auto digits = [&](unsigned most) {
-            std::string out;
-            for (unsigned n = static_cast<unsigned>(random()) % (most + 1); n > 0; --n)
-                out += static_cast<char>('0' + random() % 10);
-            return out;
-        };
-        int plain = 0;
-        for (int i = 0; i < 300'000; ++i) {
-            std::string text = random() % 2 ? "-" : random() % 8 ? "" : "+";
-            text += digits(3);
-            text += random() % 16 ? "." : "";
-            text += digits(14);
-            text += random() % 32 ? "" : "e1";
-            text += random() % 2 ? "\n" : " 7";
-            text.append(32, '\0');
-            const char* at = text.data();
-            float value = 0.0f;
-            if (!floats::scanPlainFloat(at, value)) {
-                QVERIFY(at == text.data());
-                continue;
-            }
-            ++plain;
-            const char* expectedAt = text.data();
-            float expected = 0.0f;
-            QVERIFY(scanFloat(expectedAt, expected) == FloatScan::Ok);
-            QVERIFY(at == expectedAt);
-            QCOMPARE(std::bit_cast<std::uint32_t>(value), std::bit_cast<std::uint32_t>(expected));
-        }
-        QVERIFY(plain > 100'000);
-    }
-    /// Rows are the numbers one by one, whatever their number and whichever floats are among them.
-    void rowsAreTheirNumbers()
-    {
-        std::mt19937 random(5);
-        for (const std::size_t columns : {1u, 2u, 3u, 4u})
-            for (const std::size_t rows : {0u, 1u, 63u, 64u, 65u, 1000u}) {
-                std::vector<float> numbers(rows * columns);
-                for (float& number : numbers)
-                    number = test::randomFloat(random);
-                const std::string head = columns % 2 == 0 ? "vt " : "";
-                std::string expected;
-                for (std::size_t i = 0; i < numbers.size(); ++i) {
-                    expected += i % columns == 0 ? head : "";
-                    expected += written(numbers[i]);
-                    expected += i % columns == columns - 1 ? '\n' : ' ';
-                }
-                std::vector<char> room(rows * rowRoom(head.size(), columns) + 1, '#');
-                const char* const end = appendRows(room.data(), head, numbers.data(), columns, rows);
-                QCOMPARE(std::string(room.data(), static_cast<std::size_t>(end - room.data())), expected);
-                QCOMPARE(room.back(), '#');
-            }
-    }
     void knownTexts()
     {
         QCOMPARE(written(0.0f), std::string("0"));
@@ -212,7 +151,7 @@ private slots:
     void indices()
     {
         const auto text = [](Index value) {
-            char buffer[maxIndexText + 8];
+            char buffer[maxIndexText];
             return std::string(buffer, appendIndex(buffer, value));
         };
         for (Index value = 0; value < 200'000; value += 7)
@@ -224,6 +163,22 @@ private slots:
                 break;
         }
         QCOMPARE(text(noIndex), std::string("4294967295"));
+    }
+    void wholeNumbers()
+    {
+        const auto is = [](const std::string& text, std::int64_t value, std::size_t length) {
+            const char* at = text.data();
+            std::int64_t read = 0;
+            return scanWhole(at, at + text.size(), read) && read == value && at == text.data() + length;
+        };
+        QVERIFY(is("0", 0, 1) && is("-12/", -12, 3) && is("+7.5", 7, 2));
+        QVERIFY(is("9999999999999999", largestScanned, 16) &&
+                is("-99999999999999999999", -largestScanned, 21));
+        for (const std::string text : {"", "-", "+", "+-1", "-+1", "x", ".5"}) {
+            const char* at = text.data();
+            std::int64_t read = 0;
+            QVERIFY(!scanWhole(at, at + text.size(), read) && at == text.data());
+        }
     }
 };
 

@@ -190,7 +190,7 @@ Expected<File> File::open(const std::string& path, const Progress& progress)
                              .value());
         input->rewind();
     }
-    auto bytes = reading::loadFile(*input, path);
+    auto bytes = reading::loadFile(*input);
     RAMURE_TRY(bytes);
     if (progress.cancelled())
         return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
@@ -205,7 +205,7 @@ Expected<File> File::open(const std::string& path, const Progress& progress)
 Expected<void> File::split()
 {
     constexpr std::size_t head = 12, chunkHead = 8;
-    std::string_view bytes = m_bytes.view();
+    std::string_view bytes = m_bytes;
     if (bytes.size() < head + chunkHead || !bytes.starts_with("glTF"))
         return fail(ErrorCode::Syntax, RAMURE_NOOP("this is no GLB file"));
     if (word(bytes, 4) != 2)

@@ -84,7 +84,7 @@ private:
     Expected<void> addSparse(std::vector<T>& to, const Accessor& accessor, std::size_t components,
                              const std::string& place);
 
-    reading::Bytes m_bytes;   ///< the whole file
+    std::string m_bytes;      ///< the whole file
     std::string_view m_chunk; ///< its binary part
     Json m_root;
     std::vector<std::string> m_notes;

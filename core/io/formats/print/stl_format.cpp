@@ -261,11 +261,9 @@ TriangleMesh welded(std::vector<glm::vec3>&& corners)
 
 Expected<ReadMesh> importStl(const std::string& path, const Progress& progress)
 {
-    auto input = reading::InputFile::open(path);
-    RAMURE_TRY(input);
-    const auto bytes = reading::loadFile(*input, path);
+    const auto bytes = reading::loadFile(path);
     RAMURE_TRY(bytes);
-    auto corners = cornersIn(bytes->view(), path, progress);
+    auto corners = cornersIn(*bytes, path, progress);
     RAMURE_TRY(corners);
     if (corners->positions.size() >= noIndex)
         return refuse(path, ErrorCode::Limit,

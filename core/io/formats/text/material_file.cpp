@@ -16,16 +16,14 @@ constexpr std::size_t largestFile = std::size_t(64) << 20;
 /// One or three numbers; one is a grey. Nothing where it is anything else.
 std::optional<glm::u8vec3> colourOf(std::string_view words)
 {
-    // Scanning needs an end that is no part of a number.
-    const std::string text = std::string(words) + "\n" + std::string(reading::ScanBlocks::padding, '\0');
-    const char* at = text.c_str();
+    const char *at = words.data(), *const end = at + words.size();
     glm::vec3 colour(0.0F);
     int count = 0;
-    for (; *at != '\n'; ++count) {
-        if (count == 3 || scanFloat(at, colour[count]) != FloatScan::Ok ||
-            (*at != '\n' && !reading::isBlank(*at)))
+    for (; at != end; ++count) {
+        if (count == 3 || scanFloat(at, end, colour[count]) != FloatScan::Ok ||
+            (at != end && !reading::isBlank(*at)))
             return std::nullopt;
-        while (reading::isBlank(*at))
+        while (at != end && reading::isBlank(*at))
             ++at;
     }
     if (count != 1 && count != 3)
@@ -132,11 +130,7 @@ MaterialSource materialsBeside(const std::string& path)
             return Expected<std::string>(fail(ErrorCode::Io, RAMURE_NOOP("there is no such file")));
         if (std::filesystem::file_size(found, problem) > largestFile)
             return Expected<std::string>(fail(ErrorCode::Limit, RAMURE_NOOP("the file is too large")));
-        auto file = reading::InputFile::open(found.string());
-        if (!file)
-            return Expected<std::string>(fail(file.error()));
-        const auto bytes = reading::loadFile(*file, found.string());
-        return bytes ? Expected<std::string>(std::string(bytes->view())) : fail(bytes.error());
+        return reading::loadFile(found.string());
     };
 }
 

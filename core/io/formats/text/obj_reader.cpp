@@ -21,8 +21,6 @@ std::vector<glm::vec3> vertexNormals(ObjLists& lists, std::vector<std::string>& 
     const std::size_t vertices = lists.positions.size();
     if (!lists.givesNormals() || lists.cornersWithoutNormal > 0)
         return {};
-    if (lists.areParallel)
-        return std::move(lists.normals);
     lists.normalOf.resize(vertices, noIndex);
     bool isParallel = lists.otherNormals.empty() && lists.normals.size() == vertices;
     for (std::size_t v = 0; v < vertices && isParallel; ++v)
@@ -367,9 +365,9 @@ Expected<ReadMesh> reading::readObjFile(const std::string& path, const Progress&
                 return scanObj(*input, path, progress.part(0.0, 0.9), blockSize, origin);
             },
             path, materials, progress);
-    const auto bytes = loadFile(*input, path);
-    RAMURE_TRY(bytes);
-    return parseObj(bytes->view(), path, progress, materials);
+    const auto text = loadFile(*input);
+    RAMURE_TRY(text);
+    return parseObj(*text, path, progress, materials);
 }
 
 } // namespace ramure

@@ -25,9 +25,6 @@ struct ObjLists
     std::vector<glm::vec3> normals; ///< zero where the file has no numbers
     std::vector<glm::vec3> colours; ///< of the vertices, from 0 to 1 or to 255, or noColour; or empty
     std::vector<glm::uvec3> triangles;
-    /// Each corner with a normal has the normal of its vertex's number, and there are as many normals as
-    /// vertices: normals are the vertices' normals, and the two lists that follow are empty.
-    bool areParallel = false;
     /// Per vertex the first normal that a face gave it, or noIndex; may be shorter.
     std::vector<Index> normalOf;
     std::vector<std::pair<Index, Index>> otherNormals; ///< vertex and a further normal
@@ -41,10 +38,7 @@ struct ObjLists
     std::size_t cornersWithoutNormal = 0;
 
     /// Whether any corner has a normal.
-    [[nodiscard]] bool givesNormals() const
-    {
-        return areParallel || !normalOf.empty() || !otherNormals.empty();
-    }
+    [[nodiscard]] bool givesNormals() const { return !normalOf.empty() || !otherNormals.empty(); }
 };
 
 /// \param origin is subtracted from positions, which are then read in double precision unless it is 0

@@ -18,25 +18,13 @@ void ObjScanner::scanTexture()
 {
     glm::vec2 uv(0.0f);
     skipBlanks();
-    bool isGood = scanFloat(m_at, uv.x) == FloatScan::Ok && endsWord(*m_at);
+    bool isGood = scanFloat(m_at, m_end, uv.x) == FloatScan::Ok && endsWord(*m_at);
     skipBlanks();
-    isGood = isGood && *m_at != '\n' && scanFloat(m_at, uv.y) == FloatScan::Ok && endsWord(*m_at);
+    isGood = isGood && *m_at != '\n' && scanFloat(m_at, m_end, uv.y) == FloatScan::Ok && endsWord(*m_at);
     if (!isGood && m_badTextureLine == 0)
         m_badTextureLine = m_line;
     if (m_lists.texture.size() < maxObjVertices)
         m_lists.texture.push_back(uv);
-}
-
-bool ObjScanner::scanIndex(std::int64_t& value)
-{
-    const bool isNegative = *m_at == '-';
-    if (isNegative || *m_at == '+')
-        ++m_at;
-    std::uint64_t size = 0;
-    if (!scanDigits(m_at, size))
-        return false;
-    value = isNegative ? -static_cast<std::int64_t>(size) : static_cast<std::int64_t>(size);
-    return true;
 }
 
 /// Counted from 1, or from the end of what was read so far where it is negative. Nothing where it cannot be.
@@ -52,7 +40,7 @@ bool ObjScanner::scanCornerNormal(Index vertex, bool& hasNormal)
     if (endsWord(*m_at)) // "f 1// 2// 3//"
         return true;
     std::int64_t written = 0;
-    if (!scanIndex(written))
+    if (!scanWhole(m_at, m_end, written))
         return false;
     const auto normal = placeOf(written, m_lists.normals.size());
     hasNormal = normal.has_value();
@@ -66,7 +54,7 @@ bool ObjScanner::scanCornerNormal(Index vertex, bool& hasNormal)
         m_largestNormal = written;
         m_largestNormalLine = m_line;
     }
-    giveNormal(vertex, *normal);
+    setNormal(vertex, *normal);
     return true;
 }
 
@@ -80,7 +68,7 @@ bool ObjScanner::scanCorner(Index& vertex, Index& texture)
                     {excerpt(restOfLine())});
     };
     std::int64_t written = 0;
-    if (!scanIndex(written))
+    if (!scanWhole(m_at, m_end, written))
         return syntax();
     const auto v = placeOf(written, m_lists.positions.size());
     if (!v)
@@ -96,7 +84,7 @@ bool ObjScanner::scanCorner(Index& vertex, Index& texture)
     if (*m_at == '/') {
         ++m_at;
         std::int64_t number = 0;
-        if (*m_at != '/' && !scanIndex(number))
+        if (*m_at != '/' && !scanWhole(m_at, m_end, number))
             return syntax();
         texture = placeOf(number, m_lists.texture.size()).value_or(noIndex);
         if (*m_at == '/') {
@@ -107,19 +95,6 @@ bool ObjScanner::scanCorner(Index& vertex, Index& texture)
     }
     m_lists.cornersWithoutNormal += !hasNormal;
     return endsWord(*m_at) || syntax();
-}
-
-/// Writes down what was true of all corners up to here.
-void ObjScanner::endParallel()
-{
-    if (!m_lists.areParallel)
-        return;
-    m_lists.areParallel = false;
-    for (const glm::uvec3& t : m_lists.triangles)
-        for (int k = 0; k < 3; ++k)
-            setNormal(t[k], t[k]);
-    for (int i = 0; i < std::min(m_corners, 2); ++i)
-        setNormal(m_face[i], m_face[i]);
 }
 
 void ObjScanner::setNormal(Index vertex, Index normal)
@@ -153,7 +128,9 @@ bool ObjScanner::scanFace()
         }
         if (m_corners >= 2) {
             m_lists.triangles.emplace_back(m_face[0], m_face[1], vertex);
-            addTexture({m_faceTexture[0], m_faceTexture[1], texture});
+            if (const glm::uvec3 corners(m_faceTexture[0], m_faceTexture[1], texture);
+                corners != glm::uvec3(noIndex))
+                addTexture(corners);
         }
         m_face[1] = vertex;
         m_faceTexture[1] = texture;
@@ -170,8 +147,6 @@ bool ObjScanner::scanFace()
 /// Of the triangle added last.
 void ObjScanner::addTexture(const glm::uvec3& corners)
 {
-    if (corners == glm::uvec3(noIndex))
-        return;
     m_lists.textureTriangles.resize(m_lists.triangles.size(), glm::uvec3(noIndex));
     m_lists.textureTriangles.back() = corners;
 }
@@ -213,8 +188,6 @@ bool ObjScanner::scanOther()
         skipTransformNumbers();
         return true;
     }
-    if (*m_at == '\0' && m_at >= m_end)
-        return true;
     const char* end = m_at;
     while (end - m_at < 64 && isInWord(*end))
         ++end;
@@ -252,7 +225,8 @@ bool ObjScanner::scanOther()
 void ObjScanner::skipTransformNumbers()
 {
     float ignored = 0.0f;
-    for (skipBlanks(); m_transformNumbers > 0 && scanFloat(m_at, ignored) == FloatScan::Ok; skipBlanks())
+    for (skipBlanks(); m_transformNumbers > 0 && scanFloat(m_at, m_end, ignored) == FloatScan::Ok;
+         skipBlanks())
         --m_transformNumbers;
 }
 
@@ -267,10 +241,6 @@ void ObjScanner::finishNormals()
     if (m_badNormalLine > 0)
         m_lists.notes.push_back("line " + std::to_string(m_badNormalLine) +
                                 ": not three finite numbers: no normal");
-    // Without normals there is nothing to be parallel; too many of them belong to no vertex.
-    if (m_hasNormals && m_lists.normals.size() != m_lists.positions.size())
-        endParallel();
-    m_lists.areParallel = m_lists.areParallel && m_hasNormals;
     if (m_missingNormalLine > 0)
         m_lists.notes.push_back("line " + std::to_string(m_missingNormalLine) + ": normal " +
                                 std::to_string(m_missingNormal) + " does not exist (there are " +

@@ -2,6 +2,7 @@
 /// The lines of an OBJ file one after the other. Internal to core/io: obj_scan.h is what readers use.
 #pragma once
 
+#include "core/base/large_buffer.h"
 #include "core/io/formats/text/obj_scan.h"
 #include "core/io/mesh_mending.h"
 
@@ -15,7 +16,8 @@ inline bool endsWord(char c)
     return isBlank(c) || c == '\n' || c == '\\';
 }
 
-/// Fills the lists from blocks of whole lines. Where a call says false, takeError() says why.
+/// Fills the lists from blocks of whole lines, each of which ends in a line feed. Where a call says false,
+/// takeError() says why.
 class ObjScanner
 {
 public:
@@ -29,7 +31,6 @@ public:
         // Typical sizes of lines: memory that stays untouched costs nothing.
         reserve(m_lists.positions, bytes / 72);
         reserve(m_lists.triangles, bytes / 36);
-        m_lists.areParallel = true;
     }
     bool scan(std::string_view block);
     /// \param padding bytes behind the text that were left out
@@ -43,9 +44,6 @@ private:
         to.reserve(count);
         adviseHugePages(to.data(), count * sizeof(T));
     }
-    bool scanPlainLine();
-    bool scanPlainVector(const char* from, std::vector<glm::vec3>& to);
-    bool scanPlainFace();
     bool scanLine();
     bool scanPosition();
     bool scanCoordinate(int axis, float& value);
@@ -57,17 +55,21 @@ private:
     void scanTexture();
     void addTexture(const glm::uvec3& corners);
     void finishTexture();
-    bool scanIndex(std::int64_t& value);
     bool scanCornerNormal(Index vertex, bool& hasNormal);
-    void giveNormal(Index vertex, Index normal);
     void finishNormals();
     void setNormal(Index vertex, Index normal);
-    void endParallel();
     void scanMark(std::vector<ObjMark>& marks);
     bool scanOther();
     void skipTransformNumbers();
 
-    void skipBlanks();
+    void skipBlanks()
+    {
+        do
+            while (isBlank(*m_at))
+                ++m_at;
+        while (*m_at == '\\' && skipContinuation());
+    }
+    bool skipContinuation();
     void skipLine();
     std::string_view restOfLine();
     bool fail(ErrorCode code, const char* text, std::vector<std::string> args = {});
@@ -93,7 +95,6 @@ private:
     int m_badNormalLine = 0;            ///< and the first normal
     std::int64_t m_missingNormal = 0;   ///< that the corner at m_missingNormalLine names
     int m_transformNumbers = 0;         ///< how many numbers the matrix of the TRANSFORM line still lacks
-    bool m_hasNormals = false;          ///< some corner has one
     // References to what the file has not given yet are checked at its end.
     std::int64_t m_largestVertex = 0, m_largestNormal = 0;
     int m_largestVertexLine = 0, m_largestNormalLine = 0, m_missingNormalLine = 0;

@@ -3,7 +3,6 @@
 #include "core/io/material_maps.h"
 #include "core/io/write_parts.h"
 #include <algorithm>
-#include <cstring>
 #include <filesystem>
 #include <optional>
 #include <set>
@@ -37,65 +36,6 @@ std::string head(const std::string& comment)
 {
     return "# Ramure " RAMURE_VERSION "\n" + (comment.empty() ? "" : "# " + oneLine(comment) + "\n");
 }
-
-/// Number of \p v in the object's own vertices, counted through the file from 1.
-char* appendCorner(char* to, Index v, bool hasNormals, Index normalShift)
-{
-    char* end = appendIndex(to, v);
-    if (!hasNormals)
-        return end;
-    const std::ptrdiff_t length = end - to;
-    *end++ = '/';
-    *end++ = '/';
-    if (normalShift != 0)
-        return appendIndex(end, v - normalShift);
-    char copy[16]; // the same number, and what lies behind it
-    std::memcpy(copy, to, sizeof copy);
-    std::memcpy(end, copy, sizeof copy);
-    return end + length;
-}
-
-/// The texts of corners, each with a space before it: faces that follow each other share vertices, and most
-/// corners were written just before.
-class CornerTexts
-{
-public:
-    CornerTexts(bool hasNormals, Index normalShift)
-        : m_hasNormals(hasNormals)
-        , m_normalShift(normalShift)
-        , m_kept(keptCorners)
-    {
-    }
-    /// \p v counts from 1. Overwrites up to `room` bytes.
-    char* append(char* to, Index v)
-    {
-        Kept& kept = m_kept[v % keptCorners];
-        if (kept.vertex != v) {
-            kept.vertex = v;
-            kept.text[0] = ' ';
-            char text[room + 16];
-            const char* const end = appendCorner(text, v, m_hasNormals, m_normalShift);
-            kept.length = static_cast<Index>(end - text) + 1u;
-            std::memcpy(kept.text + 1, text, sizeof kept.text - 1);
-        }
-        std::memcpy(to, kept.text, sizeof kept.text);
-        return to + kept.length;
-    }
-    static constexpr std::size_t room = 24; ///< a space, two numbers, two slashes
-    static_assert(room >= 3 + 2 * maxIndexText);
-
-private:
-    static constexpr std::size_t keptCorners = 512;
-    struct Kept
-    {
-        Index vertex = 0;
-        Index length = 0;
-        char text[room] = {};
-    };
-    bool m_hasNormals;
-    Index m_normalShift;
-    std::vector<Kept> m_kept;
-};
 
 /// How many stand in the file before.
 struct Before
@@ -160,41 +100,28 @@ Order orderOf(const MeshPart& part)
     return out;
 }
 
-/// Faces v/vt/vn or v/vt.
-bool writeTexturedFaces(FileWriter& out, const TriangleMesh& mesh, const Order& order, const Run& run,
-                        const Before& before, bool hasNormals, Ticker& ticker)
+/// Faces v, v/vt, v//vn or v/vt/vn.
+bool writeFaces(FileWriter& out, const TriangleMesh& mesh, const Order& order, const Run& run,
+                const Before& before, Ticker& ticker)
 {
+    const bool hasTexture = writing::hasTexture(mesh), hasNormals = writing::hasNormals(mesh);
     const std::vector<glm::uvec3>& texture = writing::textureTriangles(mesh);
-    constexpr std::size_t faceRoom = 32 + 9 * (maxIndexText + 2);
+    constexpr std::size_t faceRoom = 2 + 3 * 3 * (maxIndexText + 1);
     return forEach(run.end - run.begin, faceRoom, ticker, out, [&](char* to, std::size_t number) {
         const std::size_t i = order[run.begin + number];
         *to++ = 'f';
         for (int k = 0; k < 3; ++k) {
             *to++ = ' ';
             to = appendIndex(to, mesh.triangles[i][k] + before.vertices + 1u);
-            *to++ = '/';
-            to = appendIndex(to, texture[i][k] + before.texture + 1u);
+            if (hasTexture || hasNormals)
+                *to++ = '/';
+            if (hasTexture)
+                to = appendIndex(to, texture[i][k] + before.texture + 1u);
             if (!hasNormals)
                 continue;
             *to++ = '/';
             to = appendIndex(to, mesh.triangles[i][k] + before.normals + 1u);
         }
-        *to++ = '\n';
-        return to;
-    });
-}
-
-/// Faces v//vn or v.
-bool writePlainFaces(FileWriter& out, const TriangleMesh& mesh, const Order& order, const Run& run,
-                     const Before& before, CornerTexts& corners, Ticker& ticker)
-{
-    constexpr std::size_t faceRoom = 8 + 4 * CornerTexts::room;
-    return forEach(run.end - run.begin, faceRoom, ticker, out, [&](char* to, std::size_t i) {
-        const glm::uvec3 t = mesh.triangles[order[run.begin + i]] + (before.vertices + 1u);
-        *to++ = 'f';
-        to = corners.append(to, t.x);
-        to = corners.append(to, t.y);
-        to = corners.append(to, t.z);
         *to++ = '\n';
         return to;
     });
@@ -218,14 +145,12 @@ bool writePart(FileWriter& out, const MeshPart& part, const Before& before, bool
         (hasNormals && !writeVectors("vn ", mesh.normals, ticker, out)))
         return false;
     const Order order = orderOf(part);
-    CornerTexts corners(hasNormals, before.vertices - before.normals);
     for (const Run& run : order.runs) {
         if (hasMaterials)
             out.append("usemtl " + oneLine(materialOf(part, order[run.begin]).name) + "\n");
         if (hasNormals && &run == &order.runs.front())
             out.append("s 1\n"); // smooth: some programs look at this alone and not at the normals
-        if (!(hasTexture ? writeTexturedFaces(out, mesh, order, run, before, hasNormals, ticker)
-                         : writePlainFaces(out, mesh, order, run, before, corners, ticker)))
+        if (!writeFaces(out, mesh, order, run, before, ticker))
             return false;
     }
     return true;

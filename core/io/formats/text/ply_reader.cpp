@@ -14,13 +14,13 @@ namespace ramure {
 
 namespace {
 
-using reading::AsciiSource;
 using reading::BinarySource;
 using reading::PlyElement;
 using reading::PlyFormat;
 using reading::PlyHeader;
 using reading::PlyProperty;
 using reading::PlyType;
+using reading::TextSource;
 
 /// Where red, green and blue stand among the properties of a vertex or a face.
 struct ColourSlots
@@ -159,8 +159,8 @@ private:
         for (std::size_t i = 0; i < count; ++i) {
             if (i % reading::chunk == 0 && !goesOn())
                 return false;
-            if (!m_source.begin(element.name, i) || !readScalars(element, values) ||
-                !takeVertex(slots, values, i))
+            m_source.begin(element.name, i);
+            if (!readScalars(element, values) || !takeVertex(slots, values, i))
                 return false;
         }
         return true;
@@ -170,10 +170,32 @@ private:
     {
         for (std::size_t p = 0; p < element.properties.size(); ++p) {
             const PlyProperty& property = element.properties[p];
-            if (property.isList ? !m_source.skipList(property) : !m_source.number(property.type, values[p]))
+            if (!readScalar(property, values[p]))
                 return false;
         }
         return true;
+    }
+    /// \param value the last of a list, if it is one
+    bool readScalar(const PlyProperty& property, double& value)
+    {
+        std::uint64_t size = 1;
+        if (property.isList && !listSize(property, size))
+            return false;
+        for (std::uint64_t i = 0; i < size; ++i)
+            if (!m_source.number(property.type, value))
+                return false;
+        return true;
+    }
+    bool listSize(const PlyProperty& list, std::uint64_t& size)
+    {
+        double count = 0.0;
+        if (!m_source.number(list.countType, count))
+            return false;
+        if (count < 0.0)
+            return m_source.fail(ErrorCode::Syntax, RAMURE_NOOP("a list of %1 values"),
+                                 {std::to_string(static_cast<std::int64_t>(count))});
+        size = static_cast<std::uint64_t>(count);
+        return m_source.holds(size, list.type);
     }
     bool takeVertex(const VertexSlots& slots, const std::vector<double>& values, std::size_t i)
     {
@@ -214,21 +236,21 @@ private:
         if (!list.isList || !isInteger(list.type))
             return m_source.fail(ErrorCode::Syntax,
                                  RAMURE_NOOP("the faces' vertices are no list of integers"));
-        m_mesh.triangles.reserve(m_source.mostTriangles(element, list));
+        constexpr std::size_t smallestTriangle = 4; // bytes
+        m_mesh.triangles.reserve(std::min<std::uint64_t>(element.count, m_source.left() / smallestTriangle));
         const int textureSlot = textureList(element);
+        const bool isFace = element.name == "face"; // and no strip
         const ColourSlots colour(element);
         std::vector<double> values(element.properties.size());
         for (std::uint64_t i = 0; i < element.count; ++i) {
             if (i % reading::chunk == 0 && !goesOn())
                 return false;
-            if (!m_source.begin(element.name, i))
-                return false;
+            m_source.begin(element.name, i);
             for (std::size_t p = 0; p < element.properties.size(); ++p) {
                 const PlyProperty& property = element.properties[p];
-                const bool isRead = static_cast<int>(p) == slot          ? readCorners(element, property, i)
+                const bool isRead = static_cast<int>(p) == slot          ? readCorners(property, i, isFace)
                                     : static_cast<int>(p) == textureSlot ? readTexture(property)
-                                    : property.isList                    ? m_source.skipList(property)
-                                                      : m_source.number(property.type, values[p]);
+                                                                         : readScalar(property, values[p]);
                 if (!isRead)
                     return false;
             }
@@ -252,7 +274,7 @@ private:
     bool readTexture(const PlyProperty& list)
     {
         std::uint64_t numbers = 0;
-        if (!m_source.listSize(list, numbers))
+        if (!listSize(list, numbers))
             return false;
         m_faceTexture.clear();
         for (std::uint64_t k = 0; k < numbers; ++k) {
@@ -301,17 +323,19 @@ private:
         m_mesh.uvTriangles.clear();
         m_out.notes.push_back("faces without two finite numbers per corner: texture coordinates left out");
     }
-    bool readCorners(const PlyElement& element, const PlyProperty& list, std::uint64_t number)
+    bool readCorners(const PlyProperty& list, std::uint64_t number, bool isFace)
     {
         std::uint64_t corners = 0;
-        if (!m_source.listSize(list, corners))
+        if (!listSize(list, corners))
             return false;
-        return element.name == "face" ? readFace(list, number, corners) : readStrips(list, corners);
+        return isFace ? readFace(list, number, corners) : readStrips(list, corners);
     }
     bool readVertex(const PlyProperty& list, std::int64_t& index, std::int64_t least)
     {
-        if (!m_source.integer(list.type, index))
+        double number = 0.0;
+        if (!m_source.number(list.type, number))
             return false;
+        index = static_cast<std::int64_t>(number);
         return (index >= least && index < static_cast<std::int64_t>(m_vertexCount)) ||
                m_source.fail(ErrorCode::Invalid, RAMURE_NOOP("vertex %1 does not exist (there are %2)"),
                              {std::to_string(index), std::to_string(m_vertexCount)});
@@ -382,7 +406,8 @@ private:
         for (std::uint64_t i = 0; i < element.count; ++i) {
             if (i % reading::chunk == 0 && !goesOn())
                 return false;
-            if (!m_source.begin(element.name, i) || !readScalars(element, ignored))
+            m_source.begin(element.name, i);
+            if (!readScalars(element, ignored))
                 return false;
         }
         return true;
@@ -427,37 +452,18 @@ void noteSkippedProperties(const PlyHeader& header, const char* elementName,
         notes.push_back(std::string(elementName) + " properties skipped: " + names);
 }
 
-Expected<ReadMesh> finished(ReadMesh mesh, const PlyHeader& header, const std::string& file,
-                            const Progress& progress)
-{
-    const TriangleMesh& only = mesh.objects.front().mesh;
-    RAMURE_TRY(reading::checkFaces(only.positions.size(), only.triangles.size(), file));
-    mesh.objects.front().name = reading::stem(file);
-    noteSkippedProperties(header, "vertex", {"x", "y", "z", "nx", "ny", "nz", "branch", "level"}, mesh.notes);
-    noteSkippedProperties(header, "face", {"vertex_indices", "vertex_index", "texcoord"}, mesh.notes);
-    progress.report(1.0);
-    return mesh;
-}
-
 /// \param origin 0: as it stands in the file; else in double precision, from there on
 Expected<ReadMesh> bodyOf(std::string_view bytes, const PlyHeader& header, const std::string& file,
                           const glm::dvec3& origin, const Progress& progress)
 {
     const bool isFar = origin != glm::dvec3(0.0);
-    if (header.format == PlyFormat::Ascii) {
-        const PlainText plain(bytes.substr(header.bytes));
-        const reading::ScanBlocks blocks(plain.view());
-        auto read = PlyBody(AsciiSource(blocks, file, header.lines, isFar), header, origin, progress).read();
-        if (read)
-            reading::notePadding(plain.padding(), read->notes);
-        return read;
-    }
-    if (header.format == PlyFormat::BigEndian)
-        return PlyBody(BinarySource<true>(bytes, header.bytes, file), header, origin, progress).read();
-    if (!isFar)
-        if (auto plain = reading::readPlainPly(bytes, header, progress))
-            return std::move(*plain);
-    return PlyBody(BinarySource<false>(bytes, header.bytes, file), header, origin, progress).read();
+    if (header.format != PlyFormat::Ascii)
+        return PlyBody(BinarySource(bytes, header, file), header, origin, progress).read();
+    const PlainText plain(bytes.substr(header.bytes));
+    auto read = PlyBody(TextSource(plain.view(), file, header.lines, isFar), header, origin, progress).read();
+    if (read)
+        reading::notePadding(plain.padding(), read->notes);
+    return read;
 }
 
 } // namespace
@@ -480,28 +486,22 @@ Expected<ReadMesh> parsePly(std::string_view bytes, const std::string& file, con
             result->notes.push_back(reading::farNote(origin));
         }
     }
-    return result ? finished(std::move(*result), *header, file, progress) : std::move(result);
+    RAMURE_TRY(result);
+    ReadObject& only = result->objects.front();
+    RAMURE_TRY(reading::checkFaces(only.mesh.positions.size(), only.mesh.triangles.size(), file));
+    only.name = reading::stem(file);
+    noteSkippedProperties(*header, "vertex", {"x", "y", "z", "nx", "ny", "nz", "branch", "level"},
+                          result->notes);
+    noteSkippedProperties(*header, "face", {"vertex_indices", "vertex_index", "texcoord"}, result->notes);
+    progress.report(1.0);
+    return result;
 }
 
 Expected<ReadMesh> reading::readPlyFile(const std::string& path, const Progress& progress)
 {
-    auto input = InputFile::open(path);
-    RAMURE_TRY(input);
-    if (input->isRegular()) {
-        // Headers are short; what is longer, or not plain, is read as a whole.
-        std::string begin(std::min<std::size_t>(input->size(), 1u << 14), '\0');
-        const auto got = input->read(begin.data(), begin.size());
-        const auto header = parsePlyHeader(begin, path, input->size());
-        if (got && *got == begin.size() && header) {
-            const auto body = std::string_view(begin).substr(header->bytes);
-            if (auto plain = readPlainPly(*input, body, *header, progress))
-                return finished(std::move(*plain), *header, path, progress);
-        }
-        input->rewind();
-    }
-    const auto bytes = loadFile(*input, path);
+    const auto bytes = loadFile(path);
     RAMURE_TRY(bytes);
-    return parsePly(bytes->view(), path, progress);
+    return parsePly(*bytes, path, progress);
 }
 
 } // namespace ramure

@@ -18,35 +18,31 @@ namespace ramure::reading {
 class PlySource
 {
 public:
-    explicit PlySource(const std::string& file)
-        : m_file(&file)
+    PlySource(std::string_view bytes, const std::string& file)
+        : m_bytes(bytes)
+        , m_file(&file)
     {
     }
+    virtual ~PlySource() = default;
+
     /// Says of which element an unexpected end is.
-    bool begin(const std::string& element, std::uint64_t number)
+    void begin(const std::string& element, std::uint64_t number)
     {
         m_element = &element;
         m_number = number;
-        return true;
     }
+    bool fail(ErrorCode code, const char* text, std::vector<std::string> args = {});
     Error takeError() { return std::move(*m_error); }
+    /// Bytes that are not read yet.
+    [[nodiscard]] std::size_t left() const { return m_bytes.size() - m_at; }
+    [[nodiscard]] double fraction() const { return 1.0 - double(left()) / double(m_bytes.size() + 1); }
 
 protected:
-    bool store(Error error)
-    {
-        error.file = *m_file;
-        m_error = std::move(error);
-        return false;
-    }
-    static Error makeError(ErrorCode code, const char* text, std::vector<std::string> args)
-    {
-        return ramure::fail(code, text, std::move(args)).value();
-    }
-    Error endError() const
-    {
-        return makeError(ErrorCode::Syntax, RAMURE_NOOP("the file ends within element %1 of \"%2\""),
-                         {std::to_string(m_number), m_element ? excerpt(*m_element) : std::string()});
-    }
+    virtual void tellPlace(Error& error) const = 0;
+    bool atEnd();
+
+    std::string_view m_bytes;
+    std::size_t m_at = 0;
 
 private:
     const std::string* m_file;
@@ -55,82 +51,40 @@ private:
     std::optional<Error> m_error;
 };
 
-class AsciiSource : public PlySource
+class TextSource final : public PlySource
 {
 public:
-    /// \param blocks the text behind the header; must outlive the source. \param headerLines for messages.
+    /// \param text behind the header; must outlive the source. \param headerLines for messages.
     /// \param isExact read in double precision, which takes longer
-    AsciiSource(const ScanBlocks& blocks, const std::string& file, int headerLines, bool isExact)
-        : PlySource(file)
+    TextSource(std::string_view text, const std::string& file, int headerLines, bool isExact)
+        : PlySource(text, file)
         , m_isExact(isExact)
-        , m_blocks(&blocks)
-        , m_at(blocks.body.data())
-        , m_end(blocks.body.data() + blocks.body.size())
         , m_line(headerLines + 1)
     {
     }
-
-    bool fail(ErrorCode code, const char* text, std::vector<std::string> args = {})
-    {
-        Error error = makeError(code, text, std::move(args));
-        error.line = m_line;
-        return store(std::move(error));
-    }
     bool number(PlyType type, double& value);
-    bool integer(PlyType type, std::int64_t& value);
-    bool listSize(const PlyProperty& list, std::uint64_t& size);
-    bool skipList(const PlyProperty& list);
-    [[nodiscard]] double fraction() const;
-    /// Room worth taking for the triangles of \p element.
-    [[nodiscard]] std::size_t mostTriangles(const PlyElement& element, const PlyProperty& list) const;
+    /// Whether a list of so many can be there: text tells it only by ending.
+    bool holds(std::uint64_t, PlyType) { return true; }
     void noteTrailing(std::vector<std::string>& notes);
 
 private:
     bool findToken();
-    bool toToken();
-    bool badToken();
-    [[nodiscard]] bool endsToken() const { return isBlank(*m_at) || *m_at == '\n'; }
+    void tellPlace(Error& error) const override { error.line = m_line; }
 
     bool m_isExact;
-    const ScanBlocks* m_blocks;
-    const char* m_at;
-    const char* m_end;
-    bool m_isInRest = false;
     int m_line;
 };
 
-template <bool BigEndian> class BinarySource : public PlySource
+class BinarySource final : public PlySource
 {
 public:
-    BinarySource(std::string_view bytes, std::size_t begin, const std::string& file)
-        : PlySource(file)
-        , m_bytes(bytes)
-        , m_at(begin)
+    BinarySource(std::string_view bytes, const PlyHeader& header, const std::string& file)
+        : PlySource(bytes, file)
+        , m_isSwapped((header.format == PlyFormat::BigEndian) != (std::endian::native == std::endian::big))
     {
-    }
-
-    bool fail(ErrorCode code, const char* text, std::vector<std::string> args = {})
-    {
-        Error error = makeError(code, text, std::move(args));
-        error.path = "byte " + std::to_string(m_at);
-        return store(std::move(error));
+        m_at = header.bytes;
     }
     bool number(PlyType type, double& value)
-    {
-        switch (type) {
-        case PlyType::Float32:
-            return take<float>(value);
-        case PlyType::Float64:
-            return take<double>(value);
-        default:
-            break;
-        }
-        std::int64_t whole = 0;
-        const bool isRead = integer(type, whole);
-        value = static_cast<double>(whole);
-        return isRead;
-    }
-    bool integer(PlyType type, std::int64_t& value)
     {
         switch (type) {
         case PlyType::Int8:
@@ -145,34 +99,14 @@ public:
             return take<std::int32_t>(value);
         case PlyType::UInt32:
             return take<std::uint32_t>(value);
-        default:
-            return fail(ErrorCode::Syntax, RAMURE_NOOP("an integer expected"));
+        case PlyType::Float32:
+            return take<float>(value);
+        case PlyType::Float64:
+            break;
         }
+        return take<double>(value);
     }
-    bool listSize(const PlyProperty& list, std::uint64_t& size)
-    {
-        std::int64_t count = 0;
-        if (!integer(list.countType, count))
-            return false;
-        if (count < 0)
-            return fail(ErrorCode::Syntax, RAMURE_NOOP("a list of %1 values"), {std::to_string(count)});
-        size = static_cast<std::uint64_t>(count);
-        return size * sizeOf(list.type) <= left() || atEnd();
-    }
-    bool skipList(const PlyProperty& list)
-    {
-        std::uint64_t size = 0;
-        if (!listSize(list, size))
-            return false;
-        m_at += size * sizeOf(list.type);
-        return true;
-    }
-    [[nodiscard]] double fraction() const { return double(m_at) / double(m_bytes.size()); }
-    [[nodiscard]] std::size_t mostTriangles(const PlyElement& element, const PlyProperty& list) const
-    {
-        const std::size_t each = sizeOf(list.countType) + 3 * sizeOf(list.type);
-        return static_cast<std::size_t>(std::min<std::uint64_t>(element.count, left() / each));
-    }
+    bool holds(std::uint64_t size, PlyType type) { return size * sizeOf(type) <= left() || atEnd(); }
     void noteTrailing(std::vector<std::string>& notes)
     {
         if (left() > 0)
@@ -180,39 +114,21 @@ public:
     }
 
 private:
-    [[nodiscard]] std::uint64_t left() const { return m_bytes.size() - m_at; }
-    bool atEnd()
-    {
-        Error error = endError();
-        error.path = "byte " + std::to_string(m_at);
-        return store(std::move(error));
-    }
-    template <class T, class To> bool take(To& to)
+    void tellPlace(Error& error) const override { error.path = "byte " + std::to_string(m_at); }
+    template <class T> bool take(double& to)
     {
         char bytes[sizeof(T)];
         if (left() < sizeof(T))
             return atEnd();
         std::memcpy(bytes, m_bytes.data() + m_at, sizeof(T));
-        if constexpr (BigEndian != (std::endian::native == std::endian::big))
+        if (m_isSwapped)
             std::reverse(bytes, bytes + sizeof(T));
-        T value;
-        std::memcpy(&value, bytes, sizeof(T));
+        to = static_cast<double>(std::bit_cast<T>(bytes));
         m_at += sizeof(T);
-        to = static_cast<To>(value);
         return true;
     }
 
-    std::string_view m_bytes;
-    std::size_t m_at;
+    bool m_isSwapped;
 };
-
-/// The common case, in a fraction of the time: little endian, vertices of scalars with float positions,
-/// triangles as a byte and three 32-bit indices, nothing else. Nothing where the file is different, or wrong:
-/// the general reader, which says what and where, has to read it.
-std::optional<ReadMesh> readPlainPly(std::string_view bytes, const PlyHeader& header,
-                                     const Progress& progress);
-/// The same from a file that stands where the data begin but for \p begun, which was read already.
-std::optional<ReadMesh> readPlainPly(InputFile& file, std::string_view begun, const PlyHeader& header,
-                                     const Progress& progress);
 
 } // namespace ramure::reading

@@ -11,7 +11,6 @@ namespace {
 
 using writing::appendText;
 using writing::forEach;
-using writing::forRanges;
 using writing::Ticker;
 
 static_assert(std::endian::native == std::endian::little, "binary PLY is written as it lies in memory");
@@ -77,37 +76,6 @@ Index valueAt(const std::vector<Index>& values, std::size_t i)
     return i < values.size() ? values[i] : noIndex;
 }
 
-/// A vertex as it lies in the file; what a layout lacks is decided where the function is made, not per
-/// vertex.
-template <bool HasNormals, bool HasBranch, bool HasLevel>
-char* binaryVertices(char* to, const TriangleMesh& mesh, const glm::u8vec3 colour, std::size_t begin,
-                     std::size_t end)
-{
-    for (std::size_t i = begin; i < end; ++i) {
-        to = appendBytes(to, mesh.positions[i]);
-        if constexpr (HasNormals)
-            to = appendBytes(to, mesh.normals[i]);
-        to = appendBytes(to, colour);
-        if constexpr (HasBranch)
-            to = appendBytes(to, valueAt(mesh.branch, i));
-        if constexpr (HasLevel)
-            to = appendBytes(to, valueAt(mesh.level, i));
-    }
-    return to;
-}
-
-using Vertices = char* (*)(char* to, const TriangleMesh& mesh, glm::u8vec3 colour, std::size_t begin,
-                           std::size_t end);
-
-Vertices binaryVerticesOf(const Layout& layout)
-{
-    constexpr Vertices all[] = {binaryVertices<false, false, false>, binaryVertices<true, false, false>,
-                                binaryVertices<false, true, false>,  binaryVertices<true, true, false>,
-                                binaryVertices<false, false, true>,  binaryVertices<true, false, true>,
-                                binaryVertices<false, true, true>,   binaryVertices<true, true, true>};
-    return all[(layout.normals ? 1 : 0) + (layout.branch ? 2 : 0) + (layout.level ? 4 : 0)];
-}
-
 glm::u8vec3 toned(const glm::u8vec3& colour, const glm::u8vec3& tone)
 {
     return {(glm::uvec3(colour) * glm::uvec3(tone) + 127u) / 255u};
@@ -125,6 +93,20 @@ std::vector<glm::u8vec3> vertexColours(const MeshPart& part)
             out[mesh.triangles[t][k]] =
                 part.material.tones ? toned(part.material.colour, mesh.colours[t]) : mesh.colours[t];
     return out;
+}
+
+char* binaryVertex(char* to, const TriangleMesh& mesh, const glm::u8vec3 colour, const Layout& layout,
+                   std::size_t i)
+{
+    to = appendBytes(to, mesh.positions[i]);
+    if (layout.normals)
+        to = appendBytes(to, mesh.normals[i]);
+    to = appendBytes(to, colour);
+    if (layout.branch)
+        to = appendBytes(to, valueAt(mesh.branch, i));
+    if (layout.level)
+        to = appendBytes(to, valueAt(mesh.level, i));
+    return to;
 }
 
 char* asciiVertex(char* to, const TriangleMesh& mesh, const glm::u8vec3 colour, const Layout& layout,
@@ -185,21 +167,11 @@ constexpr std::size_t longestFace = 48;
 
 bool writeVertices(FileWriter& out, const MeshPart& part, const Layout& layout, bool ascii, Ticker& ticker)
 {
-    constexpr std::size_t largestVertex = sizeof(glm::vec3) * 2 + 16;
     const TriangleMesh& mesh = *part.mesh;
-    const std::size_t count = mesh.positions.size();
     const std::vector<glm::u8vec3> colours = vertexColours(part);
-    const auto colourOf = [&](std::size_t i) { return colours.empty() ? part.material.colour : colours[i]; };
-    if (ascii)
-        return forEach(count, longestVertex, ticker, out, [&](char* to, std::size_t i) {
-            return asciiVertex(to, mesh, colourOf(i), layout, i);
-        });
-    const Vertices write = binaryVerticesOf(layout);
-    if (!colours.empty())
-        return forEach(count, largestVertex, ticker, out,
-                       [&](char* to, std::size_t i) { return write(to, mesh, colours[i], i, i + 1); });
-    return forRanges(count, largestVertex, ticker, out, [&](char* to, std::size_t begin, std::size_t end) {
-        return write(to, mesh, part.material.colour, begin, end);
+    return forEach(mesh.positions.size(), longestVertex, ticker, out, [&](char* to, std::size_t i) {
+        const glm::u8vec3 colour = colours.empty() ? part.material.colour : colours[i];
+        return ascii ? asciiVertex(to, mesh, colour, layout, i) : binaryVertex(to, mesh, colour, layout, i);
     });
 }
 
