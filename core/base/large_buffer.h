@@ -12,6 +12,7 @@
 #include <new>
 #include <type_traits>
 #include <utility>
+#include <vector>
 #ifdef __linux__
 #include <sys/mman.h>
 #endif
@@ -31,6 +32,13 @@ inline void adviseHugePages([[maybe_unused]] void* memory, [[maybe_unused]] std:
     if (memory && begin < end)
         ::madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
 #endif
+}
+
+/// Reserves room for \p count elements, and asks for huge pages under it.
+template <class T> void reserveHuge(std::vector<T>& array, std::size_t count)
+{
+    array.reserve(count);
+    adviseHugePages(array.data(), count * sizeof(T));
 }
 
 /// An array of plain values whose contents are undefined until written. Movable, not copyable.

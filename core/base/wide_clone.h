@@ -14,16 +14,3 @@
 #define RAMURE_WIDEST_CLONE
 #define RAMURE_WIDE_CLONE
 #endif
-
-/// Where a function can be written with the instructions of processors with wider vectors, beside a plain one
-/// that gives the same: RAMURE_WIDE before the function, hasWideVectors() before the call.
-#if defined(__x86_64__) && defined(__GNUC__)
-#define RAMURE_WIDE [[gnu::target("avx2")]]
-namespace ramure {
-inline bool hasWideVectors()
-{
-    static const bool has = __builtin_cpu_supports("avx2");
-    return has;
-}
-} // namespace ramure
-#endif

@@ -16,7 +16,6 @@
 #include "core/skeleton/edits/apply_edits.h"
 #include "core/surface/mesher/cut_wood.h"
 #include "core/surface/mesher/mesh_divisions.h"
-#include "core/surface/mesher/mesh_scratch.h"
 #include <algorithm>
 #include <chrono>
 #include <numeric>
@@ -252,13 +251,12 @@ Expected<void> checkBeforeMerging(const Skeleton& skeleton, const NodeParams& pa
 }
 
 Expected<MeshedBranches> meshBranches(const Skeleton& skeleton, const NodeParams& params,
-                                      std::span<const double> rolls, MeshScratch& scratch,
-                                      const Progress& progress)
+                                      std::span<const double> rolls, const Progress& progress)
 {
     const BranchMeshOptions options{params.sections, params.mesh, true, rolls};
-    auto made = buildCheckedBranchMesh(skeleton, options, progress, &scratch);
+    auto made = buildCheckedBranchMesh(skeleton, options, progress);
     RAMURE_TRY(made);
-    const auto mesh = scratch.share(std::move(made->mesh));
+    const auto mesh = std::make_shared<const BranchMesh>(std::move(made->mesh));
     const bool isCut = !skeleton.sawn.empty() || !skeleton.loose.empty();
     return MeshedBranches{mesh, std::make_shared<const MeshReport>(std::move(made->report)),
                           isCut ? std::make_shared<const TriangleMesh>(cutWood(*mesh, skeleton)) : nullptr,
@@ -298,7 +296,6 @@ struct TreePipeline::Cache
     StageCache<SectionSet> sections{bytesOf};
     StageCache<MeshedBranches> branches{bytesOf};
     StageCache<MeshedFoliage> foliage{bytesOf};
-    MeshScratch scratch; ///< of the branch meshes
 
     void forEach(const auto& change)
     {
@@ -453,7 +450,7 @@ private:
         return cached(m_cache.branches, m_hashes[Stage::Mesh], m_progress,
                       [&] {
                           return meshBranches(skeleton, m_params, rollsOf(m_params, skeleton),
-                                              m_cache.scratch, m_progress.part(0.2, 0.9));
+                                              m_progress.part(0.2, 0.9));
                       })
             .map([&](auto made) {
                 m_result.branches = made->mesh;

@@ -6,7 +6,6 @@
 #include "core/skeleton/sections.h"
 #include "core/surface/mesh/normals.h"
 #include "core/surface/mesher/branch_mesh.h"
-#include "core/surface/mesher/mesh_scratch.h"
 #include "core/surface/mesher/rough_model.h"
 #include "core/surface/proof/validate.h"
 #include "tests/bench/bench_trees.h"
@@ -67,12 +66,9 @@ void BM_growthMesh(benchmark::State& state)
     const Tree& tree = treeOf(state);
     BranchMeshOptions options;
     options.withNormals = false; // a stage of their own
-    MeshScratch scratch;
     TriangleMesh mesh;
-    perTriangle(state, tree.mesh.faceCount(), [&] {
-        scratch.keepArrays(std::move(mesh));
-        mesh = bench::need(buildBranchMesh(tree.skeleton, options, {}, &scratch)).mesh;
-    });
+    perTriangle(state, tree.mesh.faceCount(),
+                [&] { mesh = bench::need(buildBranchMesh(tree.skeleton, options)).mesh; });
 }
 void BM_growthCheck(benchmark::State& state)
 {

@@ -4,7 +4,6 @@
 #include "core/base/parallel.h"
 #include "core/surface/mesh/normals.h"
 #include "core/surface/mesher/branch_mesh.h"
-#include "core/surface/mesher/mesh_scratch.h"
 #include "core/surface/proof/validate.h"
 #include "tests/support/preset_trees.h"
 #include <benchmark/benchmark.h>
@@ -47,21 +46,16 @@ void perTriangle(benchmark::State& state, const TriangleMesh& mesh)
         triangles, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
-/// Arguments: iterations of the grammar, threads (0 = all), and whether memory is used again as in the
-/// pipeline.
+/// Arguments: iterations of the grammar, threads (0 = all).
 void BM_BranchMesh(benchmark::State& state, const char* preset)
 {
     const Skeleton skeleton = skeletonOf(state, {preset, static_cast<int>(state.range(0))});
     const ThreadLimit limit(static_cast<unsigned>(state.range(1)));
-    MeshScratch scratch;
     TriangleMesh mesh;
     BranchMeshOptions options;
     options.withNormals = false; // a stage of their own
-    if (auto first = buildBranchMesh(skeleton, options, {}, &scratch))
-        mesh = std::move(first->mesh);
     for (auto _ : state) {
-        scratch.keepArrays(std::move(mesh));
-        Expected<BranchMesh> built = buildBranchMesh(skeleton, options, {}, &scratch);
+        Expected<BranchMesh> built = buildBranchMesh(skeleton, options);
         if (!built)
             return state.SkipWithError(built.error().message().c_str());
         benchmark::DoNotOptimize(mesh = std::move(built->mesh));

@@ -54,10 +54,9 @@ struct Built
 class Builder
 {
 public:
-    Builder(const NormalSkeleton& normal, const BranchMeshOptions& options, MeshScratch& scratch)
+    Builder(const NormalSkeleton& normal, const BranchMeshOptions& options)
         : m_normal(normal)
         , m_options(options)
-        , m_scratch(scratch)
     {
     }
     Expected<Built> byDivisions(const Progress& progress)
@@ -73,13 +72,12 @@ private:
 
     const NormalSkeleton& m_normal;
     const BranchMeshOptions& m_options;
-    MeshScratch& m_scratch;
 };
 
 Expected<Built> Builder::build(const MeshDivisions& divisions, const Progress& progress)
 {
     Built built{m_normal, {}, {}};
-    BranchMesher mesher(built.skeleton, m_options, divisions, m_scratch);
+    BranchMesher mesher(built.skeleton, m_options, divisions);
     RAMURE_TRY(mesher.run(progress));
     built.small = mesher.assemble(built.mesh);
     return built;
@@ -115,8 +113,6 @@ Expected<Built> Builder::byBudget(const Progress& progress)
         if (!best || miss < bestMiss) {
             best = std::move(*built);
             bestMiss = miss;
-        } else {
-            m_scratch.keepArrays(std::move(built->mesh.mesh));
         }
         const double next = estimate / triangles;
         if (bestMiss <= goodEnough * wanted || budget.finenessFor(wanted * next) == fineness)
@@ -218,14 +214,12 @@ struct Shaped
     }
 };
 
-Expected<Shaped> shape(const Skeleton& skeleton, const BranchMeshOptions& options, const Progress& progress,
-                       MeshScratch* scratch)
+Expected<Shaped> shape(const Skeleton& skeleton, const BranchMeshOptions& options, const Progress& progress)
 {
     RAMURE_TRY(checkOptions(skeleton, options));
     const auto normal = normaliseSkeleton(skeleton, options, progress);
     RAMURE_TRY(normal);
-    MeshScratch own;
-    Builder builder(*normal, options, scratch ? *scratch : own);
+    Builder builder(*normal, options);
     auto built = options.targetTriangles > 0 ? builder.byBudget(progress) : builder.byDivisions(progress);
     RAMURE_TRY(built);
     finish(*built, skeleton);
@@ -236,9 +230,9 @@ Expected<Shaped> shape(const Skeleton& skeleton, const BranchMeshOptions& option
 } // namespace
 
 Expected<BranchMesh> buildBranchMesh(const Skeleton& skeleton, const BranchMeshOptions& options,
-                                     const Progress& progress, MeshScratch* scratch)
+                                     const Progress& progress)
 {
-    auto shaped = shape(skeleton, options, progress.part(0.0, 0.85), scratch);
+    auto shaped = shape(skeleton, options, progress.part(0.0, 0.85));
     RAMURE_TRY(shaped);
     TriangleMesh& mesh = shaped->built.mesh.mesh;
     mesh.normals.resize(options.withNormals ? mesh.normals.size() : 0);
@@ -250,9 +244,9 @@ Expected<BranchMesh> buildBranchMesh(const Skeleton& skeleton, const BranchMeshO
 }
 
 Expected<CheckedBranchMesh> buildCheckedBranchMesh(const Skeleton& skeleton, const BranchMeshOptions& options,
-                                                   const Progress& progress, MeshScratch* scratch)
+                                                   const Progress& progress)
 {
-    auto shaped = shape(skeleton, options, progress.part(0.0, 0.8), scratch);
+    auto shaped = shape(skeleton, options, progress.part(0.0, 0.8));
     RAMURE_TRY(shaped);
     TriangleMesh& mesh = shaped->built.mesh.mesh;
     const CleanupInput input = shaped->toClean();

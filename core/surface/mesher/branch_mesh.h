@@ -17,8 +17,6 @@
 
 namespace ramure {
 
-class MeshScratch;
-
 /// The parameters, which say what they mean and how far they go. Where targetTriangles is set, the divisions
 /// have no say: each branch is divided by its thickness along it and its bend, so that all depart about
 /// equally from a smooth surface. Up to 128 points around a branch are built, more than a parameter may ask.
@@ -108,12 +106,11 @@ struct BranchMesh
 };
 
 /// \param skeleton any skeleton with finite numbers; radii >= 0; may be empty only as an error.
-/// \param scratch memory to use again, from one mesh to the next; may be null.
 /// Works on as many threads as parallelThreads() says; the result is the same on any number of them.
 /// Errors: Invalid (an empty skeleton, non-finite numbers, options out of range), Limit (more than 2^31
 /// faces), Cancelled.
 Expected<BranchMesh> buildBranchMesh(const Skeleton& skeleton, const BranchMeshOptions& options,
-                                     const Progress& progress = {}, MeshScratch* scratch = nullptr);
+                                     const Progress& progress = {});
 
 struct CheckedBranchMesh
 {
@@ -123,7 +120,6 @@ struct CheckedBranchMesh
 /// The same mesh, with normals whatever the options say, and what validateMesh() says of it, sooner than one
 /// after the other: normals are computed beside the check.
 Expected<CheckedBranchMesh> buildCheckedBranchMesh(const Skeleton& skeleton, const BranchMeshOptions& options,
-                                                   const Progress& progress = {},
-                                                   MeshScratch* scratch = nullptr);
+                                                   const Progress& progress = {});
 
 } // namespace ramure

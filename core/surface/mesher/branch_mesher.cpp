@@ -17,50 +17,32 @@ constexpr int slimmings = 10; ///< at most so often are the radii of a tree halv
 /// some.
 constexpr double mostInTask = 16384.0, leastInTask = 256.0;
 
-template <class T> void reserveHuge(std::vector<T>& array, std::size_t count)
-{
-    if (array.capacity() >= count)
-        return;
-    array.reserve(count);
-    adviseHugePages(array.data(), count * sizeof(T));
-}
-
 } // namespace
 
 /// What one thread needs; where it puts its tasks one after the other.
 struct BranchMesher::Worker
 {
-    std::unique_ptr<MeshSink> sink;
+    MeshSink sink;
     SubtreeBuilder builder;
 
-    Worker(const NormalSkeleton& skeleton, const BranchMeshOptions& options, const MeshDivisions& divisions,
-           std::unique_ptr<MeshSink> empty)
-        : sink(std::move(empty))
-        , builder(skeleton, options, divisions, *sink)
+    Worker(const NormalSkeleton& skeleton, const BranchMeshOptions& options, const MeshDivisions& divisions)
+        : builder(skeleton, options, divisions, sink)
     {
     }
 };
 
 BranchMesher::BranchMesher(NormalSkeleton& skeleton, const BranchMeshOptions& options,
-                           const MeshDivisions& divisions, MeshScratch& scratch)
+                           const MeshDivisions& divisions)
     : m_skeleton(skeleton)
     , m_options(options)
     , m_divisions(divisions)
-    , m_scratch(scratch)
     , m_alone(parallelThreads() == 1)
-    , m_arrays(scratch.takeArrays())
-    , m_trunkSink(scratch.takeSink())
-    , m_trunk(skeleton, options, divisions, *m_trunkSink)
+    , m_trunk(skeleton, options, divisions, m_trunkSink)
 {
     reserve(weigh());
 }
 
-BranchMesher::~BranchMesher()
-{
-    for (std::unique_ptr<Worker>& worker : m_idle)
-        m_scratch.keepSink(std::move(worker->sink));
-    m_scratch.keepSink(std::move(m_trunkSink));
-}
+BranchMesher::~BranchMesher() = default;
 
 /// Triangles of the whole mesh, about.
 double BranchMesher::weigh()
@@ -79,19 +61,15 @@ double BranchMesher::weigh()
     return whole;
 }
 
-/// What is built alone goes straight into the arrays of the result, those of an old one if there are any.
+/// What is built alone goes straight into the arrays of the result.
 void BranchMesher::reserve(double triangles)
 {
     if (!m_alone)
         return;
-    m_trunkSink->positions = std::move(m_arrays.positions);
-    m_trunkSink->owner = std::move(m_arrays.branch);
-    m_trunkSink->triangles = std::move(m_arrays.triangles);
-    m_trunkSink->clear();
     const auto count = static_cast<std::size_t>(triangles);
-    reserveHuge(m_trunkSink->positions, count / 2);
-    reserveHuge(m_trunkSink->owner, count / 2);
-    reserveHuge(m_trunkSink->triangles, count);
+    reserveHuge(m_trunkSink.positions, count / 2);
+    reserveHuge(m_trunkSink.owner, count / 2);
+    reserveHuge(m_trunkSink.triangles, count);
 }
 
 Index BranchMesher::treeAfter(Index root) const
@@ -115,7 +93,7 @@ std::unique_ptr<BranchMesher::Worker> BranchMesher::borrow()
 {
     const std::scoped_lock lock(m_mutex);
     if (m_idle.empty())
-        return std::make_unique<Worker>(m_skeleton, m_options, m_divisions, m_scratch.takeSink());
+        return std::make_unique<Worker>(m_skeleton, m_options, m_divisions);
     std::unique_ptr<Worker> worker = std::move(m_idle.back());
     m_idle.pop_back();
     return worker;
@@ -131,7 +109,7 @@ bool BranchMesher::fill(MeshTask& task, SubtreeBuilder& builder, MesherProgress&
             going = buildSmallTree(builder, root, task.repairs, progress);
     } else {
         builder.beginTree(task.root, task.clampOvershoot);
-        const glm::vec3* ring = m_trunkSink->positions.data() + task.end.ring;
+        const glm::vec3* ring = m_trunkSink.positions.data() + task.end.ring;
         going = m_alone ? builder.growAll(task.end, progress)
                         : builder.growElsewhere(task.end, {ring, task.end.ringCount}, progress);
         task.volume = builder.takeVolume();
@@ -309,15 +287,14 @@ Expected<void> BranchMesher::run(const Progress& progress)
 
 std::vector<Index> BranchMesher::assemble(BranchMesh& mesh)
 {
-    mesh.mesh = std::move(m_arrays);
     if (!m_alone)
-        return assemblePieces(*m_trunkSink, m_trunk.smallTriangles(), m_tasks, mesh);
-    mesh.mesh.positions = std::move(m_trunkSink->positions);
-    mesh.mesh.triangles = std::move(m_trunkSink->triangles);
-    mesh.mesh.branch = std::move(m_trunkSink->owner);
-    mesh.tubes = std::move(m_trunkSink->tubes);
-    mesh.axes = std::move(m_trunkSink->axes);
-    mesh.forkVertices = std::move(m_trunkSink->forkVertices);
+        return assemblePieces(m_trunkSink, m_trunk.smallTriangles(), m_tasks, mesh);
+    mesh.mesh.positions = std::move(m_trunkSink.positions);
+    mesh.mesh.triangles = std::move(m_trunkSink.triangles);
+    mesh.mesh.branch = std::move(m_trunkSink.owner);
+    mesh.tubes = std::move(m_trunkSink.tubes);
+    mesh.axes = std::move(m_trunkSink.axes);
+    mesh.forkVertices = std::move(m_trunkSink.forkVertices);
     return m_trunk.smallTriangles();
 }
 

@@ -3,7 +3,7 @@
 /// skeleton alone: the same bytes come out on one thread and on many.
 #pragma once
 
-#include "core/surface/mesher/mesh_scratch.h"
+#include "core/surface/mesher/mesh_sink.h"
 #include "core/surface/mesher/subtree_builder.h"
 #include <memory>
 #include <mutex>
@@ -28,8 +28,7 @@ struct MeshTask
 class BranchMesher
 {
 public:
-    BranchMesher(NormalSkeleton& skeleton, const BranchMeshOptions& options, const MeshDivisions& divisions,
-                 MeshScratch& scratch);
+    BranchMesher(NormalSkeleton& skeleton, const BranchMeshOptions& options, const MeshDivisions& divisions);
     ~BranchMesher();
     BranchMesher(const BranchMesher&) = delete;
     BranchMesher& operator=(const BranchMesher&) = delete;
@@ -63,10 +62,8 @@ private:
     NormalSkeleton& m_skeleton;
     const BranchMeshOptions& m_options;
     const MeshDivisions& m_divisions;
-    MeshScratch& m_scratch;
-    const bool m_alone;    ///< one thread: everything goes straight into the trunk's sink
-    TriangleMesh m_arrays; ///< old ones, for the result
-    std::unique_ptr<MeshSink> m_trunkSink;
+    const bool m_alone; ///< one thread: everything goes straight into the trunk's sink
+    MeshSink m_trunkSink;
     SubtreeBuilder m_trunk;
     std::vector<double> m_weight; ///< triangles of all that grows on a branch, about
     std::vector<MeshTask> m_tasks;

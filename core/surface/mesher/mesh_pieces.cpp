@@ -30,11 +30,7 @@ SinkMark sizeOf(const MeshTask& task)
 
 template <class T> void makeRoom(std::vector<T>& array, std::size_t count)
 {
-    if (array.capacity() < count) {
-        array = {};
-        array.reserve(count);
-        adviseHugePages(array.data(), count * sizeof(T));
-    }
+    reserveHuge(array, count);
     array.resize(count);
 }
 

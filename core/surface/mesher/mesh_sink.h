@@ -23,16 +23,6 @@ struct MeshSink
         tubes.push_back({branch, parent, static_cast<Index>(triangles.size())});
         axes.push_back(axis);
     }
-    /// Empty again, but for the memory.
-    void clear()
-    {
-        positions.clear();
-        owner.clear();
-        triangles.clear();
-        tubes.clear();
-        axes.clear();
-        forkVertices.clear();
-    }
     [[nodiscard]] Index nextVertex() const { return static_cast<Index>(positions.size()); }
     Index addVertex(const glm::dvec3& position, Index branch)
     {

@@ -183,8 +183,7 @@ TriangleMesh buildRoughBranches(const Skeleton& skeleton, int radialDivisions, T
             to = std::move(from);
         if (to.size() < vertices)
             to.clear();
-        to.reserve(vertices);
-        adviseHugePages(to.data(), vertices * sizeof to[0]);
+        reserveHuge(to, vertices);
     };
     prepare(mesh.positions, used.positions);
     prepare(mesh.normals, used.normals);

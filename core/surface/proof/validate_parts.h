@@ -130,8 +130,6 @@ private:
     using Sets = std::uint64_t;
     static constexpr std::size_t knownSets = 1024;
     static std::size_t slotOf(Sets sets) { return sets * 0x9E3779B97F4A7C15u >> 54; }
-    void findPlain(const Corners& corners, Index from, Index to, Index* lowest);
-    void findWide(const Corners& corners, Index from, Index to, Index* lowest);
 
     /// Closed fans come in few arrangements: those found closed are remembered.
     std::array<Sets, knownSets> m_known = unknown();

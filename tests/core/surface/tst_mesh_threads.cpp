@@ -1,5 +1,5 @@
 #include "core/base/parallel.h"
-#include "core/surface/mesher/mesh_scratch.h"
+#include "core/surface/mesh/mesh_arrays.h"
 #include "tests/support/fork_judge.h"
 #include "tests/support/preset_trees.h"
 #include "tests/support/skeleton_zoo.h"
@@ -13,7 +13,7 @@ namespace tst_mesh_threads {
 using namespace ramure;
 using namespace ramure::test;
 
-/// The same bytes on one thread and on many, in fresh memory and in used.
+/// The same bytes on one thread and on many.
 class TestMeshThreads : public QObject
 {
     Q_OBJECT
@@ -27,7 +27,6 @@ private slots:
     void treesThatComeOutInsideOut();
     void zoo();
     void checkedBesideIsCheckedAfter();
-    void usedMemoryChangesNothing();
     void sharedMeshesGiveTheirMemoryBack();
 
 private:
@@ -241,42 +240,25 @@ void TestMeshThreads::checkedBesideIsCheckedAfter()
     }
 }
 
-void TestMeshThreads::usedMemoryChangesNothing()
-{
-    const Skeleton large = largeTree();
-    const Expected<Skeleton> tiny = presetSkeleton({"TinyTree"});
-    for (const unsigned threads : {1U, 2U}) {
-        const ThreadLimit limit(threads);
-        MeshScratch scratch;
-        for (const Skeleton* skeleton : {&large, &*tiny, &large, &large, &*tiny}) {
-            Expected<BranchMesh> used = buildBranchMesh(*skeleton, {}, {}, &scratch);
-            const Expected<BranchMesh> fresh = buildBranchMesh(*skeleton, {});
-            QVERIFY(used && fresh);
-            QVERIFY(same(*used, *fresh));
-            scratch.keepArrays(std::move(used->mesh));
-        }
-    }
-}
-
 void TestMeshThreads::sharedMeshesGiveTheirMemoryBack()
 {
-    std::shared_ptr<const BranchMesh> last;
+    std::shared_ptr<const TriangleMesh> last;
     {
-        MeshScratch scratch;
-        Expected<BranchMesh> built = buildBranchMesh(largeTree(), {}, {}, &scratch);
+        MeshArrays arrays;
+        Expected<BranchMesh> built = buildBranchMesh(largeTree(), {});
         QVERIFY(built);
-        const BranchMesh copy = *built;
+        const TriangleMesh copy = built->mesh;
         const glm::uvec3* const place = built->mesh.triangles.data();
-        std::shared_ptr<const BranchMesh> shared = scratch.share(std::move(*built));
-        QVERIFY(same(*shared, copy));
-        QVERIFY(scratch.takeArrays().triangles.empty()); // still somebody's
+        std::shared_ptr<const TriangleMesh> shared = arrays.share(std::move(built->mesh));
+        QVERIFY(shared->triangles == copy.triangles && shared->positions == copy.positions);
+        QVERIFY(arrays.take().triangles.empty()); // still somebody's
         std::jthread([mesh = std::move(shared)] {});
-        const TriangleMesh back = scratch.takeArrays();
+        const TriangleMesh back = arrays.take();
         QVERIFY(back.triangles.data() == place);
         QVERIFY(back.uv.empty());
-        last = scratch.share(BranchMesh(copy));
+        last = arrays.share(TriangleMesh(copy));
     }
-    QVERIFY(!last->mesh.empty()); // longer than the scratch
+    QVERIFY(!last->empty()); // longer than the arrays
 }
 
 RAMURE_SUITE(TestMeshThreads)

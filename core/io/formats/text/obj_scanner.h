@@ -29,8 +29,8 @@ public:
         , m_bytes(std::max<std::size_t>(bytes, 1))
     {
         // Typical sizes of lines: memory that stays untouched costs nothing.
-        reserve(m_lists.positions, bytes / 72);
-        reserve(m_lists.triangles, bytes / 36);
+        reserveHuge(m_lists.positions, bytes / 72);
+        reserveHuge(m_lists.triangles, bytes / 36);
     }
     bool scan(std::string_view block);
     /// \param padding bytes behind the text that were left out
@@ -39,11 +39,6 @@ public:
     Error takeError() { return std::move(*m_error); }
 
 private:
-    template <class T> static void reserve(std::vector<T>& to, std::size_t count)
-    {
-        to.reserve(count);
-        adviseHugePages(to.data(), count * sizeof(T));
-    }
     bool scanLine();
     bool scanPosition();
     bool scanCoordinate(int axis, float& value);
