@@ -7012,10 +7012,6 @@
         <translation>Poudre</translation>
     </message>
     <message>
-        <source>unknown process &quot;%1&quot;: one of %2 expected</source>
-        <translation>procédé inconnu « %1 » : attendu, un de %2</translation>
-    </message>
-    <message>
         <source>a print of %1 mm: a height from %2 to %3 mm expected</source>
         <translation>une impression de %1 mm : hauteur attendue de %2 à %3 mm</translation>
     </message>
@@ -7412,14 +7408,6 @@
         <translation>Unreal (Pivot Painter 2)</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no kind of wind data: %2</source>
-        <translation>« %1 » n’est pas une sorte de données de vent : %2</translation>
-    </message>
-    <message>
-        <source>unknown leaves &quot;%1&quot;: off or shells expected</source>
-        <translation>feuilles inconnues « %1 » : off ou shells attendu</translation>
-    </message>
-    <message>
         <source>nothing of the picture is transparent</source>
         <translation>rien de l’image n’est transparent</translation>
     </message>
@@ -7630,6 +7618,186 @@
     <message>
         <source>How far above a fork its branches narrow from the width of what carries them to their own, in diameters of the branch. At 0 they begin with their own width, which leaves a ledge below them where they are thinner.</source>
         <translation>Hauteur au-dessus d’une fourche où ses branches passent de la largeur de ce qui les porte à la leur, en diamètres de la branche. À 0, elles commencent à leur propre largeur, ce qui laisse un rebord sous elles là où elles sont plus minces.</translation>
+    </message>
+    <message>
+        <source>Finished mesh</source>
+        <translation>Maillage fini</translation>
+    </message>
+    <message>
+        <source>Rough model</source>
+        <translation>Modèle ébauché</translation>
+    </message>
+    <message>
+        <source>Skeleton as lines</source>
+        <translation>Squelette en lignes</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modèle</translation>
+    </message>
+    <message>
+        <source>Texture coordinates</source>
+        <translation>Coordonnées de texture</translation>
+    </message>
+    <message>
+        <source>Merged into one mesh</source>
+        <translation>Réunis en un maillage</translation>
+    </message>
+    <message>
+        <source>List of instances</source>
+        <translation>Liste d’instances</translation>
+    </message>
+    <message>
+        <source>Leaves and fruit</source>
+        <translation>Feuilles et fruits</translation>
+    </message>
+    <message>
+        <source>Merged: the file holds every leaf and every fruit. List of instances: it holds the rest, and beside it stand a table, FILE_leaves.csv, with a row for each leaf, fruit and flower (its shape, material, branch, colour and matrix), and one OBJ for each shape; in a GLB they stand inside. Much smaller, for programs that draw instances.</source>
+        <translation>Réunis : le fichier contient chaque feuille et chaque fruit. Liste d’instances : il contient le reste, et à côté se trouvent une table, FICHIER_leaves.csv, avec une ligne par feuille, fruit et fleur (forme, matériau, branche, couleur et matrice), et un OBJ par forme ; dans un GLB elles sont à l’intérieur. Bien plus petit, pour les programmes qui dessinent des instances.</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Sans</translation>
+    </message>
+    <message>
+        <source>%1 × %1 pixels</source>
+        <translation>%1 × %1 pixels</translation>
+    </message>
+    <message>
+        <source>Size of the pictures of bark and leaves that the program makes: inside a GLB, beside an OBJ</source>
+        <translation>Taille des images d’écorce et de feuilles que fait le programme : dans un GLB, à côté d’un OBJ</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Images</translation>
+    </message>
+    <message>
+        <source>Compressed</source>
+        <translation>Compressé</translation>
+    </message>
+    <message>
+        <source>Numbers are rounded to what is still seen and packed (EXT_meshopt_compression): the file is about a fifth as large, without its pictures. For web pages and engines that read it; Blender 3.4 does not.</source>
+        <translation>Les nombres sont arrondis à ce qui se voit encore et comprimés (EXT_meshopt_compression) : le fichier est réduit à un cinquième environ, sans ses images. Pour les pages web et les moteurs qui le lisent ; Blender 3.4 ne le lit pas.</translation>
+    </message>
+    <message>
+        <source>%1 at most</source>
+        <translation>%1 au plus</translation>
+    </message>
+    <message>
+        <source>All branches</source>
+        <translation>Toutes les branches</translation>
+    </message>
+    <message>
+        <source>Joints of each tree that moves: thin branches go with those that carry them. Engines limit how many a mesh may have; fewer cost less to play</source>
+        <translation>Articulations de chaque arbre qui bouge : les branches minces vont avec celles qui les portent. Les moteurs limitent leur nombre par maillage ; moins coûtent moins à jouer</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>Articulations</translation>
+    </message>
+    <message>
+        <source>Wind for</source>
+        <translation>Vent pour</translation>
+    </message>
+    <message>
+        <source>Where each corner lies on the bark, on the picture of a leaf or a fruit. The size of one repeat of the bark, in metres, is the tree&apos;s parameter &quot;Bark tile&quot;. Beside an .obj, the pictures of the bark are written too.</source>
+        <translation>Où chaque coin se trouve sur l’écorce, sur l’image d’une feuille ou d’un fruit. La taille d’une répétition de l’écorce, en mètres, est le paramètre « Carreau d’écorce » de l’arbre. À côté d’un .obj, les images de l’écorce sont écrites aussi.</translation>
+    </message>
+    <message>
+        <source>Numbers of each vertex by which the shaders of an engine move the tree in the wind: the phase of its branch, how far it goes, how its leaves flutter. Of a tree at rest; Unreal gets two textures beside the file. Files of the handbook has the formulas.</source>
+        <translation>Nombres de chaque sommet par lesquels les shaders d’un moteur font bouger l’arbre au vent : la phase de sa branche, l’ampleur, le frémissement des feuilles. D’un arbre au repos ; Unreal reçoit deux textures à côté du fichier. La page Fichiers du manuel donne les formules.</translation>
+    </message>
+    <message>
+        <source>Y up</source>
+        <translation>Y vers le haut</translation>
+    </message>
+    <message>
+        <source>Z up</source>
+        <translation>Z vers le haut</translation>
+    </message>
+    <message>
+        <source>The axis of the file that points up: Y for most game engines and Maya, Z for Blender, 3ds Max and printers</source>
+        <translation>L’axe du fichier qui pointe vers le haut : Y pour la plupart des moteurs de jeu et Maya, Z pour Blender, 3ds Max et les imprimantes</translation>
+    </message>
+    <message>
+        <source>Axis that points up</source>
+        <translation>Axe vers le haut</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>mètres</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>centimètres</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>millimètres</translation>
+    </message>
+    <message>
+        <source>kilometres</source>
+        <translation>kilomètres</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>pouces</translation>
+    </message>
+    <message>
+        <source>feet</source>
+        <translation>pieds</translation>
+    </message>
+    <message>
+        <source>What a 1 in the file is</source>
+        <translation>Ce que vaut un 1 dans le fichier</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unité</translation>
+    </message>
+    <message>
+        <source>How many times larger than in the scene</source>
+        <translation>Combien de fois plus grand que dans la scène</translation>
+    </message>
+    <message>
+        <source>How the printer works: it says how thin a twig may be</source>
+        <translation>Le fonctionnement de l’imprimante : il dit à quel point un rameau peut être fin</translation>
+    </message>
+    <message>
+        <source>Process</source>
+        <translation>Procédé</translation>
+    </message>
+    <message>
+        <source>Height, mm</source>
+        <translation>Hauteur, mm</translation>
+    </message>
+    <message>
+        <source>From the ground to the top of the print</source>
+        <translation>Du sol au sommet de l’impression</translation>
+    </message>
+    <message>
+        <source>Thinnest twig, mm</source>
+        <translation>Rameau le plus fin, mm</translation>
+    </message>
+    <message>
+        <source>Thinner twigs are made so thick. Those that would have to be more than 1.5 times as thick as they are are cut.</source>
+        <translation>Les rameaux plus fins sont épaissis jusque-là. Ceux qui devraient être plus de 1,5 fois plus épais qu’ils ne le sont sont coupés.</translation>
+    </message>
+    <message>
+        <source>Disc as a foot</source>
+        <translation>Disque comme pied</translation>
+    </message>
+    <message>
+        <source>Without it the trunk is cut flat at the ground</source>
+        <translation>Sans lui, le tronc est coupé à plat au sol</translation>
+    </message>
+    <message>
+        <source>Thick shells</source>
+        <translation>Coques épaisses</translation>
+    </message>
+    <message>
+        <source>Thick shells: each leaf is as thick as the thinnest twig and in one piece with its own. Small leaves are enlarged and fewer. Fruit stays off.</source>
+        <translation>Coques épaisses : chaque feuille est aussi épaisse que le rameau le plus fin et d’un seul tenant avec le sien. Les petites feuilles sont agrandies et moins nombreuses. Les fruits ne sont pas imprimés.</translation>
     </message>
 </context>
 <context>
@@ -9442,18 +9610,6 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
         <translation>Annulé. Aucun fichier n’a été modifié.</translation>
     </message>
     <message>
-        <source>Finished mesh</source>
-        <translation>Maillage fini</translation>
-    </message>
-    <message>
-        <source>Rough model</source>
-        <translation>Modèle ébauché</translation>
-    </message>
-    <message>
-        <source>Skeleton as lines</source>
-        <translation>Squelette en lignes</translation>
-    </message>
-    <message>
         <source>Branches</source>
         <translation>Branches</translation>
     </message>
@@ -9476,10 +9632,6 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
     <message>
         <source>Format</source>
         <translation>Format</translation>
-    </message>
-    <message>
-        <source>Model</source>
-        <translation>Modèle</translation>
     </message>
     <message>
         <source>Parts</source>
@@ -9508,10 +9660,6 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
     <message>
         <source>Show</source>
         <translation>Montrer</translation>
-    </message>
-    <message>
-        <source>Texture coordinates</source>
-        <translation>Coordonnées de texture</translation>
     </message>
     <message>
         <source>PNG pictures of the view</source>
@@ -9575,22 +9723,6 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
         <source>PNG pictures</source>
         <translation>Images PNG</translation>
     </message>
-    <message>
-        <source>Merged into one mesh</source>
-        <translation>Réunis en un maillage</translation>
-    </message>
-    <message>
-        <source>List of instances</source>
-        <translation>Liste d’instances</translation>
-    </message>
-    <message>
-        <source>Leaves and fruit</source>
-        <translation>Feuilles et fruits</translation>
-    </message>
-    <message>
-        <source>Merged: the file holds every leaf and every fruit. List of instances: it holds the rest, and beside it stand a table, FILE_leaves.csv, with a row for each leaf, fruit and flower (its shape, material, branch, colour and matrix), and one OBJ for each shape; in a GLB they stand inside. Much smaller, for programs that draw instances.</source>
-        <translation>Réunis : le fichier contient chaque feuille et chaque fruit. Liste d’instances : il contient le reste, et à côté se trouvent une table, FICHIER_leaves.csv, avec une ligne par feuille, fruit et fleur (forme, matériau, branche, couleur et matrice), et un OBJ par forme ; dans un GLB elles sont à l’intérieur. Bien plus petit, pour les programmes qui dessinent des instances.</translation>
-    </message>
     <message numerus="yes">
         <source>%Ln frame(s) in one file</source>
         <translation>
@@ -9627,28 +9759,12 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
         <translation>Réglages de cette page gardés sous un nom, ou ceux de son dernier export. L’emplacement des fichiers n’en fait pas partie.</translation>
     </message>
     <message>
-        <source>None</source>
-        <translation>Aucun profil</translation>
-    </message>
-    <message>
-        <source>%1 × %1 pixels</source>
-        <translation>%1 × %1 pixels</translation>
-    </message>
-    <message>
-        <source>Size of the pictures of bark and leaves that the program makes: inside a GLB, beside an OBJ</source>
-        <translation>Taille des images d’écorce et de feuilles que fait le programme : dans un GLB, à côté d’un OBJ</translation>
-    </message>
-    <message>
         <source>Settings</source>
         <translation>Réglages</translation>
     </message>
     <message>
         <source>Levels</source>
         <translation>Niveaux</translation>
-    </message>
-    <message>
-        <source>Pictures</source>
-        <translation>Images</translation>
     </message>
     <message>
         <source>As the last time</source>
@@ -9679,48 +9795,12 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
         <translation>Gardé sous « %1 ».</translation>
     </message>
     <message>
-        <source>Compressed</source>
-        <translation>Compressé</translation>
-    </message>
-    <message>
-        <source>Numbers are rounded to what is still seen and packed (EXT_meshopt_compression): the file is about a fifth as large, without its pictures. For web pages and engines that read it; Blender 3.4 does not.</source>
-        <translation>Les nombres sont arrondis à ce qui se voit encore et comprimés (EXT_meshopt_compression) : le fichier est réduit à un cinquième environ, sans ses images. Pour les pages web et les moteurs qui le lisent ; Blender 3.4 ne le lit pas.</translation>
-    </message>
-    <message>
-        <source>%1 at most</source>
-        <translation>%1 au plus</translation>
-    </message>
-    <message>
-        <source>All branches</source>
-        <translation>Toutes les branches</translation>
-    </message>
-    <message>
-        <source>Joints of each tree that moves: thin branches go with those that carry them. Engines limit how many a mesh may have; fewer cost less to play</source>
-        <translation>Articulations de chaque arbre qui bouge : les branches minces vont avec celles qui les portent. Les moteurs limitent leur nombre par maillage ; moins coûtent moins à jouer</translation>
-    </message>
-    <message>
-        <source>Joints</source>
-        <translation>Articulations</translation>
-    </message>
-    <message>
-        <source>Wind for</source>
-        <translation>Vent pour</translation>
-    </message>
-    <message>
         <source>%1 has no objects: leaves and fruit would be mixed into the one closed mesh of the branches. Tick them to write them all the same.</source>
         <translation>%1 n’a pas d’objets : feuilles et fruits seraient mêlés à l’unique maillage fermé des branches. Cochez-les pour les écrire quand même.</translation>
     </message>
     <message>
         <source>Fruit</source>
         <translation>Fruits</translation>
-    </message>
-    <message>
-        <source>Where each corner lies on the bark, on the picture of a leaf or a fruit. The size of one repeat of the bark, in metres, is the tree&apos;s parameter &quot;Bark tile&quot;. Beside an .obj, the pictures of the bark are written too.</source>
-        <translation>Où chaque coin se trouve sur l’écorce, sur l’image d’une feuille ou d’un fruit. La taille d’une répétition de l’écorce, en mètres, est le paramètre « Carreau d’écorce » de l’arbre. À côté d’un .obj, les images de l’écorce sont écrites aussi.</translation>
-    </message>
-    <message>
-        <source>Numbers of each vertex by which the shaders of an engine move the tree in the wind: the phase of its branch, how far it goes, how its leaves flutter. Of a tree at rest; Unreal gets two textures beside the file. Files of the handbook has the formulas.</source>
-        <translation>Nombres de chaque sommet par lesquels les shaders d’un moteur font bouger l’arbre au vent : la phase de sa branche, l’ampleur, le frémissement des feuilles. D’un arbre au repos ; Unreal reçoit deux textures à côté du fichier. La page Fichiers du manuel donne les formules.</translation>
     </message>
     <message>
         <source>In the view behind this dialog, trees move as they will in that engine</source>
@@ -11963,72 +12043,12 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
         <translation>Préparer pour une imprimante 3D</translation>
     </message>
     <message>
-        <source>How the printer works: it says how thin a twig may be</source>
-        <translation>Le fonctionnement de l’imprimante : il dit à quel point un rameau peut être fin</translation>
-    </message>
-    <message>
-        <source>Process</source>
-        <translation>Procédé</translation>
-    </message>
-    <message>
-        <source>Height, mm</source>
-        <translation>Hauteur, mm</translation>
-    </message>
-    <message>
-        <source>From the ground to the top of the print</source>
-        <translation>Du sol au sommet de l’impression</translation>
-    </message>
-    <message>
-        <source>Height of the print in millimetres</source>
-        <translation>Hauteur de l’impression en millimètres</translation>
-    </message>
-    <message>
-        <source>Thinnest twig, mm</source>
-        <translation>Rameau le plus fin, mm</translation>
-    </message>
-    <message>
-        <source>Thinner twigs are made so thick. Those that would have to be more than 1.5 times as thick as they are are cut.</source>
-        <translation>Les rameaux plus fins sont épaissis jusque-là. Ceux qui devraient être plus de 1,5 fois plus épais qu’ils ne le sont sont coupés.</translation>
-    </message>
-    <message>
-        <source>Smallest diameter of a twig in millimetres</source>
-        <translation>Plus petit diamètre d’un rameau en millimètres</translation>
-    </message>
-    <message>
-        <source>Disc as a foot</source>
-        <translation>Disque comme pied</translation>
-    </message>
-    <message>
-        <source>Without it the trunk is cut flat at the ground</source>
-        <translation>Sans lui, le tronc est coupé à plat au sol</translation>
-    </message>
-    <message>
         <source>Prepare</source>
         <translation>Préparer</translation>
     </message>
     <message>
         <source>One tree as one closed surface that is thick enough and flat at the ground, in millimetres with Z up</source>
         <translation>Un arbre en une seule surface fermée, assez épaisse et plate au sol, en millimètres avec Z vers le haut</translation>
-    </message>
-    <message>
-        <source>Leaves</source>
-        <translation>Feuilles</translation>
-    </message>
-    <message>
-        <source>None</source>
-        <translation>Aucune</translation>
-    </message>
-    <message>
-        <source>Thick shells</source>
-        <translation>Coques épaisses</translation>
-    </message>
-    <message>
-        <source>Thick shells: each leaf is as thick as the thinnest twig and in one piece with its own. Small leaves are enlarged and fewer. Fruit stays off.</source>
-        <translation>Coques épaisses : chaque feuille est aussi épaisse que le rameau le plus fin et d’un seul tenant avec le sien. Les petites feuilles sont agrandies et moins nombreuses. Les fruits ne sont pas imprimés.</translation>
-    </message>
-    <message>
-        <source>Leaves of the print</source>
-        <translation>Feuilles de l’impression</translation>
     </message>
     <message>
         <source>Makes the print, shows it and says how thin it is and whether it stands; writes nothing</source>
@@ -13170,65 +13190,6 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
     <message>
         <source>These keys cannot be changed.</source>
         <translation>Ces touches ne peuvent pas être changées.</translation>
-    </message>
-</context>
-<context>
-    <name>ramure::SpaceForm</name>
-    <message>
-        <source>Y up</source>
-        <translation>Y vers le haut</translation>
-    </message>
-    <message>
-        <source>Z up</source>
-        <translation>Z vers le haut</translation>
-    </message>
-    <message>
-        <source>The axis of the file that points up: Y for most game engines and Maya, Z for Blender, 3ds Max and printers</source>
-        <translation>L’axe du fichier qui pointe vers le haut : Y pour la plupart des moteurs de jeu et Maya, Z pour Blender, 3ds Max et les imprimantes</translation>
-    </message>
-    <message>
-        <source>Axis that points up</source>
-        <translation>Axe vers le haut</translation>
-    </message>
-    <message>
-        <source>metres</source>
-        <translation>mètres</translation>
-    </message>
-    <message>
-        <source>centimetres</source>
-        <translation>centimètres</translation>
-    </message>
-    <message>
-        <source>millimetres</source>
-        <translation>millimètres</translation>
-    </message>
-    <message>
-        <source>kilometres</source>
-        <translation>kilomètres</translation>
-    </message>
-    <message>
-        <source>inches</source>
-        <translation>pouces</translation>
-    </message>
-    <message>
-        <source>feet</source>
-        <translation>pieds</translation>
-    </message>
-    <message>
-        <source>What a 1 in the file is</source>
-        <translation>Ce que vaut un 1 dans le fichier</translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation>Unité</translation>
-    </message>
-    <message>
-        <source>Scale</source>
-        <translation>Échelle</translation>
-    </message>
-    <message>
-        <source>How many times larger than in the scene</source>
-        <translation>Combien de fois plus grand que dans la scène</translation>
     </message>
 </context>
 <context>

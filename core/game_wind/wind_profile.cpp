@@ -38,19 +38,6 @@ const WindProfileFacts& factsOf(WindProfile profile)
     return *std::ranges::find(profiles, profile, &WindProfileFacts::profile);
 }
 
-Expected<WindProfile> windProfileNamed(const std::string& name)
-{
-    std::string names = "none";
-    for (const WindProfileFacts& facts : profiles) {
-        if (name == facts.name)
-            return facts.profile;
-        names.append(", ").append(facts.name);
-    }
-    if (name == "none")
-        return WindProfile::None;
-    return fail(ErrorCode::Unknown, RAMURE_NOOP("\"%1\" is no kind of wind data: %2"), {name, names});
-}
-
 WindSettings windSettings(const WindTree& tree, std::span<const std::span<const WindVertex>> meshes)
 {
     WindSettings out;

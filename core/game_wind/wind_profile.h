@@ -34,8 +34,6 @@ struct WindProfileFacts
 std::span<const WindProfileFacts> windProfiles();
 /// \pre it is not None
 const WindProfileFacts& factsOf(WindProfile profile);
-/// Error: Unknown, with those there are. "none" is one of them.
-Expected<WindProfile> windProfileNamed(const std::string& name);
 
 /// What stands for the whole tree where an engine has parameters of a material. Formulas:
 /// resources/shaders/wind.glsl.

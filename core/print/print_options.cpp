@@ -35,25 +35,6 @@ std::span<const PrintProcessFacts> printProcesses()
     return facts;
 }
 
-Expected<PrintProcess> printProcessNamed(const std::string& name)
-{
-    std::string names;
-    for (std::size_t i = 0; i < std::size(facts); ++i) {
-        if (name == facts[i].name)
-            return static_cast<PrintProcess>(i);
-        names.append(i == 0 ? "" : ", ").append(facts[i].name);
-    }
-    return fail(ErrorCode::Unknown, RAMURE_NOOP("unknown process \"%1\": one of %2 expected"), {name, names});
-}
-
-Expected<PrintLeaves> printLeavesNamed(const std::string& name)
-{
-    for (std::size_t i = 0; i < std::size(leafNames); ++i)
-        if (name == leafNames[i])
-            return static_cast<PrintLeaves>(i);
-    return fail(ErrorCode::Unknown, RAMURE_NOOP("unknown leaves \"%1\": off or shells expected"), {name});
-}
-
 const char* nameOf(PrintLeaves leaves)
 {
     return leafNames[static_cast<std::size_t>(leaves)];

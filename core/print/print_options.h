@@ -23,15 +23,12 @@ struct PrintProcessFacts
 };
 /// In the order of the enum.
 std::span<const PrintProcessFacts> printProcesses();
-/// Error: Unknown, with the names there are.
-Expected<PrintProcess> printProcessNamed(const std::string& name);
 
 enum class PrintLeaves : std::uint8_t {
     Off,
     Shells, ///< closed and as thick as the thinnest twig, each grown together with its twig
 };
-/// "off", "shells": on the command line and in reports. Error: Unknown, with the names there are.
-Expected<PrintLeaves> printLeavesNamed(const std::string& name);
+/// "off", "shells": on the command line and in reports.
 const char* nameOf(PrintLeaves leaves);
 
 struct PrintOptions

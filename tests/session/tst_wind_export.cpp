@@ -413,9 +413,6 @@ private slots:
         options.clip = {1.0};
         QVERIFY(refused(options, "x.glb", "exclude each other"));
         QVERIFY(refused(plain, "x.glb", "at rest", 1.0));
-        const auto unknown = windProfileNamed("godot");
-        QVERIFY(!unknown && test::why(unknown).contains("none, plain, crysis, unity, pivot-painter"));
-        QVERIFY(*windProfileNamed("none") == WindProfile::None);
     }
 
     void packedIndices()

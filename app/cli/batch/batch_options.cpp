@@ -1,6 +1,6 @@
 #include "app/cli/batch/batch_options.h"
 
-#include "app/cli/level_options.h"
+#include "app/cli/export_options.h"
 #include <QRegularExpression>
 
 namespace ramure::cli {
@@ -84,37 +84,23 @@ void addFileOptions(CommandLine& line)
                        "rows, for folders) and {COLUMN} stand for what the row has. Without it "
                        "{preset}_{row}.glb."),
         QStringLiteral("TEMPLATE"));
-    line.addDefault(
-        {QStringLiteral("map-size")},
-        QStringLiteral("Pixels a side, 16 to 8192, of pictures of bark in and beside the meshes; 0, "
-                       "as without it: none."),
-        QStringLiteral("PIXELS"), QStringLiteral("0"));
-    addLevelOptions(line, QStringLiteral("other files hold the tree alone"));
-    addCompression(line);
-    addWindOption(line);
+    addExportOptions(line, ofBatch);
     line.addDefault({QStringLiteral("size")}, QStringLiteral("Of pictures, 512x512 without it."),
                     QStringLiteral("WIDTHxHEIGHT"), QStringLiteral("512x512"));
 }
 
 Expected<BatchPlan> planOf(const CommandLine& line, const Shard& shard)
 {
-    const auto mapSize = mapSizeFrom(line);
-    RAMURE_TRY(mapSize);
     const auto picture = pictureSizeFrom(line.value("size"));
     RAMURE_TRY(picture);
-    const auto levels = levelsFrom(line);
-    RAMURE_TRY(levels);
-    const auto compressed = compressionFrom(line);
-    RAMURE_TRY(compressed);
-    const auto wind = windFrom(line);
-    RAMURE_TRY(wind);
+    ExportOptions usual;
+    usual.write.mapSize = 0;
+    auto options = exportOptionsOf(line, ofBatch, std::move(usual));
+    RAMURE_TRY(options);
     auto plan = readPlan(line.arguments().front(), templatesOf(line), shard);
     if (!plan)
         return plan;
-    plan->mapSize = *mapSize;
-    plan->levels = *levels;
-    plan->isCompressed = *compressed;
-    plan->wind = *wind;
+    plan->options = std::move(*options);
     plan->picture = *picture;
     return plan;
 }

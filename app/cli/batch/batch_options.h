@@ -11,7 +11,7 @@ namespace ramure::cli {
 
 /// "1280x800". Error: Invalid.
 Expected<QSize> pictureSizeFrom(const QString& value);
-/// --file, --map-size, --levels, --budget, --size.
+/// --file, --size and, of the table of export options, those of a batch.
 void addFileOptions(CommandLine& line);
 /// Of the table that the line names. Errors: those of readPlan and of the options.
 Expected<BatchPlan> planOf(const CommandLine& line, const Shard& shard);

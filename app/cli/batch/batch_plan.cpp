@@ -355,23 +355,19 @@ QByteArray inputsHash(const BatchPlan& plan, const BatchRow& row)
 {
     const bool isFile =
         !row.input.startsWith(QLatin1String("preset:")) && !row.input.startsWith(QLatin1String("demo:"));
-    QStringList levels{QString::number(plan.levels.count)};
-    if (plan.isCompressed)
-        levels << QStringLiteral("compressed");
-    for (const WindProfileFacts& facts : windProfiles())
-        if (facts.profile == plan.wind)
-            levels << QLatin1String(facts.name);
-    for (const std::int64_t budget : plan.levels.budgets)
-        levels << QString::number(budget);
-    if (const std::string switches = switchesText(plan.levels); !switches.empty())
-        levels << QString::fromStdString(switches);
+    QStringList levels{QString::number(plan.options.levels.count)};
+    for (const ExportOption& option : exportOptions())
+        if (option.hashed && !isUsual(option, plan.options))
+            levels += QString::fromLatin1(option.hashed)
+                          .replace(QLatin1String("%1"), fromText(optionText(option, plan.options)))
+                          .split(QLatin1Char(','));
     const QJsonObject inputs{
         {QStringLiteral("program"), versionText().trimmed()},
         {QStringLiteral("input"), isFile ? QString::fromLatin1(contentHash(row.input)) : row.input},
         {QStringLiteral("seed"), row.seed ? QString::number(*row.seed) : QString()},
         {QStringLiteral("set"), QJsonArray::fromStringList(row.sets)},
         {QStringLiteral("files"), QJsonArray::fromStringList(row.files)},
-        {QStringLiteral("mapSize"), plan.mapSize},
+        {QStringLiteral("mapSize"), plan.options.write.mapSize},
         {QStringLiteral("levels"), QJsonArray::fromStringList(levels)},
         {QStringLiteral("picture"),
          QStringLiteral("%1x%2").arg(plan.picture.width()).arg(plan.picture.height())}};

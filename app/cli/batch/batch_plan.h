@@ -3,8 +3,7 @@
 #pragma once
 
 #include "app/cli/command_line.h"
-#include "core/game_wind/wind_profile.h"
-#include "core/lod/level_options.h"
+#include "core/qt/session/export/export_option.h"
 #include <QByteArray>
 #include <QSet>
 #include <QSize>
@@ -30,14 +29,11 @@ struct BatchPlan
 {
     QString table;  ///< its file's name without the folder, for messages
     QString folder; ///< where files go
-    int mapSize = 0;
     QSize picture{512, 512};
-    LevelOptions levels;                  ///< of .glb files
-    bool isCompressed = false;            ///< these
-    WindProfile wind = WindProfile::None; ///< of these
-    std::vector<BatchRow> rows;           ///< of the shard
-    QSet<QString> foreignFolders;         ///< into which rows of other shards write, see folderOf()
-    std::size_t whole = 0;                ///< rows of the table
+    ExportOptions options;        ///< levels and wind are those of .glb files alone
+    std::vector<BatchRow> rows;   ///< of the shard
+    QSet<QString> foreignFolders; ///< into which rows of other shards write, see folderOf()
+    std::size_t whole = 0;        ///< rows of the table
 };
 
 /// One of some parts of a table, of rows that follow one another.

@@ -120,7 +120,7 @@ bool isOfLevelsAlone(const BatchPlan& plan, const BatchRow& row, const Scene& sc
         });
     };
     const auto meshes = has(".glb");
-    return plan.levels.isWanted() && !plan.levels.beginsWhole() && meshes > 0 &&
+    return plan.options.levels.isWanted() && !plan.options.levels.beginsWhole() && meshes > 0 &&
            meshes + has(".png") + has("/") == row.files.size() &&
            std::ranges::none_of(
                scene.nodes(), [&](const Node& node) { return isShape(node.kind) && scene.isShown(node.id); });
@@ -245,15 +245,13 @@ RowMaker::~RowMaker() = default;
 
 ExportOptions RowMaker::optionsFor(const QString& path) const
 {
-    ExportOptions options;
+    ExportOptions options = m_plan.options;
     options.parts = usualParts(**findFormat(systemPath(path), FormatUse::Write));
     options.texture = true;
-    options.write.mapSize = m_plan.mapSize;
-    options.write.compressed = m_plan.isCompressed;
     // Others would be several files, of which no name is known.
-    if (path.endsWith(QLatin1String(".glb"), Qt::CaseInsensitive)) {
-        options.levels = m_plan.levels;
-        options.wind = m_plan.wind;
+    if (!path.endsWith(QLatin1String(".glb"), Qt::CaseInsensitive)) {
+        options.levels = {};
+        options.wind = WindProfile::None;
     }
     return options;
 }
@@ -329,7 +327,8 @@ Expected<void> RowMaker::write(EvaluatedScene& now, const QString& path)
     if (auto made = makeFolder(systemPath(folder)); !made)
         return made;
     if (path.endsWith(QLatin1Char('/')))
-        return writeMapsOf(now, systemPath(folder), std::max(m_plan.mapSize, int(leastBarkSize)));
+        return writeMapsOf(now, systemPath(folder),
+                           std::max(m_plan.options.write.mapSize, int(leastBarkSize)));
     if (path.endsWith(QLatin1String(".png")))
         return draw(now, path);
     const ExportOptions options = optionsFor(path);
@@ -396,7 +395,7 @@ void removeStale(const BatchPlan& plan, const ManifestLines& before, const Manif
             continue;
         for (const QString& file : row.files)
             if (!file.endsWith(QLatin1Char('/')))
-                for (const QString& name : ownNames(file, plan.wind))
+                for (const QString& name : ownNames(file, plan.options.wind))
                     stale << name;
         if (const auto line = before.find(row.number); line != before.end())
             for (const QString& name : filesOf(line->second))

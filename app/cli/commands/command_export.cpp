@@ -1,6 +1,5 @@
 #include "app/cli/commands/commands.h"
-#include "app/cli/file_space_options.h"
-#include "app/cli/level_options.h"
+#include "app/cli/export_options.h"
 #include "app/cli/mesh_check.h"
 #include "app/cli/moments.h"
 #include "app/cli/print_options.h"
@@ -9,8 +8,6 @@
 #include "core/evaluate/evaluator.h"
 #include "core/io/formats/file_format.h"
 #include "core/qt/document/project/mesh_report_json.h"
-#include "core/qt/session/export/exporter.h"
-#include "core/surface/bark/bark_maps.h"
 #include "core/surface/mesh/transformed.h"
 #include <QFileInfo>
 #include <QJsonArray>
@@ -37,159 +34,85 @@ constexpr CommandText exportText = {
     "another name and renamed: an error or Ctrl+C "
     "leaves the old file as it was."};
 
-constexpr int mostJoints = 65535;
-
-/// A value of an option by its name.
-template <class Value> struct Choice
-{
-    const char* name;
-    Value value;
-};
-constexpr Choice<std::uint8_t> partChoices[] = {
-    {"branches", exportBranches}, {"leaves", exportLeaves}, {"fruit", exportApples}, {"all", exportAll}};
-constexpr Choice<ExportModel> modelChoices[] = {
-    {"mesh", ExportModel::Mesh}, {"rough", ExportModel::Rough}, {"skeleton", ExportModel::Skeleton}};
-
-constexpr Choice<bool> leafChoices[] = {{"merged", false}, {"instances", true}};
-
-template <class Value, std::size_t n>
-Expected<Value> choose(const Choice<Value> (&choices)[n], const char* option, const QString& name)
-{
-    QStringList names;
-    for (const Choice<Value>& choice : choices) {
-        if (name == QLatin1String(choice.name))
-            return choice.value;
-        names << QLatin1String(choice.name);
-    }
-    return fail(ErrorCode::Unknown, "--%1 \"%2\": %3 expected",
-                {option, name.toStdString(), commaList(names).toStdString()});
-}
-
-/// What the options ask for; parts nowhere where the format decides.
 struct ExportRequest
 {
     QStringList files;
-    std::optional<std::uint8_t> parts;
-    ExportModel model = ExportModel::Mesh;
-    bool ascii = false;
+    ExportOptions options;
+    bool hasParts = false;  ///< else the format decides
     bool needsTree = false; ///< an option that says something about trees was given
-    bool texture = true;
-    bool instances = false; ///< leaves and fruit as a list
-    int mapSize = WriteOptions().mapSize;
-    int joints = WriteOptions().joints;
-    bool compressed = false;
-    LevelOptions levels;
-    WindProfile wind = WindProfile::None;
-    FileSpace space;
     bool requireValid = false;
     QString report; ///< file, or empty
 
     [[nodiscard]] bool needsCheck() const { return requireValid || !report.isEmpty(); }
 };
 
-Expected<int> jointsFrom(const CommandLine& line)
+/// Refuses options that the format of a file cannot hold: nothing else is written silently in their place.
+Expected<void> checkFormats(const ExportRequest& request)
 {
-    const QString given = line.value("joints");
-    bool isNumber = false;
-    const int joints = given.toInt(&isNumber);
-    if (given == QLatin1String("all"))
-        return 0;
-    if (isNumber && joints >= 1 && joints <= mostJoints)
-        return joints;
-    return fail(ErrorCode::Invalid, "--joints \"%1\": all, or 1 to %2 expected",
-                {given.toStdString(), std::to_string(mostJoints)});
-}
-
-Expected<void> takeNumbers(const CommandLine& line, ExportRequest& out)
-{
-    const auto mapSize = mapSizeFrom(line);
-    RAMURE_TRY(mapSize);
-    out.mapSize = *mapSize;
-    const auto joints = jointsFrom(line);
-    RAMURE_TRY(joints);
-    out.joints = *joints;
-    const auto levels = levelsFrom(line);
-    RAMURE_TRY(levels);
-    out.levels = *levels;
-    const auto wind = windFrom(line);
-    RAMURE_TRY(wind);
-    out.wind = *wind;
-    out.needsTree = out.needsTree || out.levels.isWanted() || out.wind != WindProfile::None;
-    if (out.wind != WindProfile::None && line.has("print"))
-        return fail(ErrorCode::Invalid, "--print and --wind exclude each other");
+    for (const QString& file : request.files) {
+        const auto known = findFormat(systemPath(file), FormatUse::Write, request.options.write.ascii);
+        RAMURE_TRY(known);
+        for (const ExportOption& option : exportOptions())
+            if (option.is(ofFormats) && !((*known)->holds & option.holds) &&
+                !isUsual(option, request.options))
+                return fail(ErrorCode::Invalid, "--%1 %2 is for .glb files: \"%3\" is none",
+                            {option.name, optionText(option, request.options), file.toStdString()});
+    }
     return {};
 }
 
-/// Of formats that cannot, there is no silent other file.
-Expected<void> takeCompression(const CommandLine& line, ExportRequest& out)
+/// Checks which options go together.
+Expected<void> checkRequest(const CommandLine& line, const ExportRequest& request)
 {
-    const auto wanted = compressionFrom(line);
-    RAMURE_TRY(wanted);
-    out.compressed = *wanted;
-    for (const QString& file : out.files)
-        if (const auto known = findFormat(systemPath(file), FormatUse::Write, out.ascii); !known)
-            return fail(known.error());
-        else if (out.compressed && ((*known)->holds & holdsCompressed) == 0)
-            return fail(ErrorCode::Invalid, "--compress meshopt is for .glb files: \"%1\" is none",
-                        {file.toStdString()});
-        else if (out.wind != WindProfile::None && ((*known)->holds & holdsWind) == 0)
-            return fail(ErrorCode::Invalid, "--wind is for .glb files: \"%1\" is none", {file.toStdString()});
-    return {};
+    const bool isMesh = request.options.model == ExportModel::Mesh;
+    if (line.has("report") && !request.report.endsWith(QLatin1String(".json"), Qt::CaseInsensitive))
+        return fail(ErrorCode::Invalid, "--report \"%1\": a .json file expected",
+                    {request.report.toStdString()});
+    if (request.options.instances && request.options.model == ExportModel::Skeleton)
+        return fail(ErrorCode::Invalid, "--leaves instances and --model skeleton exclude each other: a "
+                                        "skeleton has no leaves");
+    if (line.has("texture") && !isMesh)
+        return fail(ErrorCode::Invalid,
+                    "--texture needs --model mesh: other models have no texture coordinates");
+    if (request.needsCheck() && !isMesh)
+        return fail(ErrorCode::Invalid,
+                    "--require-valid and --report need --model mesh: there is no closed mesh "
+                    "to check in another model");
+    return checkPrintOptions(line, request.options.print);
 }
 
 Expected<ExportRequest> exportRequestOf(const CommandLine& line)
 {
     ExportRequest out;
     out.files = line.values("o");
-    out.ascii = line.has("ascii");
     if (line.has("texture") && line.has("no-texture"))
         return fail(ErrorCode::Invalid, "--texture and --no-texture exclude each other");
-    out.texture = !line.has("no-texture");
-    out.needsTree = line.has("part") || line.has("model") || line.has("leaves") || line.has("texture");
-    RAMURE_TRY(takeNumbers(line, out));
-    const auto space = fileSpaceFrom(line);
-    RAMURE_TRY(space);
-    out.space = space->value_or(FileSpace());
+    ExportOptions usual;
+    usual.texture = true;
+    usual.write.ascii = line.has("ascii");
+    usual.write.tell = [](const Error& note) { printError(fromText(note.message())); };
+    auto options = exportOptionsOf(line, ofExport, std::move(usual));
+    RAMURE_TRY(options);
+    out.options = std::move(*options);
+    out.hasParts = line.has("part");
+    out.needsTree = out.options.wind != WindProfile::None ||
+                    std::ranges::any_of(exportOptions(), [&](const ExportOption& option) {
+                        return option.is(ofTrees) && line.has(option.name);
+                    });
     if (out.files.isEmpty())
         return fail(ErrorCode::Invalid, "missing -o FILE: `ramure-cli export --help` shows what it takes");
-    RAMURE_TRY(takeCompression(line, out));
+    RAMURE_TRY(checkFormats(out));
     out.requireValid = line.has("require-valid");
     out.report = line.value("report");
-    if (line.has("report") && !out.report.endsWith(QLatin1String(".json"), Qt::CaseInsensitive))
-        return fail(ErrorCode::Invalid, "--report \"%1\": a .json file expected", {out.report.toStdString()});
-    if (line.has("part")) {
-        const bool isOldName = line.value("part") == QLatin1String("apples");
-        const auto parts =
-            choose(partChoices, "part", isOldName ? QStringLiteral("fruit") : line.value("part"));
-        RAMURE_TRY(parts);
-        out.parts = *parts;
-    }
-    if (line.has("model")) {
-        const auto model = choose(modelChoices, "model", line.value("model"));
-        RAMURE_TRY(model);
-        out.model = *model;
-    }
-    const auto instances = choose(leafChoices, "leaves", line.value("leaves"));
-    RAMURE_TRY(instances);
-    out.instances = *instances;
-    if (out.instances && out.model == ExportModel::Skeleton)
-        return fail(ErrorCode::Invalid, "--leaves instances and --model skeleton exclude each other: a "
-                                        "skeleton has no leaves");
-    if (line.has("texture") && out.model != ExportModel::Mesh)
-        return fail(ErrorCode::Invalid,
-                    "--texture needs --model mesh: other models have no texture coordinates");
-    out.texture = out.texture && out.model == ExportModel::Mesh;
-    if (out.needsCheck() && out.model != ExportModel::Mesh)
-        return fail(ErrorCode::Invalid,
-                    "--require-valid and --report need --model mesh: there is no closed mesh "
-                    "to check in another model");
+    RAMURE_TRY(checkRequest(line, out));
+    out.options.texture = out.options.texture && out.options.model == ExportModel::Mesh;
     return out;
 }
 
 /// exportRequestOf has checked the ending.
 const FileFormat& formatOf(const ExportRequest& request, const QString& file)
 {
-    return **findFormat(systemPath(file), FormatUse::Write, request.ascii);
+    return **findFormat(systemPath(file), FormatUse::Write, request.options.write.ascii);
 }
 
 /// The pipeline; says once of each tree that its mesh does not fit the budget.
@@ -214,20 +137,10 @@ Expected<void> exportAt(const Scene& scene, const ExportRequest& request, double
     const auto count = static_cast<double>(files.size());
     for (qsizetype i = 0; i < files.size(); ++i) {
         const QString& file = files.at(i);
-        ExportOptions options;
-        options.model = request.model;
-        options.parts = request.parts.value_or(usualParts(formatOf(request, file), request.instances));
-        options.instances = request.instances;
-        options.write.ascii = request.ascii;
-        options.write.mapSize = request.mapSize;
-        options.texture = request.texture;
-        options.write.joints = request.joints;
-        options.write.compressed = request.compressed;
-        options.levels = request.levels;
-        options.wind = request.wind;
-        options.write.tell = [](const Error& note) { printError(fromText(note.message())); };
+        ExportOptions options = request.options;
+        if (!request.hasParts)
+            options.parts = usualParts(formatOf(request, file), options.instances);
         options.clip = clip;
-        options.space = request.space;
         const double from = static_cast<double>(i) / count;
         const auto written = exportScene(evaluator.at(scene, timeSeconds), options, systemPath(file),
                                          progress.part(from, from + 1.0 / count));
@@ -277,12 +190,13 @@ Expected<void> exportMesh(const ReadMesh& mesh, const ExportRequest& request, co
             ErrorCode::Invalid,
             "--part, --model, --leaves, --texture, --levels, --budget, --switch and --wind need a tree: the "
             "input is a mesh");
-    const auto placed = [&request](TriangleMesh object) {
-        if (!request.texture) {
+    const FileSpace& space = request.options.space;
+    const auto placed = [&](TriangleMesh object) {
+        if (!request.options.texture) {
             object.uv.clear();
             object.uvTriangles.clear();
         }
-        return request.space.isOwn() ? object : transformed(object, request.space.matrix());
+        return space.isOwn() ? object : transformed(object, space.matrix());
     };
     std::vector<ReadObject> objects = mesh.objects;
     for (ReadObject& object : objects)
@@ -290,8 +204,8 @@ Expected<void> exportMesh(const ReadMesh& mesh, const ExportRequest& request, co
     const ExportScene parts = sceneOfMeshes(std::move(objects), barkMaterial());
     // Where all is one mesh, vertices that the objects share stay shared.
     const ExportScene whole = sceneOfMeshes({{"mesh", placed(mesh.joined()), {}}}, barkMaterial());
-    WriteOptions options{request.ascii, request.space.comment()};
-    options.compressed = request.compressed;
+    WriteOptions options{request.options.write.ascii, space.comment()};
+    options.compressed = request.options.write.compressed;
     for (const QString& file : request.files) {
         const FileFormat& format = formatOf(request, file);
         const auto written =
@@ -307,10 +221,8 @@ QByteArray reportText(const ExportRequest& request, const QString& input,
                       const std::vector<CheckedMesh>& checked)
 {
     QJsonArray files;
-    ExportOptions options;
-    options.levels = request.levels;
     for (const QString& file : request.files)
-        for (const std::string& written : exportFiles(options, systemPath(file)))
+        for (const std::string& written : exportFiles(request.options, systemPath(file)))
             files.append(QFileInfo(QString::fromStdString(written)).fileName());
     QJsonObject report = jsonOf(checked, true);
     report.insert(QStringLiteral("format"), QStringLiteral("ramure-report"));
@@ -385,49 +297,14 @@ Expected<int> checkAndWrite(const Input& input, const QString& name, const Expor
     return exitGood;
 }
 
-void addExportOptions(CommandLine& line)
+void addOptions(CommandLine& line)
 {
     line.add({QStringLiteral("o"), QStringLiteral("output")},
              QStringLiteral("Writes this file; may be repeated."), QStringLiteral("FILE"));
     line.addInputOptions();
     line.addNodeOption();
-    line.add({QStringLiteral("part")},
-             QStringLiteral("What is written. Without it formats with objects get all, others the branches."),
-             QStringLiteral("branches|leaves|fruit|all"));
-    line.add({QStringLiteral("model")},
-             QStringLiteral("mesh (one continuous mesh; the default), rough (open cylinders, squares, cubes) "
-                            "or skeleton (line segments)."),
-             QStringLiteral("mesh|rough|skeleton"));
-    line.addDefault(
-        {QStringLiteral("leaves")},
-        QStringLiteral(
-            "merged (one mesh of all leaves, all fruit another) or instances: FILE holds what else "
-            "there is, and beside it stand FILE_leaves.csv, a row for each leaf, fruit and flower "
-            "with its node, shape, material, branch, colour and matrix (3 rows of 4), and "
-            "FILE_leaves.json, the same as JSON, and FILE_leaves_birch.obj, FILE_fruit_acorn.obj and so on, "
-            "the shapes that the rows name. "
-            "A point of the shape times the matrix is the point of the merged mesh."),
-        QStringLiteral("merged|instances"), QStringLiteral("merged"));
-    line.add({QStringLiteral("texture")},
-             QStringLiteral("With texture coordinates, which is the default for --model mesh: vt lines of "
-                            ".obj, a list texcoord per face of .ply. Parameter texture.tileSize (metres) is "
-                            "the size of one repeat of the bark. A "
-                            "tree that moves keeps the coordinates it has at rest."));
-    line.add({QStringLiteral("no-texture")}, QStringLiteral("Without texture coordinates and pictures."));
-    line.addDefault(
-        {QStringLiteral("map-size")},
-        QStringLiteral("Pixels a side, 16 to 8192, of the pictures of bark that are written beside "
-                       "an .obj and named in its .mtl; 0: none, the bark has its mean colour."),
-        QStringLiteral("PIXELS"), QString::number(WriteOptions().mapSize));
-    line.addDefault({QStringLiteral("joints")},
-                    QStringLiteral("Of each tree in a .glb with --frames, at most, or all: thin branches "
-                                   "go with those that carry them, and it is said how far that is off."),
-                    QStringLiteral("NUMBER|all"), QString::number(WriteOptions().joints));
-    addCompression(line);
-    addLevelOptions(line, QStringLiteral("of other formats each is a file, FILE_LOD0, FILE_LOD1 and so on"));
-    addWindOption(line);
-    addSpaceOptions(line);
-    addPrintOptions(line);
+    addExportOptions(line, ofExport);
+    line.add({QStringLiteral("json")}, QStringLiteral("With --print, prints the report as JSON."));
     line.add({QStringLiteral("ascii")}, QStringLiteral("Writes a format that has both as text, not binary."));
     addMomentOptions(line, MomentOptions::Sequence);
     line.add({QStringLiteral("wind-loop")},
@@ -453,8 +330,6 @@ Expected<int> runExport(const CommandLine& line)
 {
     const auto request = exportRequestOf(line);
     RAMURE_TRY(request);
-    const auto print = printFrom(line);
-    RAMURE_TRY(print);
     const Work work("export");
     const Progress progress = work.progress();
     auto input = loadInput(line, progress.part(0.0, 0.0));
@@ -477,9 +352,9 @@ Expected<int> runExport(const CommandLine& line)
         RAMURE_TRY(separateTrees(*input, pipeline, progress.part(0.0, 0.5)));
         begun = 0.5;
     }
-    if (*print) {
+    if (line.has("print")) {
         Evaluator evaluator(pipelineSource(pipeline), moments->timeline);
-        return printTo(line, *input, **print, *fileSpaceFrom(line), evaluator, progress.part(begun, 1.0));
+        return printTo(line, *input, request->options, evaluator, progress.part(begun, 1.0));
     }
     return checkAndWrite(*input, line.arguments().front(), *request, *moments, pipeline,
                          progress.part(begun, 1.0));
@@ -487,6 +362,6 @@ Expected<int> runExport(const CommandLine& line)
 
 } // namespace
 
-const Command exportCommand{exportText, &addExportOptions, &runExport};
+const Command exportCommand{exportText, &addOptions, &runExport};
 
 } // namespace ramure::cli

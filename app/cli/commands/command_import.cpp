@@ -1,5 +1,5 @@
 #include "app/cli/commands/commands.h"
-#include "app/cli/file_space_options.h"
+#include "app/cli/export_options.h"
 #include "app/cli/input.h"
 #include "app/cli/work.h"
 #include "core/io/formats/text/blender_scene.h"
@@ -61,9 +61,9 @@ Expected<void> importTo(const CommandLine& line, const QString& input, const QSt
 {
     const auto cubic = cubicOf(line);
     RAMURE_TRY(cubic);
-    const auto space = fileSpaceFrom(line);
-    RAMURE_TRY(space);
-    auto imported = importObjects(systemPath(input), {*cubic, *space}, progress);
+    const auto options = exportOptionsOf(line, ofImport);
+    RAMURE_TRY(options);
+    auto imported = importObjects(systemPath(input), {*cubic, spaceGiven(line, *options)}, progress);
     RAMURE_TRY(imported);
     const auto count = static_cast<qint64>(imported->nodes.size());
     auto scene = Scene::fromNodes(std::move(imported->nodes));
@@ -96,7 +96,7 @@ void addImportOptions(CommandLine& line)
                     QStringLiteral("What CUBIC means: the spline through the keys, Blender's easing, or "
                                    "automatic: the easing where our own script wrote the file."),
                     QStringLiteral("automatic|spline|easing"), QStringLiteral("automatic"));
-    addSpaceOptions(line);
+    addExportOptions(line, ofImport);
     line.add({QStringLiteral("json")}, QStringLiteral("Prints one JSON object."));
 }
 

@@ -56,9 +56,15 @@ QStringList passedOn(const CommandLine& line, const PoolOptions& pool)
     for (const QString& file : templatesOf(line))
         out << QStringLiteral("--file") << file;
     out << QStringLiteral("--jobs") << QString::number(pool.processes);
-    for (const char* name : {"memory", "map-size", "levels", "budget", "switch", "compress", "wind", "size"})
+    const auto pass = [&](const char* name) {
         if (line.has(name))
             out << QStringLiteral("--") + QLatin1String(name) << line.value(name);
+    };
+    pass("memory");
+    for (const ExportOption& option : exportOptions())
+        if (option.is(ofBatch))
+            pass(option.name);
+    pass("size");
     return out;
 }
 

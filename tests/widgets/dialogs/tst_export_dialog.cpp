@@ -111,7 +111,7 @@ private slots:
         test::openNodes(m_document, {leafy});
         QVERIFY(m_recompute.waitForFull(20'000));
         ExportDialog dialog(&m_document, &m_recompute, &m_preferences, &m_chooser);
-        auto* foliage = dialog.findChild<QComboBox*>(QStringLiteral("exportFoliage"));
+        auto* foliage = dialog.findChild<QComboBox*>(QStringLiteral("exportInstances"));
         QVERIFY(foliage && foliage->isEnabled() && !foliage->toolTip().isEmpty());
         QVERIFY(!dialog.options().instances);
         dialog.setFormat(QStringLiteral("ply"));

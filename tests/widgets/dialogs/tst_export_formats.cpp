@@ -5,7 +5,6 @@
 #include "widgets/actions/import_actions.h"
 #include "widgets/base/theme/preferences.h"
 #include "widgets/dialogs/export/export_dialog.h"
-#include "widgets/dialogs/export/space_form.h"
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFile>
@@ -115,11 +114,11 @@ private slots:
         ExportDialog dialog(&m_document, &m_recompute, &m_preferences, &m_chooser);
         dialog.setFormat(QStringLiteral("fake"));
         QVERIFY(!dialog.findChild<QCheckBox*>(QStringLiteral("exportTexture"))->isEnabled());
-        QVERIFY(dialog.findChild<SpaceForm*>()->isHidden());
+        QVERIFY(dialog.findChild<QComboBox*>(QStringLiteral("exportUp"))->isHidden());
         QVERIFY(!dialog.options().texture);
         QCOMPARE(dialog.options().parts, std::uint8_t(exportAll));
         dialog.setFormat(QStringLiteral("ply"));
-        QVERIFY(!dialog.findChild<SpaceForm*>()->isHidden());
+        QVERIFY(!dialog.findChild<QComboBox*>(QStringLiteral("exportUp"))->isHidden());
         QVERIFY(dialog.options().texture);
         QCOMPARE(dialog.options().parts, std::uint8_t(exportBranches));
     }

@@ -69,7 +69,7 @@ private slots:
         ExportDialog dialog(&m_document, &m_recompute, &m_preferences, &m_chooser);
         dialog.setFormat(QStringLiteral("stl"));
         dialog.printing()->setWanted(true);
-        auto* thinnest = dialog.findChild<NumberField*>(QStringLiteral("printThinnest"));
+        auto* thinnest = dialog.findChild<NumberField*>(QStringLiteral("exportThinnest"));
         thinnest->setValue(50.0);
         dialog.findChild<QPushButton*>(QStringLiteral("printPrepare"))->click();
         QVERIFY(dialog.findChild<QLabel*>(QStringLiteral("problem")));
@@ -77,7 +77,7 @@ private slots:
     void eachProcessHasItsThinnestTwig()
     {
         ExportDialog dialog(&m_document, &m_recompute, &m_preferences, &m_chooser);
-        auto* process = dialog.findChild<QComboBox*>(QStringLiteral("printProcess"));
+        auto* process = dialog.findChild<QComboBox*>(QStringLiteral("exportProcess"));
         for (int i = 0; i < process->count(); ++i) {
             process->setCurrentIndex(i);
             const PrintOptions options = dialog.printing()->options();
@@ -131,8 +131,8 @@ private slots:
     {
         Bench bench(*this);
         bench.click("printPrepare");
-        bench.part<QCheckBox>("printDisc")->click();
-        bench.part<QComboBox>("printLeaves")->setCurrentIndex(1);
+        bench.part<QCheckBox>("exportDisc")->click();
+        bench.part<QComboBox>("exportShells")->setCurrentIndex(1);
         QVERIFY(bench.part<QProgressBar>("printProgress")->isVisible());
         QTRY_VERIFY_WITH_TIMEOUT(bench.preview->isVisible(), patienceMs);
         QVERIFY2(bench.preview->text().contains(QLatin1String("Leaves: ")),
@@ -143,7 +143,7 @@ private slots:
         Bench bench(*this);
         bench.click("printPrepare");
         QTRY_VERIFY_WITH_TIMEOUT(bench.preview->isVisible(), patienceMs);
-        bench.part<QCheckBox>("printDisc")->click();
+        bench.part<QCheckBox>("exportDisc")->click();
         QVERIFY(!bench.preview->isVisible());
         QVERIFY(!bench.part<QProgressBar>("printProgress")->isVisible()); // not by itself
     }
@@ -175,9 +175,9 @@ private slots:
     void leavesAreKeptWithTheSettings()
     {
         Bench bench(*this);
-        bench.part<QComboBox>("printLeaves")->setCurrentIndex(1);
+        bench.part<QComboBox>("exportShells")->setCurrentIndex(1);
         const QVariantMap kept = bench.dialog.settings();
-        bench.part<QComboBox>("printLeaves")->setCurrentIndex(0);
+        bench.part<QComboBox>("exportShells")->setCurrentIndex(0);
         bench.dialog.setSettings(kept);
         QCOMPARE(bench.dialog.printing()->options().leaves, PrintLeaves::Shells);
     }

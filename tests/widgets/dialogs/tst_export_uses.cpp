@@ -238,14 +238,14 @@ private slots:
     void eachPageAsksForWhatItNeeds()
     {
         const auto shown = [this](const char* name) { return child<QWidget>(name)->isVisible(); };
-        QVERIFY(shown("exportFoliage") && !shown("exportLevels") && !shown("printWanted"));
+        QVERIFY(shown("exportInstances") && !shown("exportLevels") && !shown("printWanted"));
         m_dialog->setUse(ExportUse::Game);
-        QVERIFY(shown("exportLevels") && shown("exportMaps") && !shown("exportFoliage") &&
+        QVERIFY(shown("exportLevels") && shown("exportMaps") && !shown("exportInstances") &&
                 !shown("exportUp"));
         m_dialog->setUse(ExportUse::Print);
-        QVERIFY(shown("printProcess") && m_dialog->printing()->isWanted() && !shown("exportLevels"));
+        QVERIFY(shown("exportProcess") && m_dialog->printing()->isWanted() && !shown("exportLevels"));
         m_dialog->setUse(ExportUse::Web);
-        QVERIFY(shown("exportMaps") && shown("exportFoliage") && !shown("printWanted"));
+        QVERIFY(shown("exportMaps") && shown("exportInstances") && !shown("printWanted"));
         m_dialog->setUse(ExportUse::Pictures);
         QVERIFY(shown("pictureWidth") && !shown("exportMaps"));
     }

@@ -7,12 +7,11 @@
 #include "widgets/base/fields/level_form.h"
 #include "widgets/base/texts/core_text.h"
 #include "widgets/base/theme/preferences.h"
-#include "widgets/dialogs/export/export_rows.h"
 #include "widgets/dialogs/export/export_task.h"
 #include "widgets/dialogs/export/mesh_faults.h"
 #include "widgets/dialogs/export/moment_form.h"
+#include "widgets/dialogs/export/option_fields.h"
 #include "widgets/dialogs/export/print_form.h"
-#include "widgets/dialogs/export/space_form.h"
 #include "widgets/dialogs/picture_form.h"
 #include <QCheckBox>
 #include <QComboBox>
@@ -63,6 +62,7 @@ ExportDialog::ExportDialog(Document* document, Recompute* recompute, Preferences
     , m_preferences(preferences)
     , m_chooser(chooser)
     , m_task(new ExportTask(this))
+    , m_fields(new OptionFields(this))
     , m_preparer(new Job(this, Job::Manner::Polite))
     , m_printRest(new QTimer(this))
     , m_shownFrame(shownFrame)
@@ -70,25 +70,22 @@ ExportDialog::ExportDialog(Document* document, Recompute* recompute, Preferences
     setObjectName(QStringLiteral("exportDialog"));
     buildForm();
     connect(m_format, &QComboBox::currentIndexChanged, this, &ExportDialog::takeFormat);
-    connect(m_model, &QComboBox::currentIndexChanged, this, &ExportDialog::updateWidgets);
     for (QCheckBox* box : {m_branches, m_leaves, m_apples})
         connect(box, &QCheckBox::toggled, this, &ExportDialog::updateWidgets);
-    connect(m_foliage, &QComboBox::currentIndexChanged, this, [this](int row) {
+    connect(m_fields, &OptionFields::changed, this, &ExportDialog::updateWidgets);
+    connect(m_fields->of<QComboBox>("instances"), &QComboBox::currentIndexChanged, this, [this](int row) {
         // Nothing is mixed into the one mesh of a format without objects.
         if (format() && !holds(holdsObjects))
             for (QCheckBox* box : {m_leaves, m_apples})
                 box->setChecked(row == 1);
-        updateWidgets();
     });
     connect(m_path, &QLineEdit::textChanged, this, &ExportDialog::updateWidgets);
     connect(m_moments, &MomentForm::changed, this, &ExportDialog::updateWidgets);
     connect(m_pictures, &PictureForm::changed, this, &ExportDialog::updateSummary);
-    connect(m_space, &SpaceForm::changed, this, &ExportDialog::updateSummary);
-    for (QCheckBox* box : {m_selection, m_hidden, m_texture, m_compressed})
+    for (QCheckBox* box : {m_selection, m_hidden})
         connect(box, &QCheckBox::toggled, this, &ExportDialog::updateSummary);
     connectMessage();
     connect(m_levels, &LevelForm::changed, this, &ExportDialog::updateSummary);
-    connect(m_maps, &QComboBox::currentIndexChanged, this, &ExportDialog::updateSummary);
     m_uses->setUsesScrollButtons(false); // on a small screen, too, all of them are seen
     connect(m_uses, &QTabBar::currentChanged, this, &ExportDialog::takeUse);
     buildPrint();
@@ -123,13 +120,12 @@ ExportDialog::~ExportDialog() = default;
 void ExportDialog::connectMessage()
 {
     const auto forget = [this] { setMessage({}, false); };
-    for (QComboBox* box : {m_format, m_model, m_foliage, m_maps, m_wind})
-        connect(box, &QComboBox::currentIndexChanged, this, forget);
+    connect(m_format, &QComboBox::currentIndexChanged, this, forget);
+    connect(m_fields, &OptionFields::changed, this, forget);
     connect(m_levels, &LevelForm::changed, this, forget);
-    for (QCheckBox* box : {m_branches, m_leaves, m_apples, m_selection, m_hidden, m_texture})
+    for (QCheckBox* box : {m_branches, m_leaves, m_apples, m_selection, m_hidden})
         connect(box, &QCheckBox::toggled, this, forget);
     connect(m_path, &QLineEdit::textChanged, this, forget);
-    connect(m_space, &SpaceForm::changed, this, forget);
     connect(m_moments, &MomentForm::changed, this, forget);
     connect(m_pictures, &PictureForm::changed, this, forget);
     connect(m_printing, &PrintForm::changed, this, forget);
@@ -240,47 +236,36 @@ QString ExportDialog::path() const
     return QDir::fromNativeSeparators(m_path->text().trimmed());
 }
 
-WindProfile ExportDialog::wind() const
+ExportPage ExportDialog::page() const
 {
-    return static_cast<WindProfile>(m_wind->currentIndex());
+    return {m_use, format(), isPrint(), isClip()};
 }
 
 ExportOptions ExportDialog::options() const
 {
-    ExportOptions options;
-    if (m_use == ExportUse::Blender)
-        options.model = static_cast<ExportModel>(m_model->currentIndex());
+    const ExportPage shown = page();
+    ExportOptions options = m_fields->options(&shown);
     options.parts = static_cast<std::uint8_t>((m_branches->isChecked() ? exportBranches : 0) |
                                               (m_leaves->isChecked() ? exportLeaves : 0) |
                                               (m_apples->isChecked() ? exportApples : 0));
     if (m_selection->isChecked())
         options.nodes = m_document->selection().nodes;
     options.hidden = m_hidden->isChecked();
-    options.instances =
-        m_foliage->currentIndex() == 1 && m_use != ExportUse::Game && m_use != ExportUse::Print;
     if (m_use == ExportUse::Game)
         options.levels = m_levels->options();
-    if (m_use == ExportUse::Game && holds(holdsWind))
-        options.wind = wind();
-    options.write.mapSize = m_maps->currentData().toInt();
-    options.write.joints = m_joints->currentData().toInt();
-    options.write.compressed = holds(holdsCompressed) && m_compressed->isChecked();
-    options.texture = options.model == ExportModel::Mesh && holds(holdsTexture) && m_texture->isChecked();
+    options.texture = options.texture && options.model == ExportModel::Mesh && holds(holdsTexture);
     options.write.ascii = format() && format()->isText;
-    if (holds(holdsSpace))
-        options.space = m_space->space();
     return options;
 }
 
 void ExportDialog::takeFormat()
 {
-    const bool all = !format() || usualParts(*format(), m_foliage->currentIndex() == 1) == exportAll;
+    const bool all = !format() || usualParts(*format(), options().instances) == exportAll;
     m_leaves->setChecked(all);
     m_apples->setChecked(all);
     const QFileInfo info(path());
     if (info.suffix().toLower() == pictureFormat || findFormat(path().toStdString(), FormatUse::Write))
         setPath(info.path() + u'/' + info.completeBaseName() + u'.' + suffix());
-    showRows(m_use, format(), isPrint());
     m_moments->setClips(holds(holdsClip));
     m_moments->setPictures(!format());
     // A picture shows what the view shows.
@@ -291,27 +276,14 @@ void ExportDialog::takeFormat()
 
 /// All that this format can have on this page. A print says itself what is written, how large and with which
 /// axes.
-void ExportDialog::showRows(ExportUse use, const FileFormat* format, bool isPrint)
+void ExportDialog::showRows(const ExportPage& page)
 {
-    const auto holds = [format](int what) { return format && (format->holds & what); };
-    const bool isMesh = format && !isPrint;
-    const std::pair<Row, bool> rows[] = {{PrintRow, use == ExportUse::Print},
-                                         {ModelRow, use == ExportUse::Blender},
-                                         {PartsRow, isMesh},
-                                         {FoliageRow, use == ExportUse::Blender || use == ExportUse::Web},
-                                         {LevelRow, use == ExportUse::Game},
-                                         {WindRow, use == ExportUse::Game && holds(holdsWind)},
-                                         {MapRow, holds(holdsTexture) && holds(holdsObjects)},
-                                         {SpaceRow, isMesh && holds(holdsSpace)},
-                                         {TreesRow, format != nullptr},
-                                         {MomentRow, !format || isMesh},
-                                         {JointRow, holds(holdsClip)},
-                                         {PictureRow, !format}};
-    for (const auto& [row, isShown] : rows) {
-        m_rows[row].label->setVisible(isShown);
-        m_rows[row].field->setVisible(isShown);
+    m_fields->show(page);
+    for (const FormRow& row : m_rows) {
+        const bool isShown = !row.isShown || row.isShown(page);
+        row.label->setVisible(isShown);
+        row.field->setVisible(isShown);
     }
-    m_compressed->setVisible(holds(holdsCompressed));
 }
 
 /// Of the page on show.
@@ -333,13 +305,13 @@ QSize ExportDialog::roomForPages()
     for (const ExportUse use : exportUses) {
         m_printing->setWanted(use == ExportUse::Print);
         for (const QString& id : formatsOf(use)) {
-            showRows(use, formatCalled(id), use == ExportUse::Print);
+            const FileFormat* format = formatCalled(id);
+            showRows({use, format, use == ExportUse::Print, format && (format->holds & holdsClip)});
             room = room.expandedTo(pageHint());
         }
     }
     m_printing->setWanted(isPrintWanted);
     m_moments->setMoment(moment);
-    showRows(m_use, format(), isPrint());
     updateWidgets();
     return room;
 }
@@ -371,35 +343,26 @@ void ExportDialog::updateWidgets()
     const bool running = m_waiting || m_writesPrint || m_task->isRunning();
     const bool lines = options().model == ExportModel::Skeleton;
     for (QWidget* widget :
-         {static_cast<QWidget*>(m_format), static_cast<QWidget*>(m_model), static_cast<QWidget*>(m_path),
-          static_cast<QWidget*>(m_browse), static_cast<QWidget*>(m_hidden)})
+         {static_cast<QWidget*>(m_format), static_cast<QWidget*>(m_path), static_cast<QWidget*>(m_browse),
+          static_cast<QWidget*>(m_hidden), static_cast<QWidget*>(m_uses), static_cast<QWidget*>(m_kept),
+          static_cast<QWidget*>(m_levels), static_cast<QWidget*>(m_printing),
+          static_cast<QWidget*>(m_moments), static_cast<QWidget*>(m_pictures)})
         widget->setEnabled(!running);
+    m_fields->setEnabled(!running);
     for (QCheckBox* box : {m_branches, m_leaves, m_apples})
         box->setEnabled(!running && !lines);
-    m_foliage->setEnabled(!running && !lines);
+    m_fields->of<QComboBox>("instances")->setEnabled(!running && !lines);
     if (format())
         m_partsNote->setText(tr("%1 has no objects: leaves and fruit would be mixed into the one closed "
                                 "mesh of the branches. Tick them to write them all the same.")
                                  .arg(coreText(format()->name)));
     m_partsNote->setVisible(format() && !isPrint() && !holds(holdsObjects) && !lines &&
                             !options().instances && !(m_leaves->isChecked() && m_apples->isChecked()));
-    m_texture->setEnabled(!running && holds(holdsTexture) && options().model == ExportModel::Mesh);
-    for (QWidget* widget :
-         {static_cast<QWidget*>(m_uses), static_cast<QWidget*>(m_kept), static_cast<QWidget*>(m_levels),
-          static_cast<QWidget*>(m_wind), static_cast<QWidget*>(m_space)})
-        widget->setEnabled(!running);
-    m_maps->setEnabled(!running && options().texture);
-    m_compressed->setEnabled(!running);
-    m_joints->setEnabled(!running);
-    const ExportMoment moment = m_moments->moment();
-    const bool moves =
-        holds(holdsClip) && (moment == ExportMoment::Sequence || moment == ExportMoment::WindLoop);
-    m_rows[JointRow].label->setVisible(moves);
-    m_rows[JointRow].field->setVisible(moves);
-    m_printing->setEnabled(!running);
+    m_fields->of<QCheckBox>("texture")->setEnabled(!running && holds(holdsTexture) &&
+                                                   options().model == ExportModel::Mesh);
+    m_fields->of<QComboBox>("maps")->setEnabled(!running && options().texture);
+    showRows(page());
     m_printing->setMayPrepare(!m_recompute->isBusy());
-    m_moments->setEnabled(!running);
-    m_pictures->setEnabled(!running);
     m_selection->setEnabled(!running && !m_document->selection().nodes.empty());
     m_export->setEnabled(!running && !path().isEmpty() && (lines || options().parts != 0));
     m_progress->setVisible(running);
@@ -482,7 +445,7 @@ void ExportDialog::finish(const std::optional<Error>& error)
 void ExportDialog::keepChoices()
 {
     m_preferences->setLastFolder(QFileInfo(path()).absolutePath());
-    m_preferences->setExportSpace(m_space->space());
+    m_preferences->setExportSpace(m_fields->options().space);
     storeKept(QStringLiteral("last"), settings());
 }
 

@@ -7,6 +7,7 @@
 #include "widgets/dialogs/export/sequence_task.h"
 #include <QDialog>
 #include <QVariantMap>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -35,12 +36,12 @@ class ExportTask;
 class Job;
 class LevelForm;
 class MomentForm;
+class OptionFields;
 class PictureForm;
 class Preferences;
 class PrintForm;
 class Recompute;
 struct ScenePrint;
-class SpaceForm;
 
 class ExportDialog : public QDialog
 {
@@ -101,13 +102,17 @@ protected:
     void showEvent(QShowEvent* event) override;
 
 private:
-    [[nodiscard]] WindProfile wind() const; ///< that is chosen
+    /// Adds a row below the others. \param text a QT_TR_NOOP
+    void addRow(const char* text, QWidget* field, std::function<bool(const ExportPage&)> isShown = {});
+    void addRow(const ExportOption& option, QWidget* field); ///< shown where the option is offered
     void buildForm();
-    void buildWind();
-    void addFormRows();
+    void addRows();
+    [[nodiscard]] QLayout* buildWind();
     void buildUses(QVBoxLayout* layout);
     void fillFormats();
     void takeUse(int tab);
+    [[nodiscard]] QLayout* buildSpace();
+    [[nodiscard]] QLayout* buildScope();
     [[nodiscard]] QLayout* buildParts();
     [[nodiscard]] QLayout* buildTarget();
     void buildProgress(QVBoxLayout* layout);
@@ -116,13 +121,13 @@ private:
     [[nodiscard]] bool mayExportFaults();
     void browse();
     void takeFormat();
-    void showRows(ExportUse use, const FileFormat* format, bool isPrint);
+    [[nodiscard]] ExportPage page() const; ///< on show
+    void showRows(const ExportPage& page);
     [[nodiscard]] QSize pageHint() const;
     [[nodiscard]] QSize roomForPages();
     void makeRoom(const QSize& page);
     void updateWidgets();
     void retranslateFormats();
-    void retranslateMore();
     void connectMessage();
     void keepChoices();
     void run();
@@ -184,32 +189,29 @@ private:
     QWidget* m_page = nullptr; ///< the form, which is scrolled
     struct FormRow
     {
+        const char* text;
+        const ExportOption* option; ///< whose label takes the place of the text; null: none's
         QLabel* label;
         QWidget* field;
+        std::function<bool(const ExportPage&)> isShown; ///< empty: always
     };
     QGridLayout* m_form = nullptr;
-    std::vector<FormRow> m_rows; ///< by Row
+    std::vector<FormRow> m_rows;
+    OptionFields* m_fields;      ///< of the table of options
     QComboBox* m_kept = nullptr; ///< settings under names
     QPushButton* m_keep = nullptr;
     QPushButton* m_forget = nullptr;
-    QComboBox* m_maps = nullptr; ///< pixels a side of the pictures of bark and leaves
     LevelForm* m_levels = nullptr;
     std::optional<LevelOptions> m_offered;
-    QComboBox* m_wind = nullptr;       ///< WindProfile by the numbers of its rows
     QPushButton* m_showWind = nullptr; ///< while it is down
     QComboBox* m_format = nullptr;
-    QComboBox* m_model = nullptr;
-    QComboBox* m_foliage = nullptr; ///< merged, or instances
     QCheckBox* m_branches = nullptr;
     QCheckBox* m_leaves = nullptr;
     QCheckBox* m_apples = nullptr;
     QLabel* m_partsNote = nullptr; ///< why a format leaves some out
     QCheckBox* m_selection = nullptr;
     QCheckBox* m_hidden = nullptr;
-    QCheckBox* m_texture = nullptr;
-    QCheckBox* m_compressed = nullptr;
-    QComboBox* m_joints = nullptr;
-    SpaceForm* m_space = nullptr;
+    QLabel* m_scaleLabel = nullptr;
     QLineEdit* m_path = nullptr;
     QPushButton* m_browse = nullptr;
     SequenceTask* m_sequences = nullptr;

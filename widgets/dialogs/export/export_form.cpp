@@ -5,10 +5,9 @@
 #include "widgets/base/texts/core_text.h"
 #include "widgets/base/theme/preferences.h"
 #include "widgets/dialogs/export/export_dialog.h"
-#include "widgets/dialogs/export/export_rows.h"
 #include "widgets/dialogs/export/moment_form.h"
+#include "widgets/dialogs/export/option_fields.h"
 #include "widgets/dialogs/export/print_form.h"
-#include "widgets/dialogs/export/space_form.h"
 #include "widgets/dialogs/picture_form.h"
 #include <QCheckBox>
 #include <QComboBox>
@@ -41,37 +40,11 @@ void ExportDialog::buildForm()
     m_form->setColumnStretch(1, 1);
     m_format = new QComboBox(this);
     m_format->setObjectName(QStringLiteral("exportFormat"));
-    m_model = new QComboBox(this);
-    m_model->setObjectName(QStringLiteral("exportModel"));
     fillFormats();
-    for (int i = 0; i < 3; ++i)
-        m_model->addItem(QString());
-    m_foliage = new QComboBox(this);
-    m_foliage->setObjectName(QStringLiteral("exportFoliage"));
-    m_foliage->addItems({QString(), QString()});
-    m_moments = new MomentForm(m_document->scene().timeline(), m_shownFrame, this);
-    m_pictures = new PictureForm(this);
-    m_printing = new PrintForm(this);
-    m_selection = new QCheckBox(this);
-    m_selection->setEnabled(!m_document->selection().nodes.empty());
-    m_hidden = new QCheckBox(this);
-    m_levels = new LevelForm(this);
-    buildWind();
-    m_maps = new QComboBox(this);
-    m_maps->setObjectName(QStringLiteral("exportMaps"));
-    for (const int size : mapSizes)
-        m_maps->addItem(QString(), size);
-    m_maps->setCurrentIndex(m_maps->findData(WriteOptions().mapSize));
-    m_joints = new QComboBox(this);
-    m_joints->setObjectName(QStringLiteral("exportJoints"));
-    for (const int limit : jointLimits)
-        m_joints->addItem(QString(), limit);
-    m_joints->setCurrentIndex(m_joints->findData(WriteOptions().joints));
-    m_compressed = new QCheckBox(this);
-    m_compressed->setObjectName(QStringLiteral("exportCompressed"));
-    m_space = new SpaceForm(this);
-    m_space->setSpace(m_preferences->exportSpace());
-    addFormRows();
+    addRows();
+    ExportOptions kept;
+    kept.space = m_preferences->exportSpace();
+    m_fields->set(kept, ofImport);
     m_scroll = new QScrollArea(this);
     m_scroll->setFrameShape(QFrame::NoFrame);
     m_scroll->setWidgetResizable(true);
@@ -82,64 +55,93 @@ void ExportDialog::buildForm()
     buildProgress(layout);
 }
 
-void ExportDialog::buildWind()
+/// Returns a row whose first widget takes the spare room.
+static QLayout* besides(int spacing, const QList<QWidget*>& widgets)
 {
-    m_wind = new QComboBox(this);
-    m_wind->setObjectName(QStringLiteral("exportWind"));
-    m_wind->addItem(QString());
-    for (std::size_t i = 0; i < windProfiles().size(); ++i)
-        m_wind->addItem(QString());
+    auto* layout = new QHBoxLayout;
+    layout->setSpacing(spacing);
+    for (QWidget* widget : widgets)
+        layout->addWidget(widget, widget == widgets.front() ? 1 : 0);
+    return layout;
+}
+
+QLayout* ExportDialog::buildWind()
+{
+    auto* wind = static_cast<QComboBox*>(m_fields->make("wind", this));
     m_showWind = new QPushButton(this);
     m_showWind->setObjectName(QStringLiteral("exportShowWind"));
     m_showWind->setCheckable(true);
     m_showWind->setAutoDefault(false);
     m_showWind->setEnabled(false);
     m_showWind->hide();
-    const auto show = [this] { emit windShown(m_showWind->isChecked() ? wind() : WindProfile::None); };
+    const auto show = [this, wind] {
+        emit windShown(static_cast<WindProfile>(m_showWind->isChecked() ? wind->currentIndex() : 0));
+    };
     connect(m_showWind, &QPushButton::toggled, this, show);
-    connect(m_wind, &QComboBox::currentIndexChanged, this, [this, show](int row) {
+    connect(wind, &QComboBox::currentIndexChanged, this, [this, show](int row) {
         m_showWind->setEnabled(row > 0);
         if (row == 0)
             m_showWind->setChecked(false);
         else if (m_showWind->isChecked())
             show();
     });
+    return besides(8, {wind, m_showWind});
 }
 
-/// In the order of Row.
-void ExportDialog::addFormRows()
+void ExportDialog::addRow(const char* text, QWidget* field, std::function<bool(const ExportPage&)> isShown)
 {
-    auto* scope = new QVBoxLayout;
-    scope->setSpacing(6);
-    scope->addWidget(m_selection);
-    scope->addWidget(m_hidden);
-    auto* inside = new QHBoxLayout; // of a file, beside its meshes
-    inside->setSpacing(16);
-    inside->addWidget(m_maps, 1);
-    inside->addWidget(m_compressed);
-    auto* blowing = new QHBoxLayout;
-    blowing->setSpacing(8);
-    blowing->addWidget(m_wind, 1);
-    blowing->addWidget(m_showWind);
+    const int row = static_cast<int>(m_rows.size());
+    auto* label = new QLabel(this);                         // retranslate() fills it
+    label->setMinimumHeight(m_format->sizeHint().height()); // beside the first line of its field
+    m_form->addWidget(label, row, 0, Qt::AlignTop);
+    m_form->addWidget(field, row, 1);
+    m_rows.push_back({text, nullptr, label, field, std::move(isShown)});
+}
+
+void ExportDialog::addRow(const ExportOption& option, QWidget* field)
+{
+    addRow("", field, [&option](const ExportPage& page) { return isOffered(option, page); });
+    m_rows.back().option = &option;
+}
+
+void ExportDialog::addRows()
+{
     const auto held = [this](QLayout* layout) {
         auto* holder = new QWidget(this);
         layout->setContentsMargins(0, 0, 0, 0);
         holder->setLayout(layout);
         return holder;
     };
-    for (QWidget* field :
-         {held(buildKept()), static_cast<QWidget*>(m_format), static_cast<QWidget*>(m_printing),
-          static_cast<QWidget*>(m_model), held(buildParts()), static_cast<QWidget*>(m_foliage),
-          static_cast<QWidget*>(m_levels), held(blowing), held(inside), static_cast<QWidget*>(m_space),
-          held(scope), static_cast<QWidget*>(m_moments), static_cast<QWidget*>(m_joints),
-          static_cast<QWidget*>(m_pictures), held(buildTarget())}) {
-        const int row = static_cast<int>(m_rows.size());
-        auto* label = new QLabel(this);                         // retranslate() fills it
-        label->setMinimumHeight(m_format->sizeHint().height()); // beside the first line of its field
-        m_form->addWidget(label, row, 0, Qt::AlignTop);
-        m_form->addWidget(field, row, 1);
-        m_rows.push_back({label, field});
-    }
+    const auto add = [this](const char* key) { addRow(optionOfKey(key), m_fields->make(key, this)); };
+    const auto isMesh = [](const ExportPage& page) { return page.format && !page.isPrint; };
+    addRow(QT_TR_NOOP("Settings"), held(buildKept()));
+    addRow(QT_TR_NOOP("Format"), m_format);
+    addRow(QT_TR_NOOP("For print"), m_printing = new PrintForm(m_fields, this),
+           [](const ExportPage& page) { return page.use == ExportUse::Print; });
+    add("model");
+    addRow(QT_TR_NOOP("Parts"), held(buildParts()), isMesh);
+    add("instances");
+    addRow(QT_TR_NOOP("Levels"), m_levels = new LevelForm(this),
+           [](const ExportPage& page) { return page.use == ExportUse::Game; });
+    addRow(optionOfKey("wind"), held(buildWind()));
+    addRow(optionOfKey("maps"),
+           held(besides(16, {m_fields->make("maps", this), m_fields->make("compressed", this)})));
+    addRow(QT_TR_NOOP("Axes and unit"), held(buildSpace()), [isMesh](const ExportPage& page) {
+        return isMesh(page) && (page.format->holds & holdsSpace) != 0;
+    });
+    addRow(QT_TR_NOOP("Nodes"), held(buildScope()),
+           [](const ExportPage& page) { return page.format != nullptr; });
+    m_moments = new MomentForm(m_document->scene().timeline(), m_shownFrame, this);
+    addRow(QT_TR_NOOP("Moment"), m_moments,
+           [isMesh](const ExportPage& page) { return !page.format || isMesh(page); });
+    add("joints");
+    // A new option has no place of its own: it stands here.
+    for (const ExportOption& option : exportOptions())
+        if (*option.key != '\0' && !m_fields->has(option))
+            add(option.key);
+    addRow(QT_TR_NOOP("Picture"), m_pictures = new PictureForm(this),
+           [](const ExportPage& page) { return !page.format; });
+    addRow(QT_TR_NOOP("File"), held(buildTarget()));
     m_form->setRowStretch(static_cast<int>(m_rows.size()), 1); // what is left
     QWidget* before = m_uses;
     for (QWidget* next :
@@ -210,6 +212,33 @@ void ExportDialog::takeUse(int tab)
     turnPage(m_use);
 }
 
+QLayout* ExportDialog::buildSpace()
+{
+    m_scaleLabel = new QLabel(this);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(6);
+    row->addWidget(m_fields->make("up", this));
+    row->addWidget(m_fields->make("unit", this));
+    row->addSpacing(8);
+    row->addWidget(m_scaleLabel);
+    row->addWidget(m_fields->make("scale", this));
+    row->addStretch(1);
+    m_scaleLabel->setBuddy(m_fields->of<QWidget>("scale"));
+    return row;
+}
+
+QLayout* ExportDialog::buildScope()
+{
+    m_selection = new QCheckBox(this);
+    m_selection->setEnabled(!m_document->selection().nodes.empty());
+    m_hidden = new QCheckBox(this);
+    auto* scope = new QVBoxLayout;
+    scope->setSpacing(6);
+    scope->addWidget(m_selection);
+    scope->addWidget(m_hidden);
+    return scope;
+}
+
 QLayout* ExportDialog::buildParts()
 {
     m_branches = new QCheckBox(this);
@@ -221,10 +250,8 @@ QLayout* ExportDialog::buildParts()
         box->setChecked(true);
         boxes->addWidget(box);
     }
-    m_texture = new QCheckBox(this);
-    m_texture->setObjectName(QStringLiteral("exportTexture"));
-    m_texture->setChecked(true);
-    boxes->addWidget(m_texture);
+    boxes->addWidget(m_fields->make("texture", this));
+    m_fields->of<QCheckBox>("texture")->setChecked(true);
     boxes->addStretch(1);
     m_partsNote = new QLabel(this);
     m_partsNote->setObjectName(QStringLiteral("partsNote"));
@@ -297,8 +324,10 @@ void ExportDialog::retranslateFormats()
         m_format->setItemText(row, tr("PNG pictures of the view"));
 }
 
-void ExportDialog::retranslateMore()
+void ExportDialog::retranslate()
 {
+    setWindowTitle(tr("Export"));
+    retranslateFormats();
     for (std::size_t i = 0; i < exportUses.size(); ++i) {
         const int tab = static_cast<int>(i);
         m_uses->setTabText(tab, titleOf(exportUses[i]));
@@ -313,58 +342,10 @@ void ExportDialog::retranslateMore()
     m_kept->setToolTip(
         tr("Settings of this page that were kept under a name, or those of its last export. Where files go "
            "is not part of them."));
-    m_maps->setItemText(0, tr("None"));
-    for (int i = 1; i < m_maps->count(); ++i)
-        m_maps->setItemText(i, tr("%1 × %1 pixels").arg(mapSizes[i]));
-    m_maps->setToolTip(
-        tr("Size of the pictures of bark and leaves that the program makes: inside a GLB, beside an OBJ"));
-    for (int i = 0; i + 1 < m_joints->count(); ++i)
-        m_joints->setItemText(i, tr("%1 at most").arg(jointLimits[i]));
-    m_joints->setItemText(m_joints->count() - 1, tr("All branches"));
-    m_joints->setToolTip(
-        tr("Joints of each tree that moves: thin branches go with those that carry them. Engines limit how "
-           "many a mesh may have; fewer cost less to play"));
-    m_wind->setItemText(0, tr("None"));
-    for (std::size_t i = 0; i < windProfiles().size(); ++i)
-        m_wind->setItemText(static_cast<int>(i) + 1, coreText(windProfiles()[i].choice));
-    m_wind->setToolTip(
-        tr("Numbers of each vertex by which the shaders of an engine move the tree in the wind: the phase of "
-           "its branch, how far it goes, how its leaves flutter. Of a tree at rest; Unreal gets two textures "
-           "beside the file. Files of the handbook has the formulas."));
-    m_showWind->setText(tr("Show"));
-    m_showWind->setToolTip(tr("In the view behind this dialog, trees move as they will in that engine"));
-    m_compressed->setText(tr("Compressed"));
-    m_compressed->setToolTip(tr(
-        "Numbers are rounded to what is still seen and packed (EXT_meshopt_compression): the file is about "
-        "a fifth as large, without its pictures. For web pages and engines that read it; Blender 3.4 does "
-        "not."));
-    fillKept();
-}
-
-void ExportDialog::retranslate()
-{
-    setWindowTitle(tr("Export"));
-    retranslateFormats();
-    retranslateMore();
-    m_model->setItemText(static_cast<int>(ExportModel::Mesh), tr("Finished mesh"));
-    m_model->setItemText(static_cast<int>(ExportModel::Rough), tr("Rough model"));
-    m_model->setItemText(static_cast<int>(ExportModel::Skeleton), tr("Skeleton as lines"));
-    m_foliage->setItemText(0, tr("Merged into one mesh"));
-    m_foliage->setItemText(1, tr("List of instances"));
-    m_foliage->setToolTip(tr(
-        "Merged: the file holds every leaf and every fruit. List of instances: it holds the rest, and beside "
-        "it stand a table, FILE_leaves.csv, with a row for each leaf, fruit and flower (its shape, material, "
-        "branch, colour and matrix), and one OBJ for each shape; in a GLB they stand inside. Much smaller, "
-        "for programs that draw instances."));
     m_branches->setText(tr("Branches"));
     m_leaves->setText(tr("Leaves"));
     m_apples->setText(tr("Fruit"));
     m_selection->setText(tr("Only what is selected"));
-    m_texture->setText(tr("Texture coordinates"));
-    m_texture->setToolTip(tr(
-        "Where each corner lies on the bark, on the picture of a leaf or a fruit. The size of one "
-        "repeat of the bark, in metres, is the tree's parameter \"Bark tile\". Beside an .obj, the pictures "
-        "of the bark are written too."));
     const QString whole =
         tr("Trees, arms as they are at the moment, terrains, primitives and imported meshes "
            "are written where they stand in the world, each under a name of its own.");
@@ -373,22 +354,19 @@ void ExportDialog::retranslate()
     m_hidden->setText(tr("Hidden nodes too"));
     m_browse->setText(tr("Browse…"));
     m_show->setText(tr("Show"));
+    m_showWind->setText(tr("Show"));
+    m_showWind->setToolTip(tr("In the view behind this dialog, trees move as they will in that engine"));
     m_cancel->setText(tr("Cancel"));
-    const QString labels[] = {tr("Settings"), tr("Format"),           tr("For print"), tr("Model"),
-                              tr("Parts"),    tr("Leaves and fruit"), tr("Levels"),    tr("Wind for"),
-                              tr("Pictures"), tr("Axes and unit"),    tr("Nodes"),     tr("Moment"),
-                              tr("Joints"),   tr("Picture"),          tr("File")};
-    for (std::size_t row = 0; row < m_rows.size(); ++row)
-        m_rows[row].label->setText(labels[row]);
-    m_kept->setAccessibleName(labels[KeptRow]);
-    m_maps->setAccessibleName(labels[MapRow]);
-    m_wind->setAccessibleName(labels[WindRow]);
-    m_joints->setAccessibleName(labels[JointRow]);
-    m_format->setAccessibleName(labels[FormatRow]);
-    m_model->setAccessibleName(labels[ModelRow]);
-    m_foliage->setAccessibleName(labels[FoliageRow]);
-    m_path->setAccessibleName(labels[FileRow]);
+    m_fields->retranslate();
+    m_scaleLabel->setText(coreText(optionOfKey("scale").label));
+    for (const FormRow& row : m_rows)
+        if (!qobject_cast<QCheckBox*>(row.field))
+            row.label->setText(row.option ? coreText(row.option->label) : tr(row.text));
+    m_kept->setAccessibleName(tr("Settings"));
+    m_format->setAccessibleName(tr("Format"));
+    m_path->setAccessibleName(tr("File"));
     m_progress->setAccessibleName(tr("Progress of the export"));
+    fillKept();
     updateWidgets();
 }
 

@@ -5,8 +5,8 @@
 #include "widgets/base/theme/preferences.h"
 #include "widgets/dialogs/export/export_dialog.h"
 #include "widgets/dialogs/export/moment_form.h"
+#include "widgets/dialogs/export/option_fields.h"
 #include "widgets/dialogs/export/print_form.h"
-#include "widgets/dialogs/export/space_form.h"
 #include "widgets/dialogs/picture_form.h"
 #include <QCheckBox>
 #include <QComboBox>
@@ -128,22 +128,14 @@ void ExportDialog::forgetKept()
 /// All that was chosen, but not where to.
 QVariantMap ExportDialog::settings() const
 {
-    const PrintOptions print = m_printing->options();
     const FrameSequence frames = m_moments->range();
     QVariantMap kept = LevelForm::settingsOf(m_levels->options());
+    m_fields->store(kept);
     kept.insert({{"use", keyOf(m_use)},
                  {"format", m_format->currentData()},
-                 {"model", m_model->currentIndex()},
                  {"branches", m_branches->isChecked()},
                  {"leaves", m_leaves->isChecked()},
                  {"apples", m_apples->isChecked()},
-                 {"texture", m_texture->isChecked()},
-                 {"instances", m_foliage->currentIndex()},
-                 {"maps", m_maps->currentData()},
-                 {"joints", m_joints->currentData()},
-                 {"compressed", m_compressed->isChecked()},
-                 {"wind", m_wind->currentIndex()},
-                 {"space", QString::fromStdString(m_space->space().comment())},
                  {"selection", m_selection->isChecked()},
                  {"hidden", m_hidden->isChecked()},
                  {"moment", static_cast<int>(m_moments->moment())},
@@ -153,11 +145,6 @@ QVariantMap ExportDialog::settings() const
                  {"turns", m_moments->turns()},
                  {"loop", m_moments->loopSeconds()},
                  {"print", m_printing->isWanted()},
-                 {"process", static_cast<int>(print.process)},
-                 {"height", print.height},
-                 {"thinnest", print.thinnest},
-                 {"disc", print.hasFootDisc},
-                 {"shells", print.leaves == PrintLeaves::Shells},
                  {"width", m_pictures->pictureSize().width()},
                  {"pixels", m_pictures->pictureSize().height()},
                  {"transparent", m_pictures->isTransparent()}});
@@ -175,33 +162,25 @@ void ExportDialog::setSettings(const QVariantMap& kept)
             setUse(use);
     if (const QString id = kept.value(QStringLiteral("format")).toString(); m_format->findData(id) >= 0)
         setFormat(id);
-    m_model->setCurrentIndex(std::clamp(number("model", 0), 0, m_model->count() - 1));
-    m_foliage->setCurrentIndex(std::clamp(number("instances", 0), 0, 1));
-    const std::pair<QCheckBox*, const char*> boxes[] = {
-        {m_branches, "branches"},   {m_leaves, "leaves"}, {m_apples, "apples"},        {m_texture, "texture"},
-        {m_selection, "selection"}, {m_hidden, "hidden"}, {m_compressed, "compressed"}};
+    m_fields->take(kept);
+    const std::pair<QCheckBox*, const char*> boxes[] = {{m_branches, "branches"},
+                                                        {m_leaves, "leaves"},
+                                                        {m_apples, "apples"},
+                                                        {m_selection, "selection"},
+                                                        {m_hidden, "hidden"}};
     for (const auto& [box, key] : boxes)
         box->setChecked(is(key) && (box != m_selection || !m_document->selection().nodes.empty()));
-    if (const int row = m_maps->findData(kept.value(QStringLiteral("maps"))); row >= 0)
-        m_maps->setCurrentIndex(row);
-    if (const int row = m_joints->findData(kept.value(QStringLiteral("joints"))); row >= 0)
-        m_joints->setCurrentIndex(row);
-    m_wind->setCurrentIndex(std::clamp(number("wind", 0), 0, m_wind->count() - 1));
     m_levels->setOptions(LevelForm::optionsIn(kept));
-    const std::string space = "# " + kept.value(QStringLiteral("space")).toString().toStdString();
-    m_space->setSpace(fileSpaceIn(space).value_or(FileSpace()));
+    if (kept.contains(QStringLiteral("space"))) { // Version 0.1 kept one text.
+        ExportOptions before;
+        before.space = fileSpaceIn("# " + kept.value(QStringLiteral("space")).toString().toStdString())
+                           .value_or(FileSpace());
+        m_fields->set(before, ofImport);
+    }
     m_moments->setFrames(number("first", 0), number("last", 0), number("step", 1));
     m_moments->setTurns(number("turns", 72));
     m_moments->setLoopSeconds(kept.value(QStringLiteral("loop"), 4.0).toDouble());
     m_moments->setMoment(static_cast<ExportMoment>(std::clamp(number("moment", 0), 0, 4)));
-    PrintOptions print;
-    print.process =
-        static_cast<PrintProcess>(std::clamp(number("process", 0), 0, int(printProcesses().size()) - 1));
-    print.height = kept.value(QStringLiteral("height"), print.height).toDouble();
-    print.thinnest = kept.value(QStringLiteral("thinnest"), print.thinnest).toDouble();
-    print.hasFootDisc = is("disc");
-    print.leaves = is("shells") ? PrintLeaves::Shells : PrintLeaves::Off;
-    m_printing->setOptions(print);
     m_printing->setWanted(is("print"));
     m_pictures->setPictureSize({number("width", 1920), number("pixels", 1080)});
     m_pictures->setTransparent(is("transparent"));

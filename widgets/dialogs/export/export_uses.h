@@ -1,16 +1,14 @@
 /// \file
-/// What an export is for. Each use has a page of the export dialog, with the formats and the choices that it
-/// needs.
+/// What an export is for, in words: each use has a page of the export dialog, with the formats that it needs.
 #pragma once
 
+#include "core/qt/session/export/export_option.h"
 #include <QString>
 #include <QStringList>
 #include <array>
-#include <cstdint>
 
 namespace ramure {
 
-enum class ExportUse : std::uint8_t { Blender, Game, Print, Web, Pictures };
 inline constexpr std::array exportUses{ExportUse::Blender, ExportUse::Game, ExportUse::Print, ExportUse::Web,
                                        ExportUse::Pictures};
 

@@ -4,9 +4,11 @@
 
 #include "core/print/print_tree.h"
 #include <QWidget>
+#include <utility>
+#include <vector>
 
 class QCheckBox;
-class QComboBox;
+class QHBoxLayout;
 class QLabel;
 class QProgressBar;
 class QPushButton;
@@ -15,14 +17,15 @@ class QVBoxLayout;
 
 namespace ramure {
 
-class NumberField;
+class OptionFields;
 class PrintPreview;
 
 class PrintForm : public QWidget
 {
     Q_OBJECT
 public:
-    explicit PrintForm(QWidget* parent = nullptr);
+    /// \param fields get those of prints; must outlive the form
+    explicit PrintForm(OptionFields* fields, QWidget* parent = nullptr);
 
     [[nodiscard]] bool isWanted() const;
     void setWanted(bool wanted);
@@ -49,6 +52,7 @@ protected:
 
 private:
     void buildForm();
+    void addField(QHBoxLayout* row, const char* key, bool hasLabel);
     void buildNumbers(QVBoxLayout* rest);
     void buildWork(QVBoxLayout* rest);
     void retranslate();
@@ -57,14 +61,8 @@ private:
 
     QCheckBox* m_wanted;
     QWidget* m_rest; ///< all but the tick
-    QComboBox* m_process;
-    QLabel* m_heightLabel;
-    NumberField* m_height; ///< mm
-    QLabel* m_thinnestLabel;
-    NumberField* m_thinnest; ///< mm
-    QCheckBox* m_disc;
-    QLabel* m_leavesLabel;
-    QComboBox* m_leaves;
+    OptionFields* m_fields;
+    std::vector<std::pair<const char*, QLabel*>> m_labels; ///< beside fields, by key
     QPushButton* m_prepare;
     QProgressBar* m_progress;
     QToolButton* m_cancel;

@@ -8,6 +8,7 @@
 #include "core/evaluate/evaluator.h"
 #include "core/io/export_scene.h"
 #include "core/lod/level_options.h"
+#include "core/print/print_options.h"
 #include <string>
 #include <vector>
 
@@ -36,7 +37,8 @@ struct ExportOptions
     LevelOptions levels;      ///< of trees as ExportModel::Mesh
     WindProfile wind = WindProfile::None; ///< of trees: numbers by which games move them
     WriteOptions write;
-    FileSpace space; ///< the axes and the unit of the file
+    FileSpace space;    ///< the axes and the unit of the file
+    PrintOptions print; ///< of printScene()
 };
 
 /// The results the document has. Error Invalid: a tree's result is missing, a draft, older than its
