@@ -1828,8 +1828,8 @@
         <translation>Rayon</translation>
     </message>
     <message>
-        <source>Radius at the foot of the new branch. 0 chooses one that suits the branch it grows on</source>
-        <translation>Rayon au pied de la nouvelle branche. 0 en choisit un qui convient à la branche porteuse</translation>
+        <source>Radius at the foot of the new branch. 0 chooses one that suits its length and the branch it grows on</source>
+        <translation>Rayon au pied de la nouvelle branche. 0 en choisit un qui convient à sa longueur et à la branche porteuse</translation>
     </message>
     <message>
         <source>Tip</source>

@@ -177,9 +177,8 @@ std::span<const HandNumber> handNumbers()
          QT_TRANSLATE_NOOP("HandOptions", "How far branches turn; the two brushes for leaves ignore it"),
          &HandOptions::brushStrength, 0.0, 1.0, 0.1, 0, 100.0, " %"},
         {toolBit(Draw), "drawRadius", QT_TRANSLATE_NOOP("HandOptions", "Radius"),
-         QT_TRANSLATE_NOOP(
-             "HandOptions",
-             "Radius at the foot of the new branch. 0 chooses one that suits the branch it grows on"),
+         QT_TRANSLATE_NOOP("HandOptions", "Radius at the foot of the new branch. 0 chooses one that suits "
+                                          "its length and the branch it grows on"),
          &HandOptions::drawRadius, 0.0, 10.0, 0.005, 1, 100.0, " cm", nullptr,
          QT_TRANSLATE_NOOP("HandOptions", "to suit")},
         {toolBit(Draw) | toolBit(Extend), "drawTip", QT_TRANSLATE_NOOP("HandOptions", "Tip"),

@@ -22,6 +22,7 @@ private slots:
     void anAreaWithNothingInIt();
     void aBranchBeginsOnABranch();
     void aBranchGrowsAlongTheStroke();
+    void aBranchIsSlender();
     void theBranchCanGrowManyTimes();
     void aBranchGrowsFromTheGround();
     void twigsGrowOnIt();
@@ -210,6 +211,27 @@ void TestStrokeTools::aBranchGrowsAlongTheStroke()
     const QPointF tip = bench.on(grown.back(), 1.0);
     QVERIFY2(std::hypot(tip.x() - trunk.x() - 160.0, tip.y() - trunk.y() + 60.0) < 12.0,
              qPrintable(QStringLiteral("%1 %2").arg(tip.x() - trunk.x()).arg(tip.y() - trunk.y())));
+}
+
+/// A short stroke on a thick trunk makes a twig, a long one a limb thinner than the trunk; a chosen radius is
+/// kept.
+void TestStrokeTools::aBranchIsSlender()
+{
+    const auto radiusAfter = [](double pixels, double chosen) {
+        HandBench bench(HandTool::Draw);
+        HandOptions options = bench.hand.options();
+        options.drawRadius = chosen;
+        bench.hand.setOptions(options);
+        const QPointF trunk = bench.on(0, 0.5);
+        stroke(bench, way(trunk, trunk + QPointF(pixels, -0.4 * pixels)));
+        return bench.edits().empty() ? 0.0 : bench.edits().front().points.front().radius;
+    };
+    const double ofTrunk = HandBench(HandTool::Draw).skeleton().a0[0];
+    const double shorter = radiusAfter(40.0, 0.0), longer = radiusAfter(160.0, 0.0);
+    QVERIFY(shorter > 0.0 && shorter < 0.5 * longer);
+    QVERIFY(longer < ofTrunk);
+    QVERIFY(std::abs(radiusAfter(40.0, 0.07) - 0.07) < 0.01);
+    QVERIFY(std::abs(radiusAfter(160.0, 0.07) - 0.07) < 0.01);
 }
 
 void TestStrokeTools::theBranchCanGrowManyTimes()

@@ -19,6 +19,7 @@ namespace ramure {
 namespace {
 
 constexpr double ofParent = 0.55;               ///< radius of the foot, of what it grows on there
+constexpr double ofLength = 1.0 / 40.0;         ///< radius of the foot at most, of the stroke's length
 constexpr double softest = 0.35, hardest = 1.4; ///< radius by pressure or speed, of the usual one
 constexpr double quick = 1.6;                   ///< logical pixels per ms, where a stroke is thinnest
 constexpr double oldPace = 0.7;                 ///< share of the speed before: hands go by jerks
@@ -62,6 +63,7 @@ private:
     [[nodiscard]] TreeEdit newWay(std::uint64_t address, const SymmetryMap& map) const;
     Expected<void> grow(const PickView& view);
     [[nodiscard]] double footRadius(const LimbHit& limb) const;
+    [[nodiscard]] double drawnLength() const;
     [[nodiscard]] QString radiusText(const LimbHit& limb) const;
 
     HandTool m_kind;
@@ -179,11 +181,24 @@ double DrawTool::thicknessAt(const ToolPoint& point)
     return glm::mix(hardest, softest, std::clamp(m_pace / quick, 0.0, 1.0));
 }
 
+/// Unless it was chosen, a new branch is thinner than what it grows on, and slender for its length.
 double DrawTool::footRadius(const LimbHit& limb) const
 {
-    const double chosen = m_kind == HandTool::Draw ? m_context.hand.options().drawRadius : 0.0;
-    const double share = m_kind == HandTool::Draw ? ofParent : 1.0;
-    return chosen > 0.0 ? chosen : std::max(share * limb.radius, 1e-4);
+    if (m_kind != HandTool::Draw)
+        return std::max(limb.radius, 1e-4);
+    if (const double chosen = m_context.hand.options().drawRadius; chosen > 0.0)
+        return chosen;
+    const double length = drawnLength(), usual = ofParent * limb.radius;
+    return std::max(length > 0.0 ? std::min(usual, ofLength * length) : usual, 1e-4);
+}
+
+/// In metres.
+double DrawTool::drawnLength() const
+{
+    double length = 0.0;
+    for (std::size_t i = 1; i < m_drawn.size(); ++i)
+        length += glm::length(m_drawn[i].position - m_drawn[i - 1].position);
+    return length;
 }
 
 QString DrawTool::radiusText(const LimbHit& limb) const
@@ -357,18 +372,15 @@ void DrawTool::paint(QPainter& painter, const PickView& view)
         return;
     }
     QPolygonF line;
-    double length = 0.0;
-    for (std::size_t i = 0; i < m_drawn.size(); ++i) {
-        if (const auto at = view.pixel(glm::dvec3(m_world * glm::dvec4(m_drawn[i].position, 1.0))))
+    for (const StrokePoint& drawn : m_drawn)
+        if (const auto at = view.pixel(glm::dvec3(m_world * glm::dvec4(drawn.position, 1.0))))
             line << QPointF(at->x, at->y);
-        length += i > 0 ? glm::length(m_drawn[i].position - m_drawn[i - 1].position) : 0.0;
-    }
     painter.setPen(QPen(QColor(16, 22, 28, 150), 4.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.drawPolyline(line);
     painter.setPen(QPen(handGreen, 2.2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.drawPolyline(line);
     paintReadout(painter, m_at, sizeOf(view),
-                 tr("%1 m").arg(QLocale().toString(length, 'f', 2)) + QStringLiteral(" · ") +
+                 tr("%1 m").arg(QLocale().toString(drawnLength(), 'f', 2)) + QStringLiteral(" · ") +
                      radiusText(m_limb));
 }
 
