@@ -3308,10 +3308,6 @@
         <translation>le fichier s’arrête dans l’élément %1 de «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
-        <source>an integer expected</source>
-        <translation>un entier attendu</translation>
-    </message>
-    <message>
         <source>vertex %1 of %2 is not a finite number</source>
         <translation>le sommet %1 de %2 n’est pas un nombre fini</translation>
     </message>
