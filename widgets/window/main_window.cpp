@@ -242,6 +242,7 @@ void MainWindow::follow(const Change& change)
         updateTitle();
     if (change.has(changeReset)) {
         m_host->settings()->beginDocument();
+        m_properties->clearSearch();
         m_keyActions->autoAction()->setChecked(false);
     }
 }

@@ -4,11 +4,13 @@
 #include "widgets/actions/file_actions.h"
 #include "widgets/base/action_set.h"
 #include "widgets/base/theme/preferences.h"
+#include "widgets/panels/properties/properties_panel.h"
 #include "widgets/view/tools/gizmo_settings.h"
 #include "widgets/view/tools/hand_settings.h"
 #include "widgets/view/view_settings.h"
 #include "widgets/view/viewport_host.h"
 #include "widgets/window/main_window.h"
+#include <QLineEdit>
 #include <QStatusBar>
 #include <QToolButton>
 
@@ -80,6 +82,8 @@ private slots:
         view()->quality.set(Quality::Draft);
         autoKey()->setChecked(true);
         QVERIFY(m_window->findChild<AutoKey*>()->isOn());
+        auto* search = m_window->findChild<PropertiesPanel*>()->findChild<QLineEdit*>();
+        search->setText(QStringLiteral("wind"));
         switch (way) {
         case 0:
             QVERIFY(m_window->files()->newFromPreset(QStringLiteral("SmallTree")));
@@ -91,6 +95,7 @@ private slots:
             QVERIFY(m_window->files()->openFile(path));
         }
         QVERIFY(!autoKey()->isChecked() && !m_window->findChild<AutoKey*>()->isOn());
+        QCOMPARE(search->text(), QString());
         QCOMPARE(view()->light(), SceneLight());
         QCOMPARE(view()->hand()->options(), usual);
         QCOMPARE(view()->hand()->tool(), HandTool::None);

@@ -9,6 +9,7 @@
 #include "widgets/dialogs/export/moment_form.h"
 #include "widgets/panels/arm/arm_panel.h"
 #include "widgets/window/main_window.h"
+#include <QComboBox>
 #include <QDockWidget>
 #include <QPushButton>
 #include <QScrollArea>
@@ -140,6 +141,8 @@ private slots:
         QVERIFY(std::ranges::count_if(before, [](const auto& place) {
                     return qobject_cast<const QPushButton*>(place.first) != nullptr;
                 }) >= 2);
+        const auto* format = dialog.findChild<QComboBox*>(QStringLiteral("exportFormat"));
+        const int column = format->x();
         const int highest = dialog.screen()->availableSize().height() * 19 / 20;
         for (const ExportUse use : exportUses) {
             dialog.setUse(use);
@@ -154,6 +157,7 @@ private slots:
                     QVERIFY2(scroll->verticalScrollBar()->maximum() == 0 || dialog.height() >= highest,
                              qPrintable(titleOf(use)));
                     QCOMPARE_GE(scroll->viewport()->width(), scroll->widget()->minimumSizeHint().width());
+                    QCOMPARE(format->x(), column);
                 }
             }
         }

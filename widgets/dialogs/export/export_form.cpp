@@ -359,9 +359,13 @@ void ExportDialog::retranslate()
     m_cancel->setText(tr("Cancel"));
     m_fields->retranslate();
     m_scaleLabel->setText(coreText(optionOfKey("scale").label));
-    for (const FormRow& row : m_rows)
+    int widest = 0; // also of the labels that a page hides: fields stay in their column from page to page
+    for (const FormRow& row : m_rows) {
         if (!qobject_cast<QCheckBox*>(row.field))
             row.label->setText(row.option ? coreText(row.option->label) : tr(row.text));
+        widest = std::max(widest, row.label->sizeHint().width());
+    }
+    m_form->setColumnMinimumWidth(0, widest);
     m_kept->setAccessibleName(tr("Settings"));
     m_format->setAccessibleName(tr("Format"));
     m_path->setAccessibleName(tr("File"));

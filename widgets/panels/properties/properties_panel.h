@@ -46,6 +46,8 @@ public:
 
 public slots:
     void focusSearch();
+    /// Shows all parameters again.
+    void clearSearch() { m_search->clear(); }
     /// Unfolds what hides a parameter, scrolls to it and gives it the focus. Does nothing where the selected
     /// nodes do not use it.
     void showParam(const QString& key);

@@ -221,6 +221,7 @@ void TestStrokeTools::aBranchIsSlender()
         HandBench bench(HandTool::Draw);
         HandOptions options = bench.hand.options();
         options.drawRadius = chosen;
+        options.drawTip = 1.0; // as thick everywhere as at its foot
         bench.hand.setOptions(options);
         const QPointF trunk = bench.on(0, 0.5);
         stroke(bench, way(trunk, trunk + QPointF(pixels, -0.4 * pixels)));
@@ -230,8 +231,8 @@ void TestStrokeTools::aBranchIsSlender()
     const double shorter = radiusAfter(40.0, 0.0), longer = radiusAfter(160.0, 0.0);
     QVERIFY(shorter > 0.0 && shorter < 0.5 * longer);
     QVERIFY(longer < ofTrunk);
-    QVERIFY(std::abs(radiusAfter(40.0, 0.07) - 0.07) < 0.01);
-    QVERIFY(std::abs(radiusAfter(160.0, 0.07) - 0.07) < 0.01);
+    QVERIFY(std::abs(radiusAfter(40.0, 0.07) - 0.07) < 1e-9);
+    QVERIFY(std::abs(radiusAfter(160.0, 0.07) - 0.07) < 1e-9);
 }
 
 void TestStrokeTools::theBranchCanGrowManyTimes()
