@@ -88,7 +88,7 @@ bool ObjScanner::scan(std::string_view block)
         if (!scanLine())
             return false;
         skipLine();
-        if (m_line % chunk != 0)
+        if (static_cast<std::size_t>(m_line) % chunk != 0)
             continue;
         m_progress.report((before + double(m_at - block.data())) / double(m_bytes));
         if (m_progress.cancelled())

@@ -219,18 +219,14 @@ void TestStrokeTools::aBranchIsSlender()
 {
     const auto radiusAfter = [](double pixels, double chosen) {
         HandBench bench(HandTool::Draw);
-        HandOptions options = bench.hand.options();
-        options.drawRadius = chosen;
-        options.drawTip = 1.0; // as thick everywhere as at its foot
-        bench.hand.setOptions(options);
+        bench.hand.setOptions({.drawRadius = chosen, .drawTip = 1.0}); // as thick everywhere as at its foot
         const QPointF trunk = bench.on(0, 0.5);
         stroke(bench, way(trunk, trunk + QPointF(pixels, -0.4 * pixels)));
         return bench.edits().empty() ? 0.0 : bench.edits().front().points.front().radius;
     };
-    const double ofTrunk = HandBench(HandTool::Draw).skeleton().a0[0];
     const double shorter = radiusAfter(40.0, 0.0), longer = radiusAfter(160.0, 0.0);
     QVERIFY(shorter > 0.0 && shorter < 0.5 * longer);
-    QVERIFY(longer < ofTrunk);
+    QVERIFY(longer < HandBench(HandTool::Draw).skeleton().a0[0]);
     QVERIFY(std::abs(radiusAfter(40.0, 0.07) - 0.07) < 1e-9);
     QVERIFY(std::abs(radiusAfter(160.0, 0.07) - 0.07) < 1e-9);
 }
