@@ -25,7 +25,8 @@ std::string shownCharacter(std::string_view text, std::size_t at)
 
 std::string withReplacements(std::string text, std::string_view path, const GrammarNotes& notes)
 {
-    for (auto note = notes.rbegin(); note != notes.rend(); ++note) { // what comes last first, so that columns stay true
+    for (auto note = notes.rbegin(); note != notes.rend();
+         ++note) { // what comes last first, so that columns stay true
         if (note->what.path != path || !note->replacement)
             continue;
         std::size_t start = 0;

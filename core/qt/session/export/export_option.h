@@ -12,16 +12,16 @@
 namespace ramure {
 
 /// The flags of an option say which commands have it and what it goes with.
-enum OptionFlag : std::uint16_t {
-    ofExport = 1,    ///< `ramure-cli export`
-    ofBatch = 2,     ///< `batch` and `job`
-    ofImport = 4,    ///< `import`
-    ofPrint = 8,     ///< says how a print is made
-    notOfPrint = 16, ///< has no say in a print
-    ofTrees = 32,    ///< needs a tree
-    ofClips = 64,    ///< says something about files that move
-    ofFormats = 128, ///< the command line refuses it for formats that do not hold it
-};
+using OptionFlag = std::uint16_t;
+inline constexpr OptionFlag ofExport = 1;    ///< `ramure-cli export`
+inline constexpr OptionFlag ofBatch = 2;     ///< `batch` and `job`
+inline constexpr OptionFlag ofImport = 4;    ///< `import`
+inline constexpr OptionFlag ofPrint = 8;     ///< says how a print is made
+inline constexpr OptionFlag notOfPrint = 16; ///< has no say in a print
+inline constexpr OptionFlag ofTrees = 32;    ///< needs a tree
+inline constexpr OptionFlag ofClips = 64;    ///< says something about files that move
+/// The command line refuses the option for formats that do not hold it.
+inline constexpr OptionFlag ofFormats = 128;
 
 /// What an export is for. Each use has a page of the export dialog.
 enum class ExportUse : std::uint8_t { Blender, Game, Print, Web, Pictures };
