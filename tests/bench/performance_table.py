@@ -34,7 +34,7 @@ STAGES = [
     ("OBJ read with normals", "BM_readObj/everything", None, COMPUTE),
     ("PLY written, per triangle", "BM_writePly/plain", 15, MEMORY),
     ("PLY written with normals, colours, branches", "BM_writePly/everything", None, MEMORY),
-    ("PLY read, per triangle", "BM_readPly/plain", 60, COMPUTE),
+    ("PLY read, per triangle", "BM_readPly/plain", 8, MEMORY),
     ("PLY read with normals, colours, branches", "BM_readPly/everything", None, MEMORY),
 ]
 # From the parameters to the checked mesh with normals, SmallTree with 12 iterations; milliseconds. Of one thread the

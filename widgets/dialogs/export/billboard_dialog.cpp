@@ -3,7 +3,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
-#include <QEvent>
 #include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -56,7 +55,7 @@ BillboardDialog::BillboardDialog(bool hasSelection, const QVariantMap& kept, QWi
     connect(m_lying, &QCheckBox::toggled, this, &BillboardDialog::follow);
     connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    retranslate();
+    setTexts();
     follow();
 }
 
@@ -66,7 +65,7 @@ void BillboardDialog::build()
          {static_cast<QWidget*>(m_kind), static_cast<QWidget*>(m_cards), static_cast<QWidget*>(m_lying),
           static_cast<QWidget*>(m_views), static_cast<QWidget*>(m_size), static_cast<QWidget*>(m_files),
           static_cast<QWidget*>(m_selection)}) {
-        auto* label = new QLabel(this); // retranslate() fills it
+        auto* label = new QLabel(this); // setTexts() fills it
         label->setBuddy(field);
         m_form->addRow(label, field);
     }
@@ -172,14 +171,7 @@ void BillboardDialog::updateMessage()
     m_buttons->button(QDialogButtonBox::Save)->setEnabled(fits);
 }
 
-void BillboardDialog::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QDialog::changeEvent(event);
-}
-
-void BillboardDialog::retranslate()
+void BillboardDialog::setTexts()
 {
     setWindowTitle(tr("Billboard"));
     const auto describe = [this](QWidget* field, const QString& name, const QString& tip) {

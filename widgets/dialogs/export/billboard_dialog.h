@@ -29,15 +29,12 @@ public:
     [[nodiscard]] bool isSelectionOnly() const;
     [[nodiscard]] QVariantMap settings() const;
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void build();
     void take(const QVariantMap& kept);
     void follow();
     void updateMessage();
-    void retranslate();
+    void setTexts();
 
     QFormLayout* m_form;
     QComboBox* m_kind;

@@ -17,7 +17,6 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDir>
-#include <QEvent>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -108,7 +107,7 @@ ExportDialog::ExportDialog(Document* document, Recompute* recompute, Preferences
     m_path->setText(
         QDir::toNativeSeparators(QDir(preferences->lastFolder()).filePath(name + QStringLiteral(".obj"))));
     setPicturesEnabled(false);
-    retranslate();
+    setTexts();
     takeFormat();
     m_usual = settings();
     turnPage(m_use);
@@ -477,13 +476,6 @@ void ExportDialog::done(int result)
 {
     keepPages();
     QDialog::done(result);
-}
-
-void ExportDialog::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QDialog::changeEvent(event);
 }
 
 } // namespace ramure

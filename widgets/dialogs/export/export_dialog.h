@@ -98,7 +98,6 @@ public slots:
     void done(int result) override; ///< with what each page has for the next time
 
 protected:
-    void changeEvent(QEvent* event) override;
     void showEvent(QShowEvent* event) override;
 
 private:
@@ -127,7 +126,7 @@ private:
     [[nodiscard]] QSize roomForPages();
     void makeRoom(const QSize& page);
     void updateWidgets();
-    void retranslateFormats();
+    void setFormatTexts();
     void connectMessage();
     void keepChoices();
     void run();
@@ -162,7 +161,7 @@ private:
     [[nodiscard]] bool isPreparing() const;
     void finish(const std::optional<Error>& error);
     void setMessage(const QString& text, bool isError);
-    void retranslate();
+    void setTexts();
     /// Null: pictures.
     [[nodiscard]] const FileFormat* format() const;
     [[nodiscard]] bool holds(int what) const; ///< bits of FormatHolds

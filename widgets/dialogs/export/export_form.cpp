@@ -91,7 +91,7 @@ QLayout* ExportDialog::buildWind()
 void ExportDialog::addRow(const char* text, QWidget* field, std::function<bool(const ExportPage&)> isShown)
 {
     const int row = static_cast<int>(m_rows.size());
-    auto* label = new QLabel(this);                         // retranslate() fills it
+    auto* label = new QLabel(this);                         // setTexts() fills it
     label->setMinimumHeight(m_format->sizeHint().height()); // beside the first line of its field
     m_form->addWidget(label, row, 0, Qt::AlignTop);
     m_form->addWidget(field, row, 1);
@@ -169,7 +169,7 @@ void ExportDialog::fillFormats()
     m_format->clear();
     for (const QString& id : formatsOf(m_use))
         m_format->addItem(QString(), id);
-    retranslateFormats();
+    setFormatTexts();
 }
 
 void ExportDialog::setUse(ExportUse use)
@@ -315,7 +315,7 @@ void ExportDialog::buildProgress(QVBoxLayout* layout)
     layout->addLayout(buttons);
 }
 
-void ExportDialog::retranslateFormats()
+void ExportDialog::setFormatTexts()
 {
     for (const FileFormat* format : fileFormats())
         if (const int row = m_format->findData(QString::fromLatin1(format->id)); row >= 0)
@@ -324,10 +324,10 @@ void ExportDialog::retranslateFormats()
         m_format->setItemText(row, tr("PNG pictures of the view"));
 }
 
-void ExportDialog::retranslate()
+void ExportDialog::setTexts()
 {
     setWindowTitle(tr("Export"));
-    retranslateFormats();
+    setFormatTexts();
     for (std::size_t i = 0; i < exportUses.size(); ++i) {
         const int tab = static_cast<int>(i);
         m_uses->setTabText(tab, titleOf(exportUses[i]));
@@ -357,7 +357,7 @@ void ExportDialog::retranslate()
     m_showWind->setText(tr("Show"));
     m_showWind->setToolTip(tr("In the view behind this dialog, trees move as they will in that engine"));
     m_cancel->setText(tr("Cancel"));
-    m_fields->retranslate();
+    m_fields->setTexts();
     m_scaleLabel->setText(coreText(optionOfKey("scale").label));
     int widest = 0; // also of the labels that a page hides: fields stay in their column from page to page
     for (const FormRow& row : m_rows) {

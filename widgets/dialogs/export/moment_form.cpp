@@ -2,7 +2,6 @@
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
@@ -80,7 +79,7 @@ MomentForm::MomentForm(const TimelineSettings& timeline, std::int64_t shown, QWi
     for (QSpinBox* box : {m_first, m_last, m_step, m_turns})
         connect(box, &QSpinBox::valueChanged, this, &MomentForm::changed);
     setFocusProxy(m_moment);
-    retranslate();
+    setTexts();
     setClips(false);
     setPictures(false);
 }
@@ -187,14 +186,7 @@ void MomentForm::update()
     emit changed();
 }
 
-void MomentForm::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QWidget::changeEvent(event);
-}
-
-void MomentForm::retranslate()
+void MomentForm::setTexts()
 {
     const QLocale locale;
     m_moment->setItemText(0, tr("At rest, as at frame 0"));

@@ -47,11 +47,8 @@ public:
 signals:
     void changed();
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
-    void retranslate();
+    void setTexts();
     void update();
     void enableMoment(ExportMoment moment, bool enabled);
 

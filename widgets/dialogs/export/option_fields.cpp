@@ -82,7 +82,7 @@ QWidget* OptionFields::find(const char* key) const
     return std::ranges::find(m_fields, &optionOfKey(key), &Field::option)->widget;
 }
 
-void OptionFields::retranslate()
+void OptionFields::setTexts()
 {
     for (const auto& [option, widget] : m_fields) {
         widget->setToolTip(coreText(option->tip));

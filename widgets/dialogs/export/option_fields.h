@@ -21,7 +21,7 @@ public:
     [[nodiscard]] bool has(const ExportOption& option) const;
     /// \pre it was made
     template <class T> [[nodiscard]] T* of(const char* key) const { return qobject_cast<T*>(find(key)); }
-    void retranslate();
+    void setTexts();
     void setEnabled(bool enabled);
     /// Shows the fields that the page offers and hides the others.
     void show(const ExportPage& page);

@@ -7,7 +7,6 @@
 #include "widgets/dialogs/export/option_fields.h"
 #include "widgets/dialogs/export/print_preview.h"
 #include <QCheckBox>
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
@@ -41,7 +40,7 @@ PrintForm::PrintForm(OptionFields* fields, QWidget* parent)
     connect(m_prepare, &QPushButton::clicked, this, &PrintForm::prepareRequested);
     connect(m_cancel, &QToolButton::clicked, this, &PrintForm::cancelRequested);
     setFocusProxy(m_wanted);
-    retranslate();
+    setTexts();
     takeProcess();
     updateWidgets();
 }
@@ -176,14 +175,7 @@ void PrintForm::updateWidgets()
     m_rest->setVisible(m_wanted->isChecked());
 }
 
-void PrintForm::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QWidget::changeEvent(event);
-}
-
-void PrintForm::retranslate()
+void PrintForm::setTexts()
 {
     m_wanted->setText(tr("Make ready for a printer"));
     m_wanted->setToolTip(

@@ -47,15 +47,12 @@ signals:
     void prepareRequested();
     void cancelRequested();
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void buildForm();
     void addField(QHBoxLayout* row, const char* key, bool hasLabel);
     void buildNumbers(QVBoxLayout* rest);
     void buildWork(QVBoxLayout* rest);
-    void retranslate();
+    void setTexts();
     void updateWidgets();
     void takeProcess();
 

@@ -1,7 +1,6 @@
 #include "widgets/dialogs/export/print_preview.h"
 
 #include "widgets/dialogs/export/print_view.h"
-#include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLocale>
@@ -59,7 +58,7 @@ PrintPreview::PrintPreview(QWidget* parent)
     build();
     connect(m_show, &QPushButton::clicked, m_view, &PrintView::showThinnest);
     connect(m_whole, &QPushButton::clicked, m_view, &PrintView::showWhole);
-    retranslate();
+    setTexts();
 }
 
 void PrintPreview::build()
@@ -175,7 +174,7 @@ void PrintPreview::fill()
                        : QString());
 }
 
-void PrintPreview::retranslate()
+void PrintPreview::setTexts()
 {
     const QString names[Rows] = {tr("Size"),      tr("Scale"),  tr("Volume"), tr("Thinnest place"),
                                  tr("Overhangs"), tr("Stands"), tr("Pieces"), tr("Triangles"),
@@ -192,13 +191,6 @@ void PrintPreview::retranslate()
     m_overhangs->setText(tr("Overhangs steeper than 45°"));
     m_ring->setText(tr("Thinnest place"));
     fill();
-}
-
-void PrintPreview::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QWidget::changeEvent(event);
 }
 
 } // namespace ramure

@@ -30,14 +30,11 @@ public:
     /// "Name: value" of each line, for whoever reads it aloud or copies it.
     [[nodiscard]] QString text() const;
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     enum Row { Size, Scale, Volume, Thinnest, Overhang, Balance, Pieces, Triangles, Branches, Leaves, Rows };
     void build();
     [[nodiscard]] QWidget* legend(const char* name, QLabel*& text);
-    void retranslate();
+    void setTexts();
     void fill();
     void setRow(Row row, const QString& value, bool isProblem = false);
 

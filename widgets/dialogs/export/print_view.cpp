@@ -42,7 +42,7 @@ PrintView::PrintView(QWidget* parent)
     m_rest.setInterval(drawRestMs);
     connect(&m_rest, &QTimer::timeout, this, [this] { draw(false); });
     connect(&m_flight, &CameraFlight::moved, this, [this] { draw(true); });
-    PrintView::retranslate();
+    PrintView::setTexts();
 }
 
 bool PrintView::isBusy() const
@@ -176,7 +176,7 @@ QString PrintView::waitText() const
     return m_print && picture().isNull() ? tr("Drawing…") : QString();
 }
 
-void PrintView::retranslate()
+void PrintView::setTexts()
 {
     setAccessibleName(tr("Picture of the print"));
     setToolTip(tr("Drag or arrow keys: turn · Shift or the right button: move · wheel, + and −: nearer or "

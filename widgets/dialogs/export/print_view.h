@@ -39,7 +39,7 @@ protected:
 private:
     struct Drawn;
     void redraw() override { draw(true); }
-    void retranslate();
+    void setTexts();
     [[nodiscard]] QString waitText() const override;
     void paintOver(QPainter& painter) override;
     void draw(bool hurried);
