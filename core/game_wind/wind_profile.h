@@ -55,6 +55,7 @@ struct WindColumns
     std::vector<glm::vec4> numbers;    ///< _WIND
     WindProfile profile = WindProfile::None;
     WindSettings settings{};
+    bool operator==(const WindColumns&) const = default;
 };
 /// \param textures of PivotPainter
 WindColumns windColumns(WindProfile profile, std::span<const WindVertex> vertices,

@@ -54,6 +54,7 @@ struct ExportCopy
     Index branch = noIndex;
     std::uint64_t key = 0;    ///< of the branch
     std::uint32_t number = 0; ///< among those of its branch
+    bool operator==(const ExportCopy&) const = default;
 };
 
 /// Many of one shape, in the place of a mesh that holds them all.

@@ -164,8 +164,81 @@ class TestGlbMotion : public QObject
         return *Scene::fromNodes({tree});
     }
 
+    /// In a row.
+    static Scene trees(int count)
+    {
+        std::vector<Node> row;
+        for (int i = 0; i < count; ++i) {
+            Node tree = tinyTree().nodes().front();
+            tree.id = static_cast<NodeId>(i + 1);
+            tree.name =
+                "branches_" + std::to_string(i + 1); // the only mesh of a node has the name of the node
+            tree.params.tree.translation = {3.0 * i, 0.0, 1.0};
+            tree.params.tree.rotation.y = i;
+            row.push_back(tree);
+        }
+        return *Scene::fromNodes(row);
+    }
+
 private slots:
     void init() { test::failOnAnyWarning(); }
+
+    void equalTreesAreInItOnce_data()
+    {
+        QTest::addColumn<double>("seconds");
+        QTest::addColumn<bool>("instances");
+        QTest::addColumn<bool>("compressed");
+        QTest::newRow("at rest") << 0.0 << false << false;
+        QTest::newRow("in the wind, compressed") << 0.5 << false << true;
+        QTest::newRow("instances of leaves") << 0.0 << true << false;
+    }
+    void equalTreesAreInItOnce()
+    {
+        QFETCH(const double, seconds);
+        QFETCH(const bool, instances);
+        ExportOptions options = plain();
+        options.texture = true;
+        options.instances = instances;
+        QFETCH(const bool, compressed);
+        options.write.compressed = compressed;
+        const auto one = written(trees(1), options, seconds), three = written(trees(3), options, seconds);
+        QVERIFY2(one && three, test::why(three));
+        QCOMPARE(three->json["meshes"].size(), one->json["meshes"].size());
+        QCOMPARE(three->bin.size(), one->bin.size());
+        for (const std::string part : {"branches", "leaves", "fruit"})
+            for (int i = 0; i < 3; ++i) {
+                const std::size_t node = three->nodeNamed(part + "_" + std::to_string(i + 1));
+                QVERIFY(three->json["nodes"][node]["mesh"] ==
+                        three->json["nodes"][three->nodeNamed(part + "_1")]["mesh"]);
+                QCOMPARE(three->worldOf(node)[3], glm::dvec4(3.0 * i, 0.0, 1.0, 1.0));
+            }
+    }
+    void treesThatDifferAreApart()
+    {
+        Scene scene = trees(4);
+        scene.find(2)->params.bark.family = BarkFamily::Corky;
+        scene.find(3)->params.foliage.seed = 2;
+        scene.find(4)->params.physics.windStrength = 3.0;
+        const auto at = [&](double seconds) {
+            const auto glb = written(scene, plain(), seconds);
+            return [=](const char* name) { return glb->json["nodes"][glb->nodeNamed(name)]["mesh"]; };
+        };
+        const auto still = at(0.0), blown = at(0.5);
+        QVERIFY(still("branches_2") != still("branches_1") && still("leaves_2") == still("leaves_1"));
+        QVERIFY(still("branches_3") == still("branches_1") && still("leaves_3") != still("leaves_1"));
+        QVERIFY(still("branches_4") == still("branches_1") && still("leaves_4") == still("leaves_1"));
+        QVERIFY(blown("branches_4") != blown("branches_1") && blown("leaves_4") != blown("leaves_1"));
+    }
+    void treesThatMoveAreApart()
+    {
+        ExportOptions options = plain();
+        options.clip = {0.5};
+        const auto clip = written(trees(2), options, 0.0);
+        QVERIFY2(clip, test::why(clip));
+        QCOMPARE(clip->json["skins"].size(), std::size_t(2));
+        QVERIFY(clip->json["nodes"][clip->nodeNamed("branches_1")]["mesh"] !=
+                clip->json["nodes"][clip->nodeNamed("branches_2")]["mesh"]);
+    }
 
     void instancesDoNotMove()
     {

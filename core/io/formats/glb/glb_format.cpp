@@ -82,6 +82,28 @@ bool isNear(const glm::dmat4& a, const glm::dmat4& b)
     return true;
 }
 
+template <class T> bool areEqual(const std::shared_ptr<const T>& a, const std::shared_ptr<const T>& b)
+{
+    return a == b || (a && b && *a == *b);
+}
+
+/// A mesh without a skin that is in the file.
+struct Written
+{
+    std::shared_ptr<const TriangleMesh> mesh;
+    std::shared_ptr<const WindColumns> wind; ///< may be null
+    bool textured;
+    std::size_t material;
+    std::size_t number = 0; ///< in the file
+
+    /// It would have the same bytes.
+    bool operator==(const Written& other) const
+    {
+        return textured == other.textured && material == other.material && areEqual(mesh, other.mesh) &&
+               areEqual(wind, other.wind);
+    }
+};
+
 class GlbWriter
 {
 public:
@@ -325,8 +347,19 @@ private:
                                     : holderOf(from.node, from.name, glm::dmat4(1.0), from.finest != noIndex);
         RAMURE_TRY(holder);
         m_meshNode.push_back(*holder);
-        m_nodes[*holder]["mesh"] = m_meshes.size();
-        return addMesh(from.name, *mesh, textured, *number, nullptr, from.wind.get());
+        return addOnce(*holder, {mesh, from.wind, textured, *number}, from.name);
+    }
+
+    /// What is in the buffer already is only named: equal trees share one mesh, wherever they stand.
+    Expected<void> addOnce(std::size_t node, Written written, const std::string& name)
+    {
+        const auto known = std::ranges::find(m_written, written);
+        m_nodes[node]["mesh"] = known == m_written.end() ? m_meshes.size() : known->number;
+        if (known != m_written.end())
+            return {};
+        written.number = m_meshes.size();
+        m_written.push_back(written);
+        return addMesh(name, *written.mesh, written.textured, written.material, nullptr, written.wind.get());
     }
 
     /// Only its joints say where it is: its node stands at the top and nowhere.
@@ -461,6 +494,18 @@ private:
         const bool textured = m_materials.isPictured(material) && !from.shape->uv.empty();
         const auto number = m_materials.add(material, textured, !from.shape->colours.empty(), progress);
         RAMURE_TRY(number);
+        const auto holder = holderOf(from.node, from.name, glm::dmat4(1.0));
+        RAMURE_TRY(holder);
+        auto known = std::ranges::find_if(
+            m_placed, [&](const auto& placed) { return placed.first->copies == from.copies; });
+        if (known == m_placed.end())
+            known = m_placed.emplace(known, &from, placesOf(from));
+        m_nodes[*holder]["extensions"][instancing]["attributes"] = known->second;
+        return addOnce(*holder, {from.shape, nullptr, textured, *number}, from.name);
+    }
+
+    Json placesOf(const ExportCopies& from)
+    {
         std::vector<glm::vec3> places, sizes, tints;
         std::vector<glm::vec4> turns;
         for (const ExportCopy& copy : from.copies) {
@@ -474,14 +519,10 @@ private:
         const auto values = [this](auto& all, int bits) {
             return m_buffer.addFloats(all, bits, "VEC3", Target::None);
         };
-        const auto holder = holderOf(from.node, from.name, glm::dmat4(1.0));
-        RAMURE_TRY(holder);
-        m_nodes[*holder]["extensions"][instancing]["attributes"] = {{"TRANSLATION", values(places, fineBits)},
-                                                                    {"ROTATION", m_buffer.addTurns(turns)},
-                                                                    {"SCALE", values(sizes, coarseBits)},
-                                                                    {"_COLOR_0", values(tints, coarseBits)}};
-        m_nodes[*holder]["mesh"] = m_meshes.size();
-        return addMesh(from.name, *from.shape, textured, *number);
+        return {{"TRANSLATION", values(places, fineBits)},
+                {"ROTATION", m_buffer.addTurns(turns)},
+                {"SCALE", values(sizes, coarseBits)},
+                {"_COLOR_0", values(tints, coarseBits)}};
     }
 
     /// They are in the space of the file already.
@@ -508,7 +549,9 @@ private:
     glb::Buffer m_buffer;
     glb::Materials m_materials;
     glb::Animation m_animation;
-    std::vector<Index> m_node;           ///< per node of the scene that of the file, once it is there
+    std::vector<Index> m_node; ///< per node of the scene that of the file, once it is there
+    std::vector<Written> m_written;
+    std::vector<std::pair<const ExportCopies*, Json>> m_placed; ///< with their attributes
     std::vector<std::size_t> m_meshNode; ///< per mesh of the scene its node in the file
     std::map<Index, std::pair<std::size_t, glb::Joints>> m_skinOf; ///< per node of the scene
     Json m_roots = Json::array(), m_nodes = Json::array(), m_meshes = Json::array(), m_skins = Json::array();
