@@ -9,6 +9,8 @@ namespace ramure {
 
 void ArmRun::set(const NodeParams& params, const NodeAnimation& animation)
 {
+    if (m_driver && m_params == params && m_animation == animation)
+        return;
     if (!m_driver || m_params.joints != params.joints || m_params.ik != params.ik ||
         m_params.arm != params.arm || !(m_animation == animation))
         m_driver.emplace(armDriver(params, animation));

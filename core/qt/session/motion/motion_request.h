@@ -9,22 +9,12 @@ namespace ramure {
 /// What the thread needs to know of one tree.
 struct MotionTree
 {
-    NodeId node = noNode;
+    const Node* node = nullptr; ///< of the request's scene
     TreeResult tree;
-    NodeParams params;
-    NodeAnimation animation;
     std::optional<Pull> pull;
     std::vector<Index> shaken; ///< apples let go at the frame before this one
     std::string bakeFile;      ///< of this tree; empty: there is none
     int bakeVersion = 0;       ///< another number: the file is another
-};
-
-/// And of one arm.
-struct MotionArm
-{
-    NodeId node = noNode;
-    NodeParams params;
-    NodeAnimation animation;
 };
 
 struct MotionRequest
@@ -33,8 +23,8 @@ struct MotionRequest
     int document = 0; ///< counted by the player: what comes late from one that was left is of no use
     TimelineSettings timeline;
     std::vector<MotionTree> trees;
-    std::vector<MotionArm> arms;
-    std::shared_ptr<const Scene> scene;             ///< null where nothing in it has a track
+    std::vector<const Node*> arms;      ///< of the scene
+    std::shared_ptr<const Scene> scene; ///< copied once per change: requests of one scene share it
     std::size_t memoryBytes = std::size_t(1) << 30; ///< for the runs of all trees together
     /// Playing: changed parameters and the hand act from the present step on. Otherwise the whole run is that
     /// of the present parameters.

@@ -6,6 +6,7 @@
 #include <QScopeGuard>
 #include <algorithm>
 #include <chrono>
+#include <set>
 #include <utility>
 
 namespace ramure {
@@ -25,7 +26,7 @@ void takeOverHand(MotionRequest& next, const MotionRequest& skipped)
     next.forgetHand = next.forgetHand || skipped.forgetHand;
     for (const MotionTree& from : skipped.trees)
         for (MotionTree& tree : next.trees)
-            if (tree.node == from.node)
+            if (tree.node->id == from.node->id)
                 tree.shaken.insert(tree.shaken.begin(), from.shaken.begin(), from.shaken.end());
 }
 
@@ -57,52 +58,51 @@ static Expected<void> move(NodeId node, NodeRun& run, const MotionRequest& reque
     return {};
 }
 
-/// The tree as its tracks shape it now; its physics knows its tracks itself.
-Expected<void> MotionWorker::reshape(MotionTree& tree, EvaluatedScene& now, MotionFrame& frame,
-                                     const Progress& progress)
+/// The tree as its tracks shape it now.
+Expected<TreeResult> MotionWorker::shapeOf(const MotionTree& tree, EvaluatedScene& now, MotionFrame& frame,
+                                           const Progress& progress)
 {
-    const Node* node = movesShape(tree.animation) ? now.scene().find(tree.node) : nullptr;
-    if (!node)
-        return {};
-    const PhysicsParams physics = tree.params.physics;
-    tree.params = now.params(*node);
-    auto made = m_pipeline.evaluate(tree.params, Stage::Foliage, progress);
-    RAMURE_TRY(made);
-    tree.params.physics = physics;
-    tree.tree = *made;
-    frame.trees.emplace(tree.node, std::move(*made));
-    return {};
+    if (!movesShape(tree.node->animation))
+        return tree.tree;
+    auto made = m_pipeline.evaluate(now.params(*tree.node), Stage::Foliage, progress);
+    if (made)
+        frame.trees.emplace(tree.node->id, *made);
+    return made;
 }
 
-Expected<void> MotionWorker::moveTree(const MotionTree& tree, const MotionRequest& request,
-                                      MotionFrame& frame, const Progress& progress)
+/// Its physics knows the tracks itself.
+Expected<void> MotionWorker::moveTree(const MotionTree& tree, EvaluatedScene& now,
+                                      const MotionRequest& request, MotionFrame& frame,
+                                      const Progress& progress)
 {
-    TreeActor& actor = m_actors[tree.node];
-    if (auto ready = actor.prepare(tree, request, request.memoryBytes / request.trees.size()); !ready) {
-        m_actors.erase(tree.node);
+    const Node& node = *tree.node;
+    const auto shape = shapeOf(tree, now, frame, progress);
+    RAMURE_TRY(shape);
+    const NodeParams& params = movesShape(node.animation) ? now.params(node) : node.params;
+    TreeActor& actor = m_actors[node.id];
+    const std::size_t memoryBytes = request.memoryBytes / request.trees.size();
+    if (auto ready = actor.prepare(tree, *shape, params, request, memoryBytes); !ready) {
+        m_actors.erase(node.id);
         return ready;
     }
     if (auto baked = actor.takeBake(tree, progress.part(0.0, 0.5));
         !baked && baked.error().code != ErrorCode::Cancelled)
         m_listener.bakeRefused(std::move(baked.error()));
-    return move(tree.node, actor.run(), request, frame, progress);
+    return move(node.id, actor.run(), request, frame, progress);
 }
 
-Expected<void> MotionWorker::moveArm(const MotionArm& arm, const MotionRequest& request, MotionFrame& frame,
+Expected<void> MotionWorker::moveArm(const Node& arm, const MotionRequest& request, MotionFrame& frame,
                                      const Progress& progress)
 {
-    ArmRun& run = m_arms[arm.node];
+    ArmRun& run = m_arms[arm.id];
     run.set(arm.params, arm.animation);
-    return move(arm.node, run, request, frame, progress);
+    return move(arm.id, run, request, frame, progress);
 }
 
 /// Runs of nodes that are no longer asked for go.
-template <class Run, class Asked>
-static void keepAsked(std::map<NodeId, Run>& runs, const std::vector<Asked>& asked)
+template <class Run> static void keepAsked(std::map<NodeId, Run>& runs, const std::set<NodeId>& asked)
 {
-    std::erase_if(runs, [&asked](const auto& run) {
-        return std::ranges::none_of(asked, [&run](const Asked& one) { return one.node == run.first; });
-    });
+    std::erase_if(runs, [&asked](const auto& run) { return !asked.contains(run.first); });
 }
 
 void MotionWorker::run(const MotionRequest& request, const Progress& progress)
@@ -111,8 +111,13 @@ void MotionWorker::run(const MotionRequest& request, const Progress& progress)
         m_actors.clear();
         m_arms.clear();
     });
-    keepAsked(m_actors, request.trees);
-    keepAsked(m_arms, request.arms);
+    std::set<NodeId> asked;
+    for (const MotionTree& tree : request.trees)
+        asked.insert(tree.node->id);
+    for (const Node* arm : request.arms)
+        asked.insert(arm->id);
+    keepAsked(m_actors, asked);
+    keepAsked(m_arms, asked);
     if (request.forgetHand) // even where the request is cancelled before it comes to a tree
         for (auto& [node, actor] : m_actors)
             actor.forgetHand();
@@ -120,24 +125,21 @@ void MotionWorker::run(const MotionRequest& request, const Progress& progress)
     frame->frame = request.frame;
     frame->document = request.document;
     frame->timeSeconds = request.timeline.timeOf(request.frame);
-    const Scene nothingMoves;
-    EvaluatedScene now(request.scene ? *request.scene : nothingMoves, frame->timeSeconds);
-    placeNodes(*frame, now);
+    EvaluatedScene now(*request.scene, frame->timeSeconds);
+    if (hasTracks(*request.scene))
+        placeNodes(*frame, now);
     std::optional<Error> problem;
     const auto note = [&problem](Expected<void> done) {
         if (!done && done.error().code != ErrorCode::Cancelled)
             problem = std::move(done.error());
-        return done.has_value();
     };
     const auto count = static_cast<double>(request.trees.size());
     for (std::size_t i = 0; i < request.trees.size() && !progress.cancelled(); ++i) {
-        MotionTree tree = request.trees[i];
         const Progress part = progress.part(double(i) / count, double(i + 1) / count);
-        if (note(reshape(tree, now, *frame, part)))
-            note(moveTree(tree, request, *frame, part));
+        note(moveTree(request.trees[i], now, request, *frame, part));
     }
-    for (const MotionArm& arm : request.arms)
-        note(moveArm(arm, request, *frame, progress));
+    for (const Node* arm : request.arms)
+        note(moveArm(*arm, request, *frame, progress));
     if (!progress.cancelled())
         m_listener.frame(std::move(frame));
     if (problem)

@@ -34,11 +34,11 @@ public:
     void run(const MotionRequest& request, const Progress& progress);
 
 private:
-    Expected<void> reshape(MotionTree& tree, EvaluatedScene& now, MotionFrame& frame,
-                           const Progress& progress);
-    Expected<void> moveTree(const MotionTree& tree, const MotionRequest& request, MotionFrame& frame,
-                            const Progress& progress);
-    Expected<void> moveArm(const MotionArm& arm, const MotionRequest& request, MotionFrame& frame,
+    Expected<TreeResult> shapeOf(const MotionTree& tree, EvaluatedScene& now, MotionFrame& frame,
+                                 const Progress& progress);
+    Expected<void> moveTree(const MotionTree& tree, EvaluatedScene& now, const MotionRequest& request,
+                            MotionFrame& frame, const Progress& progress);
+    Expected<void> moveArm(const Node& arm, const MotionRequest& request, MotionFrame& frame,
                            const Progress& progress);
     [[nodiscard]] BakeState bakeState() const;
     void sendBand(const MotionRequest& request);

@@ -38,8 +38,7 @@ struct Player::Private
         return frame <= 0 && motion->nodes.empty() && !playing && bakes.isEmpty();
     }
     [[nodiscard]] const TimelineSettings& timeline() const { return document->scene().timeline(); }
-    [[nodiscard]] std::vector<MotionTree> trees();
-    [[nodiscard]] std::vector<MotionArm> arms() const;
+    [[nodiscard]] std::vector<MotionTree> trees(const Scene& scene);
     [[nodiscard]] bool movesAsAsked(NodeId tree) const;
 
     Player* q;
@@ -57,9 +56,7 @@ struct Player::Private
     bool wanted = false; ///< another frame was asked for while one was computed
     std::map<NodeId, std::optional<Pull>> pulls;
     std::map<NodeId, std::vector<Index>> shaken;
-    std::shared_ptr<const Scene>
-        animated; ///< the document's scene, copied once per change; null without tracks
-    bool animatedIsStale = true;
+    std::shared_ptr<const Scene> scene; ///< the document's, copied once per change; null: it is another one
     std::shared_ptr<const MotionFrame> motion = std::make_shared<const MotionFrame>();
     std::vector<FrameRange> band;
     QString project;   ///< the file beside which was looked for baked motion
@@ -328,19 +325,16 @@ void Player::Private::tick()
 }
 
 /// Trees without a mesh, and hidden ones, have nothing to move.
-std::vector<MotionTree> Player::Private::trees()
+std::vector<MotionTree> Player::Private::trees(const Scene& of)
 {
     std::vector<MotionTree> list;
-    for (const Node& node : document->scene().nodes()) {
+    for (const Node& node : of.nodes()) {
         const NodeResult* result = node.kind == NodeKind::Tree ? document->result(node.id) : nullptr;
-        if (!result || !result->tree.branches || !result->tree.simplified ||
-            !document->scene().isShown(node.id))
+        if (!result || !result->tree.branches || !result->tree.simplified || !of.isShown(node.id))
             continue;
         MotionTree tree;
-        tree.node = node.id;
+        tree.node = &node;
         tree.tree = result->tree;
-        tree.params = node.params;
-        tree.animation = node.animation;
         if (const QString file = bakeFile(document->filePath(), node.id); bakes.contains(file)) {
             tree.bakeFile = QFile::encodeName(file).toStdString();
             tree.bakeVersion = bakeVersion;
@@ -355,12 +349,12 @@ std::vector<MotionTree> Player::Private::trees()
     return list;
 }
 
-std::vector<MotionArm> Player::Private::arms() const
+static std::vector<const Node*> armsOf(const Scene& scene)
 {
-    std::vector<MotionArm> list;
-    for (const Node& node : document->scene().nodes())
-        if (node.kind == NodeKind::Arm && document->scene().isShown(node.id))
-            list.push_back({node.id, node.params, node.animation});
+    std::vector<const Node*> list;
+    for (const Node& node : scene.nodes())
+        if (node.kind == NodeKind::Arm && scene.isShown(node.id))
+            list.push_back(&node);
     return list;
 }
 
@@ -370,8 +364,9 @@ bool Player::Private::movesAsAsked(NodeId tree) const
     const NodeResult* result = document->result(tree);
     const auto isSame = [&](const MotionTree& one) {
         const TreeResult &before = one.tree, &now = result->tree;
-        return one.node == tree && before.simplified == now.simplified && before.branches == now.branches &&
-               before.foliage == now.foliage && before.leaves == now.leaves && before.apples == now.apples;
+        return one.node->id == tree && before.simplified == now.simplified &&
+               before.branches == now.branches && before.foliage == now.foliage &&
+               before.leaves == now.leaves && before.apples == now.apples;
     };
     return asked && result && std::ranges::any_of(asked->trees, isSame);
 }
@@ -389,11 +384,11 @@ void Player::Private::request(bool interrupt)
     next.frame = frame;
     next.document = documents;
     next.timeline = timeline();
-    next.trees = trees();
-    next.arms = arms();
-    if (std::exchange(animatedIsStale, false))
-        animated = hasTracks(document->scene()) ? std::make_shared<const Scene>(document->scene()) : nullptr;
-    next.scene = animated;
+    if (!scene)
+        scene = std::make_shared<const Scene>(document->scene());
+    next.scene = scene;
+    next.trees = trees(*scene);
+    next.arms = armsOf(*scene);
     next.memoryBytes = memoryBytes;
     next.live = playing;
     next.forgetHand = std::exchange(forgetHand, false);
@@ -455,8 +450,8 @@ void Player::Private::setBusy(bool now)
 /// What the document says about shapes and physics is of use only where something moves.
 void Player::Private::documentChanged(const Change& change)
 {
-    if (change.has(changeReset | changeStructure | changeParams | changeTracks | changeNodeState))
-        animatedIsStale = true;
+    if (change.has(~(changeSelection | changeResults | changeFile)))
+        scene.reset();
     if (change.has(changeReset)) {
         q->pause();
         stopWork();

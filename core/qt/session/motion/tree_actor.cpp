@@ -5,16 +5,16 @@
 
 namespace ramure {
 
-Expected<void> TreeActor::prepare(const MotionTree& wanted, const MotionRequest& request,
-                                  std::size_t memoryBytes)
+Expected<void> TreeActor::prepare(const MotionTree& wanted, const TreeResult& shape, const NodeParams& params,
+                                  const MotionRequest& request, std::size_t memoryBytes)
 {
-    const auto isOther = m_run.setTree(wanted.tree, wanted.params);
+    const auto isOther = m_run.setTree(shape, params);
     RAMURE_TRY(isOther);
     m_lookAtBake = m_lookAtBake || *isOther;
     PhysicsCache& cache = m_run.cache();
     cache.setMemoryLimit(memoryBytes);
     const double seconds = request.timeline.timeOf(request.frame);
-    if (m_run.setPhysics(wanted.params.physics, wanted.animation, seconds, request.live))
+    if (m_run.setPhysics(wanted.node->params.physics, wanted.node->animation, seconds, request.live))
         m_lookAtBake = true;
     if (!request.live)
         return {};

@@ -11,7 +11,9 @@ namespace ramure {
 class TreeActor
 {
 public:
-    Expected<void> prepare(const MotionTree& wanted, const MotionRequest& request, std::size_t memoryBytes);
+    /// \param shape,params of the frame's time; physics moves on its own.
+    Expected<void> prepare(const MotionTree& wanted, const TreeResult& shape, const NodeParams& params,
+                           const MotionRequest& request, std::size_t memoryBytes);
     /// The baked run in place of what is computed, where it is of use. Error: why it is not; it is told once.
     Expected<void> takeBake(const MotionTree& wanted, const Progress& progress);
     void forgetHand(); ///< \pre prepare() went well
