@@ -13,7 +13,7 @@
 #include "core/pipeline/stage_hashes.h"
 #include "core/skeleton/bend.h"
 #include "core/skeleton/edit_places.h"
-#include "core/skeleton/edits/apply_edits.h"
+#include "core/skeleton/edits/edit_context.h"
 #include "core/surface/mesher/cut_wood.h"
 #include "core/surface/mesher/mesh_divisions.h"
 #include <algorithm>
@@ -64,9 +64,15 @@ std::size_t bytesOf(const TreeAxes& tree)
     return bytesOf(tree.axes) + bytesOf(tree.nodes) + bytesOf(tree.axisOf) + bytesOf(tree.forksBelow) +
            bytesOf(tree.start);
 }
-std::size_t bytesOf(const EditedSkeleton& edited)
+/// What hands made of it.
+struct EditedTree
 {
-    return bytesOf(edited.skeleton) + bytesOf(edited.report);
+    EditContext context;
+    Skeleton skeleton; ///< of the context
+};
+std::size_t bytesOf(const EditedTree& edited)
+{
+    return bytesOf(edited.skeleton) + edited.context.bytes();
 }
 std::size_t bytesOf(const SimplifiedSkeleton& s)
 {
@@ -291,7 +297,7 @@ struct TreePipeline::Cache
     StageCache<GrownSymbols> symbols{bytesOf};
     StageCache<Skeleton> skeleton{bytesOf};
     StageCache<TreeAxes> axes{bytesOf}; ///< of trees with edits, as they have grown
-    StageCache<EditedSkeleton> edited{bytesOf};
+    StageCache<EditedTree> edited{bytesOf};
     StageCache<SimplifiedSkeleton> simplified{bytesOf};
     StageCache<SectionSet> sections{bytesOf};
     StageCache<MeshedBranches> branches{bytesOf};
@@ -406,10 +412,15 @@ private:
                                  [&]() -> Expected<TreeAxes> { return axesOf(grown); });
         RAMURE_TRY(axes);
         return cached(m_cache.edited, m_hashes[Stage::Skeleton], m_progress,
-                      [&]() -> Expected<EditedSkeleton> { return applyEdits(grown, **axes, m_params.edits); })
+                      [&]() -> Expected<EditedTree> {
+                          EditContext context(grown, m_params.edits, *axes);
+                          Skeleton skeleton = context.skeleton();
+                          return EditedTree{std::move(context), std::move(skeleton)};
+                      })
             .map([&](auto made) {
                 m_result.skeleton = std::shared_ptr<const Skeleton>(made, &made->skeleton);
-                m_result.edits = std::shared_ptr<const EditReport>(made, &made->report);
+                m_result.edited = std::shared_ptr<const EditContext>(made, &made->context);
+                m_result.edits = std::shared_ptr<const EditReport>(made, &made->context.report());
             });
     }
     Expected<void> simplified()

@@ -19,6 +19,8 @@
 
 namespace ramure {
 
+class EditContext;
+
 /// Results of the stages; those after the one asked for are null. All are immutable and shared.
 struct TreeResult
 {
@@ -26,6 +28,7 @@ struct TreeResult
     std::shared_ptr<const Skeleton> grown;      ///< as the generator made it
     std::shared_ptr<const Skeleton> skeleton;   ///< with the edits of the tree; without any the same as grown
     std::shared_ptr<const EditReport> edits;    ///< what became of them; null: there are none
+    std::shared_ptr<const EditContext> edited;  ///< the tree for edits behind those; null: there are none
     std::shared_ptr<const SimplifiedSkeleton>
         simplified;                             ///< equal to the skeleton where simplify.enabled is off
     std::shared_ptr<const SectionSet> sections; ///< of the simplified skeleton

@@ -7,7 +7,6 @@
 #include "core/params/tree_edit_table.h"
 #include "core/pipeline/tree_pipeline.h"
 #include "core/skeleton/edit_places.h"
-#include "core/skeleton/edits/apply_edits.h"
 #include "core/skeleton/edits/edit_context.h"
 #include "tests/bench/bench_trees.h"
 #include "tests/support/book_trees.h"
@@ -158,7 +157,8 @@ BENCHMARK(BM_editPlaces)->Unit(benchmark::kMillisecond);
 void BM_editOfOneLimb(benchmark::State& state)
 {
     const Skeleton grown = bench::Growth("SmallTree", 10).skeleton();
-    const TreeAxes axes = axesOf(grown);
+    const auto known = std::make_shared<const TreeAxes>(axesOf(grown));
+    const TreeAxes& axes = *known;
     const EditContext context(grown, {});
     TreeEdit edit;
     edit.operation = static_cast<EditOperation>(state.range(0));
@@ -170,8 +170,8 @@ void BM_editOfOneLimb(benchmark::State& state)
     edit.shape.numbers = {0.0, 2.0, 0.0, 1.0, 0.0, 0.0};
     edit = bench::need(context.prepared(edit, true));
     for (auto _ : state) {
-        const EditedSkeleton edited = applyEdits(grown, axes, {&edit, 1});
-        benchmark::DoNotOptimize(edited.skeleton.parent.data());
+        const Skeleton edited = EditContext(grown, {&edit, 1}, known).skeleton();
+        benchmark::DoNotOptimize(edited.parent.data());
     }
     state.SetLabel(std::string(infoOf(edit.operation).key) + ", " + std::to_string(grown.size()) +
                    " branches");

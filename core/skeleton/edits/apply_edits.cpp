@@ -140,13 +140,6 @@ EditReport applyEdits(EditTree& tree, const TreeAxes& axes, std::span<const Tree
     return Applier(tree, axes, edits).run();
 }
 
-EditedSkeleton applyEdits(const Skeleton& grown, const TreeAxes& axes, std::span<const TreeEdit> edits)
-{
-    EditTree tree(grown, axes);
-    EditReport report = applyEdits(tree, axes, edits);
-    return {tree.skeleton(), std::move(report)};
-}
-
 LayerCount countLayer(const EditReport& report)
 {
     LayerCount count;

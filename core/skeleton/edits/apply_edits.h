@@ -1,5 +1,5 @@
 /// \file
-/// What the hands made of a tree that has grown: a plain function of both, in the order of the list.
+/// What the hands make of a tree that has grown: a plain function of both, in the order of the list.
 #pragma once
 
 #include "core/params/tree_edit.h"
@@ -11,17 +11,9 @@ namespace ramure {
 
 class EditTree;
 
-struct EditedSkeleton
-{
-    Skeleton skeleton; ///< axes that nobody touched keep their addresses and keys
-    EditReport report;
-};
-
-/// \param axes of \p grown. Edits that find no place, or cannot act, change nothing and say why. Never fails:
-/// where the list asks for what cannot be, it is as if that were not in it.
-EditedSkeleton applyEdits(const Skeleton& grown, const TreeAxes& axes, std::span<const TreeEdit> edits);
-
-/// The same on a tree at work.
+/// \param tree is changed. \param axes of the tree as it was grown. Edits that find no place, or cannot act,
+/// change nothing and say why. Never fails: where the list asks for what cannot be, it is as if that were not
+/// in it.
 EditReport applyEdits(EditTree& tree, const TreeAxes& axes, std::span<const TreeEdit> edits);
 
 /// How many of the edits found their places, for the counts of core/skeleton/edit_places.h: those that cannot

@@ -4,6 +4,7 @@
 #include "core/skeleton/edit_places.h"
 #include "core/skeleton/edits/apply_edits.h"
 #include "core/skeleton/edits/edit_operations.h"
+#include <algorithm>
 #include <glm/geometric.hpp>
 
 namespace ramure {
@@ -34,17 +35,41 @@ Expected<void> actOn(EditTree& tree, const TreeAxes& grown, const TreeEdit& edit
 
 } // namespace
 
-EditContext::EditContext(const Skeleton& grown, std::span<const TreeEdit> edits)
-    : m_grown(std::make_shared<const TreeAxes>(axesOf(grown)))
+EditContext::EditContext(const Skeleton& grown, std::span<const TreeEdit> edits,
+                         std::shared_ptr<const TreeAxes> axes)
+    : m_grown(axes ? std::move(axes) : std::make_shared<const TreeAxes>(axesOf(grown)))
+    , m_edits(edits.begin(), edits.end())
     , m_mark(treeMark(*m_grown))
     , m_tree(std::make_unique<EditTree>(grown, *m_grown))
 {
-    applyEdits(*m_tree, *m_grown, edits);
+    m_report = applyEdits(*m_tree, *m_grown, edits);
 }
 
 EditContext::~EditContext() = default;
+EditContext::EditContext(const EditContext& other)
+    : m_grown(other.m_grown)
+    , m_edits(other.m_edits)
+    , m_report(other.m_report)
+    , m_mark(other.m_mark)
+    , m_tree(std::make_unique<EditTree>(*other.m_tree))
+{
+}
 EditContext::EditContext(EditContext&&) noexcept = default;
 EditContext& EditContext::operator=(EditContext&&) noexcept = default;
+
+std::optional<EditContext> EditContext::upTo(std::span<const TreeEdit> edits) const
+{
+    if (edits.size() < m_edits.size() || !std::ranges::equal(edits.first(m_edits.size()), m_edits))
+        return std::nullopt;
+    EditContext copy = *this;
+    applyEdits(*copy.m_tree, *m_grown, edits.subspan(m_edits.size()));
+    return copy;
+}
+
+std::size_t EditContext::bytes() const
+{
+    return m_tree->bytes() + m_edits.size() * sizeof(TreeEdit) + m_report.size() * sizeof(EditOutcome);
+}
 
 bool EditContext::has(std::uint64_t address) const
 {

@@ -7,6 +7,7 @@
 #include "core/math/frame.h"
 #include "core/params/tree_edit.h"
 #include "core/skeleton/axes.h"
+#include "core/skeleton/edits/edit_report.h"
 #include <memory>
 #include <optional>
 #include <span>
@@ -27,11 +28,20 @@ struct EditLoss
 class EditContext
 {
 public:
-    /// \param grown as the generator made it (TreeResult::grown); it and \p edits are not kept.
-    EditContext(const Skeleton& grown, std::span<const TreeEdit> edits);
+    /// \param grown as the generator made it (TreeResult::grown); it is not kept. \param axes of it, where
+    /// somebody knows them
+    EditContext(const Skeleton& grown, std::span<const TreeEdit> edits,
+                std::shared_ptr<const TreeAxes> axes = nullptr);
     ~EditContext();
+    EditContext(const EditContext& other);
     EditContext(EditContext&&) noexcept;
     EditContext& operator=(EditContext&&) noexcept;
+    /// A copy that goes on to these edits, where those that it began with are the first of them; else
+    /// nothing.
+    [[nodiscard]] std::optional<EditContext> upTo(std::span<const TreeEdit> edits) const;
+    /// What became of the edits that it began with.
+    [[nodiscard]] const EditReport& report() const { return m_report; }
+    [[nodiscard]] std::size_t bytes() const;
 
     [[nodiscard]] bool has(std::uint64_t address) const;
     /// An axis by its address, for TreeEdit::target and other. Error: Unknown.
@@ -60,13 +70,15 @@ public:
     /// A limb with all on it, for a graft onto another tree (TreeEdit::limb, and target empty). Empty: no
     /// such axis.
     [[nodiscard]] std::vector<LimbPiece> limb(std::uint64_t address) const;
-    /// The tree as it is now.
+    /// The tree as it is now. Axes that nobody touched keep their addresses and keys.
     [[nodiscard]] Skeleton skeleton() const;
 
 private:
     [[nodiscard]] Expected<EditTarget> named(std::uint64_t address, const char* key) const;
 
     std::shared_ptr<const TreeAxes> m_grown; ///< axes of the tree as grown
+    std::vector<TreeEdit> m_edits;           ///< that it began with
+    EditReport m_report;
     std::uint64_t m_mark = 0;
     std::unique_ptr<EditTree> m_tree;
 };

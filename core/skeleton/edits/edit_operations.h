@@ -1,5 +1,5 @@
 /// \file
-/// What each operation does to a tree. For this folder; everybody else uses apply_edits.h.
+/// What each operation does to a tree. For this folder; everybody else uses edit_context.h.
 #pragma once
 
 #include "core/base/error.h"

@@ -1,7 +1,6 @@
 /// \file
 /// A tree while hands shape it: pieces that can be split, moved, copied and taken away, in axes that keep
-/// their addresses whatever happens beside them. For this folder; everybody else uses apply_edits.h and
-/// edit_context.h.
+/// their addresses whatever happens beside them. For this folder; everybody else uses edit_context.h.
 #pragma once
 
 #include "core/math/frame.h"
@@ -68,6 +67,11 @@ public:
     [[nodiscard]] Index grownAxes() const { return m_grownAxes; }
     [[nodiscard]] Index firstPiece() const { return m_head; }
     [[nodiscard]] Index size() const { return m_size; } ///< pieces that are there
+    [[nodiscard]] std::size_t bytes() const
+    {
+        return m_pieces.size() * sizeof(EditPiece) + m_axes.size() * sizeof(EditAxis) +
+               m_organs.size() * sizeof(EditOrganSeat);
+    }
     [[nodiscard]] bool isGone(Index axis) const { return m_pieces[m_axes[axis].first].gone; }
     /// noIndex: there was none of that address.
     [[nodiscard]] Index axisAt(std::uint64_t address) const;

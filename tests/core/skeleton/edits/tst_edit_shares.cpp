@@ -1,4 +1,4 @@
-#include "core/skeleton/edits/apply_edits.h"
+#include "core/skeleton/edits/edit_context.h"
 #include "tests/support/shaped_tree.h"
 #include "tests/support/step_map.h"
 
@@ -40,7 +40,7 @@ Share shareOf(const TreeResult& before, const TreeResult& after, const StepMap& 
 {
     const std::vector<TreeEdit> edits = harmlessEdits(before, seed);
     const TreeAxes then = axesOf(*before.grown), now = axesOf(*after.grown);
-    const EditReport report = applyEdits(*after.grown, now, edits).report;
+    const EditReport report = EditContext(*after.grown, edits).report();
     Share share;
     for (std::size_t i = 0; i < edits.size(); ++i) {
         const auto axis = std::ranges::find(then.axes, edits[i].target.address, &Axis::address);

@@ -109,6 +109,11 @@ void TestRandomEdits::everyMeshIsWhole()
         }
         for (const EditOutcome& outcome : *tree->edits)
             QVERIFY(outcome.state == EditState::ByAddress);
+        // A hand goes on from the result and makes no edit of it again.
+        QVERIFY(tree->edited->upTo(params.edits)->skeleton() == *tree->skeleton);
+        QVERIFY(!tree->edited->upTo(std::span(params.edits).subspan(1)));
+        if (before->edited)
+            QVERIFY(before->edited->upTo(params.edits)->skeleton() == *tree->skeleton);
     }
 }
 

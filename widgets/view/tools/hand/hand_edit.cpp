@@ -22,16 +22,23 @@ Expected<std::unique_ptr<HandEdit>> HandEdit::begin(Document& document, NodeId t
     const NodeResult* result = document.result(tree);
     if (!result || result->error || !result->tree.grown)
         return fail(ErrorCode::Invalid, RAMURE_NOOP("\"%1\" has not grown yet"), {node->name});
-    return std::unique_ptr<HandEdit>(new HandEdit(document, tree, result->tree.grown, node->params.edits));
+    return std::unique_ptr<HandEdit>(new HandEdit(document, tree, result->tree, node->params.edits));
 }
 
-HandEdit::HandEdit(Document& document, NodeId tree, std::shared_ptr<const Skeleton> grown,
-                   std::vector<TreeEdit> before)
+/// The edits of a tree are made again only where its result has others than those that lead to the present
+/// ones, as after undo.
+static EditContext contextOf(const TreeResult& tree, const std::vector<TreeEdit>& edits)
+{
+    auto known = tree.edited ? tree.edited->upTo(edits) : std::nullopt;
+    return known ? std::move(*known) : EditContext(*tree.grown, edits);
+}
+
+HandEdit::HandEdit(Document& document, NodeId tree, const TreeResult& result, std::vector<TreeEdit> before)
     : m_document(document)
     , m_node(tree)
-    , m_grown(std::move(grown))
+    , m_grown(result.grown)
     , m_before(std::move(before))
-    , m_context(*m_grown, m_before)
+    , m_context(contextOf(result, m_before))
 {
 }
 

@@ -50,8 +50,7 @@ public:
     void cancel(); ///< everything as it was
 
 private:
-    HandEdit(Document& document, NodeId tree, std::shared_ptr<const Skeleton> grown,
-             std::vector<TreeEdit> before);
+    HandEdit(Document& document, NodeId tree, const TreeResult& result, std::vector<TreeEdit> before);
 
     Document& m_document;
     NodeId m_node;
