@@ -1,7 +1,7 @@
 #include "core/io/kept_maps.h"
 
+#include "core/pipeline/stage_hashes.h"
 #include <algorithm>
-#include <cstdio>
 #include <list>
 #include <mutex>
 
@@ -42,14 +42,6 @@ auto place(Shelf& shelf, const MapsKey& key)
     return std::ranges::find(shelf.kept, key.text(), &Kept::key);
 }
 
-/// No two numbers have the same text.
-std::string exactly(double value)
-{
-    std::array<char, 40> text{};
-    std::snprintf(text.data(), text.size(), "%a ", value);
-    return text.data();
-}
-
 std::string ending(int size, std::span<const MaterialMap> kinds)
 {
     std::string text = std::to_string(size);
@@ -61,8 +53,7 @@ std::string ending(int size, std::span<const MaterialMap> kinds)
 } // namespace
 
 MapsKey::MapsKey(const BarkParams& bark, int size, std::span<const MaterialMap> kinds)
-    : m_text("bark " + std::to_string(int(bark.family)) + ' ' + exactly(bark.depth) + exactly(bark.light) +
-             exactly(bark.moss) + std::to_string(bark.seed) + ' ' + ending(size, kinds))
+    : m_text("bark " + std::to_string(barkHash(bark)) + ' ' + ending(size, kinds))
 {
 }
 

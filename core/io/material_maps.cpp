@@ -5,6 +5,7 @@
 #include "core/io/picture_file.h"
 #include "core/math/stage_hash.h"
 #include "core/params/param_def.h"
+#include "core/pipeline/stage_hashes.h"
 #include "core/surface/bark/bark_maps.h"
 #include "core/surface/foliage/leaf_maps.h"
 #include "core/surface/foliage/leaf_season.h"
@@ -142,12 +143,10 @@ Expected<void> copyPictures(const std::string& folder, const PictureParams& pict
 std::string mapFileName(const BarkParams& bark, int size, MaterialMap map)
 {
     const char* family = findParam("bark.family")->items[static_cast<std::size_t>(bark.family)].name;
-    StageHash hash(barkVersion);
-    hash.add(std::string_view(family)).add(bark.depth).add(bark.light).add(bark.moss).add(bark.seed);
     return std::string("bark_")
         .append(family)
         .append("_")
-        .append(eightDigits(hash.value()))
+        .append(eightDigits(barkHash(bark, barkVersion)))
         .append("_")
         .append(std::to_string(size))
         .append("_")

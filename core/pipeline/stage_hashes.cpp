@@ -131,4 +131,15 @@ StageHashes::StageHashes(const NodeParams& params)
     follow(Stage::Texture, of(Stage::Mesh));
 }
 
+std::uint64_t barkHash(const BarkParams& bark, std::uint64_t version)
+{
+    NodeParams params;
+    params.bark = bark;
+    StageHash hash(version);
+    for (const ParamDef& def : paramTable())
+        if (std::string_view(def.key).starts_with("bark.") && !(def.flags & paramPicture))
+            add(hash, def.get(params));
+    return hash.value();
+}
+
 } // namespace ramure

@@ -29,4 +29,7 @@ private:
     std::array<std::uint64_t, stageCount> m_hashes{};
 };
 
+/// Equal where bark looks the same: of all values that the table has of bark, but for its image files.
+std::uint64_t barkHash(const BarkParams& bark, std::uint64_t version = 0);
+
 } // namespace ramure

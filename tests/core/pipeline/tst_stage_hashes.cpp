@@ -71,6 +71,7 @@ private slots:
     void branchesChangeTheirStages();
     void budgetsNeedNoSections();
     void editsChangeTheSkeleton();
+    void everyValueOfBarkChangesItsHash();
 };
 
 void TestStageHashes::everyRowChangesItsStage_data()
@@ -161,6 +162,19 @@ void TestStageHashes::editsChangeTheSkeleton()
         change(other.edits.front());
         QVERIFY(StageHashes(other)[Stage::Skeleton] != edited[Stage::Skeleton]);
     }
+}
+
+void TestStageHashes::everyValueOfBarkChangesItsHash()
+{
+    const NodeParams plain;
+    int values = 0;
+    for (const ParamDef& def : paramTable()) {
+        const BarkParams other = withOther(def, plain).bark;
+        QCOMPARE(barkHash(other) == barkHash(plain.bark), other == plain.bark);
+        values += other == plain.bark ? 0 : 1;
+    }
+    QCOMPARE(values, 5);
+    QVERIFY(barkHash(plain.bark, 1) != barkHash(plain.bark, 2));
 }
 
 RAMURE_SUITE(TestStageHashes)

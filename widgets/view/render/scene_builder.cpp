@@ -1,5 +1,6 @@
 #include "widgets/view/render/scene_builder.h"
 
+#include "core/pipeline/stage_hashes.h"
 #include "core/scene/object_mesh.h"
 #include "core/surface/check/texture_report.h"
 #include "core/surface/mesh/normals.h"
@@ -31,6 +32,16 @@ Material openBark(const BarkParams& params = {}, const PictureParams& pictures =
 /// Pixels a side of a tile of bark: as fine as the view can show, and quickly made.
 constexpr int shownBarkSize = 512, shownLeafSize = 256;
 
+/// Of a number that a double does not hold.
+double highHalf(std::uint64_t number)
+{
+    return double(number >> 32U);
+}
+double lowHalf(std::uint64_t number)
+{
+    return double(number & 0xFFFFFFFFU);
+}
+
 /// What a surface wears, read again where a file has changed.
 std::shared_ptr<const SurfaceImages> imagesOf(ScenePartCache& cache, const Material& material)
 {
@@ -38,13 +49,13 @@ std::shared_ptr<const SurfaceImages> imagesOf(ScenePartCache& cache, const Mater
         return nullptr;
     const std::uint64_t stamp = pictureStamp(material.pictures);
     const std::shared_ptr<const void> anybody; // surfaces that look the same share it
-    const BarkParams& bark = material.bark;
-    return cache.get<SurfaceImages>(
-        ScenePart::Images, anybody, anybody,
-        {double(stamp >> 32), double(stamp & 0xFFFFFFFFu), double(bark.family), bark.depth, bark.light,
-         bark.moss, double(bark.seed), double(material.leaf), double(material.name.starts_with("bark")),
-         double(material.colour.r), double(material.colour.g), double(material.colour.b)},
-        [&] { return surfaceImages(material); });
+    const std::uint64_t bark = barkHash(material.bark);
+    return cache.get<SurfaceImages>(ScenePart::Images, anybody, anybody,
+                                    {highHalf(stamp), lowHalf(stamp), highHalf(bark), lowHalf(bark),
+                                     double(material.leaf), double(material.name.starts_with("bark")),
+                                     double(material.colour.r), double(material.colour.g),
+                                     double(material.colour.b)},
+                                    [&] { return surfaceImages(material); });
 }
 
 /// A branch mesh with texture coordinates.
@@ -258,12 +269,12 @@ struct TreeItems
             return true;
         item->images = imagesOf(cache, item->material);
         const BarkParams& bark = node.params.bark;
+        const std::uint64_t hash = barkHash(bark);
         const std::shared_ptr<const void> anybody; // trees of the same bark share it
         if (!item->images)
-            item->bark = cache.get<BarkMaps>(
-                ScenePart::Bark, anybody, anybody,
-                {double(bark.family), bark.depth, bark.light, bark.moss, double(bark.seed)},
-                [&] { return barkMaps(bark, shownBarkSize).value(); });
+            item->bark =
+                cache.get<BarkMaps>(ScenePart::Bark, anybody, anybody, {highHalf(hash), lowHalf(hash)},
+                                    [&] { return barkMaps(bark, shownBarkSize).value(); });
         return true;
     }
     /// Without leaves in front; as a plain mesh where there are no coordinates.
