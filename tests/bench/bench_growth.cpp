@@ -1,13 +1,16 @@
 // Every stage, and all of them in a row, from a thousand to ten million triangles: what one triangle costs
 // must not grow with their number. And ten million vertices written, read and compared.
 #include "core/base/parallel.h"
-#include "core/io/mesh_file.h"
+#include "core/io/formats/file_format.h"
 #include "core/pipeline/tree_pipeline.h"
 #include "core/skeleton/sections.h"
+#include "core/surface/check/self_intersections.h"
+#include "core/surface/foliage/foliage.h"
 #include "core/surface/mesh/normals.h"
 #include "core/surface/mesher/branch_mesh.h"
 #include "core/surface/mesher/rough_model.h"
 #include "core/surface/proof/validate.h"
+#include "core/surface/texture/texture_coordinates.h"
 #include "tests/bench/bench_trees.h"
 #include <benchmark/benchmark.h>
 #include <cmath>
@@ -93,6 +96,44 @@ void BM_growthRough(benchmark::State& state)
     });
 }
 
+void BM_growthTexture(benchmark::State& state)
+{
+    const BranchMesh branches = bench::need(buildBranchMesh(treeOf(state).skeleton, {}));
+    perTriangle(state, branches.mesh.faceCount(),
+                [&] { benchmark::DoNotOptimize(bench::need(textureCoordinates(branches, {})).uv.data()); });
+}
+/// For one triangle of the leaves.
+void BM_growthFoliage(benchmark::State& state)
+{
+    const Tree& tree = treeOf(state);
+    const auto leaves = [&tree] {
+        const Foliage foliage = bench::need(placeFoliage(tree.skeleton, FoliageParams(), 0.2));
+        return buildLeaves(tree.skeleton, foliage, 0.2, FoliageModel::Fine);
+    };
+    perTriangle(state, leaves().faceCount(), [&] { benchmark::DoNotOptimize(leaves().positions.data()); });
+}
+void BM_growthCrossings(benchmark::State& state)
+{
+    const Tree& tree = treeOf(state);
+    const BranchMesh branches = bench::need(buildBranchMesh(tree.skeleton, {}));
+    const std::vector<Index> parents = repairedParents(tree.skeleton, branches.repairs);
+    perTriangle(state, branches.mesh.faceCount(), [&] {
+        benchmark::DoNotOptimize(bench::need(findSelfIntersections(branches.mesh, parents, 1)));
+    });
+}
+void BM_growthGlb(benchmark::State& state)
+{
+    const TriangleMesh& mesh = treeOf(state).mesh;
+    const ExportScene scene = sceneOfMeshes({{"branches", mesh, {}}}, barkMaterial());
+    const std::string path = file("ramure-growth.glb");
+    const FileFormat& glb = *bench::need(findFormat(path, FormatUse::Write));
+    perTriangle(state, mesh.faceCount(), [&] {
+        if (!glb.write(path, scene, {}, {}))
+            state.SkipWithError("not written");
+    });
+    std::filesystem::remove(path);
+}
+
 Expected<void> write(const char* name, const TriangleMesh& mesh)
 {
     const MeshPart part{"branches", &mesh, barkMaterial()};
@@ -147,10 +188,21 @@ void sizes(benchmark::internal::Benchmark* bench)
         bench->Arg(iterations);
     bench->Unit(benchmark::kMillisecond);
 }
+/// Small, usual and huge.
+void threeSizes(benchmark::internal::Benchmark* bench)
+{
+    for (const int iterations : {5, 8, 12})
+        bench->Arg(iterations);
+    bench->Unit(benchmark::kMillisecond);
+}
 BENCHMARK(BM_growthMesh)->Apply(sizes);
 BENCHMARK(BM_growthCheck)->Apply(sizes);
 BENCHMARK(BM_growthNormals)->Apply(sizes);
 BENCHMARK(BM_growthRough)->Apply(sizes);
+BENCHMARK(BM_growthTexture)->Apply(threeSizes);
+BENCHMARK(BM_growthFoliage)->Apply(threeSizes);
+BENCHMARK(BM_growthCrossings)->Apply(threeSizes);
+BENCHMARK(BM_growthGlb)->Apply(threeSizes);
 BENCHMARK_CAPTURE(BM_growthWrite, obj, "ramure-growth.obj")->Apply(sizes);
 BENCHMARK_CAPTURE(BM_growthRead, obj, "ramure-growth.obj")->Apply(sizes);
 BENCHMARK_CAPTURE(BM_growthWrite, ply, "ramure-growth.ply")->Apply(sizes);

@@ -54,6 +54,10 @@ GROWTH = [
     ("full check", "BM_growthCheck"),
     ("normals", "BM_growthNormals"),
     ("rough model", "BM_growthRough"),
+    ("texture coordinates", "BM_growthTexture"),
+    ("leaves, per triangle of them", "BM_growthFoliage"),
+    ("crossings", "BM_growthCrossings"),
+    ("GLB written", "BM_growthGlb"),
     ("OBJ written", "BM_growthWrite/obj"),
     ("OBJ read", "BM_growthRead/obj"),
     ("PLY written", "BM_growthWrite/ply"),
@@ -152,6 +156,10 @@ FRENCH_CELLS = {
     "full check": "vérification complète",
     "normals": "normales",
     "rough model": "modèle grossier",
+    "texture coordinates": "coordonnées de texture",
+    "leaves, per triangle of them": "feuilles, par triangle des feuilles",
+    "crossings": "croisements",
+    "GLB written": "GLB écrit",
     "OBJ written": "OBJ écrit",
     "OBJ read": "OBJ lu",
     "PLY written": "PLY écrit",
@@ -300,7 +308,8 @@ def page(data):
         for text, _ in GROWTH:
             row = rows[text]
             cells = [number(row[s]) if s in row else "" for s in sizes]
-            growth = f"{row['15'] / row['5']:.2f}" if "15" in row and "5" in row else ""
+            last = row.get("15", row.get("12"))
+            growth = f"{last / row['5']:.2f}" if last and "5" in row else ""
             out.append(f"| {text} | " + " | ".join(cells) + f" | {growth} |")
     big = [r for r in runs if r["name"].startswith("BM_tenMillionVertices") and not r.get("error_occurred")]
     if big:
