@@ -3,9 +3,9 @@
 #pragma once
 
 #include "app/cli/command_line.h"
+#include "core/evaluate/evaluator.h"
 #include "core/io/mesh_file.h"
 #include "core/pipeline/tree_pipeline.h"
-#include "core/qt/session/export/exporter.h"
 #include "core/scene/scene.h"
 #include <QJsonArray>
 #include <variant>

@@ -1,9 +1,10 @@
 #include "app/cli/mesh_check.h"
 
+#include "core/evaluate/evaluator.h"
+#include "core/io/export_scene.h"
 #include "core/pipeline/separate_branches.h"
 #include "core/qt/document/project/mesh_report_json.h"
 #include "core/qt/document/project/project_json.h"
-#include "core/qt/session/export/exporter.h"
 #include "core/scene/object_mesh.h"
 #include "core/scene/shape_check.h"
 #include "core/surface/mesh/transformed.h"

@@ -1,5 +1,6 @@
 #include "core/io/formats/text/blender_scene.h"
 #include "core/qt/document/project/project_file.h"
+#include "core/qt/session/export/exporter.h"
 #include "core/surface/proof/validate.h"
 #include "tests/support/flat_export.h"
 #include "tests/support/suite.h"

@@ -1,5 +1,6 @@
 #include "core/params/presets.h"
 #include "core/qt/document/commands.h"
+#include "core/qt/session/export/exporter.h"
 #include "core/surface/foliage/foliage.h"
 #include "core/surface/mesh/transformed.h"
 #include "core/surface/mesher/rough_model.h"

@@ -1,5 +1,6 @@
 #include "core/evaluate/evaluator.h"
 #include "core/params/presets.h"
+#include "core/qt/session/export/exporter.h"
 #include "core/qt/session/motion/sequence.h"
 #include "core/rig/arm/arm_chain.h"
 #include "core/scene/arm_demo.h"

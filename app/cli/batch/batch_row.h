@@ -8,7 +8,8 @@
 #include "app/cli/input.h"
 #include "app/cli/mesh_check.h"
 #include "core/evaluate/evaluator.h"
-#include "core/qt/session/export/exporter.h"
+#include "core/io/export_scene.h"
+#include "core/qt/session/export/export_options.h"
 #include <QJsonObject>
 #include <memory>
 #include <optional>

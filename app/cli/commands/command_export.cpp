@@ -8,6 +8,7 @@
 #include "core/evaluate/evaluator.h"
 #include "core/io/formats/file_format.h"
 #include "core/qt/document/project/mesh_report_json.h"
+#include "core/qt/session/export/exporter.h"
 #include "core/surface/mesh/transformed.h"
 #include <QFileInfo>
 #include <QJsonArray>

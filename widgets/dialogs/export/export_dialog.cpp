@@ -2,6 +2,7 @@
 
 #include "core/io/formats/file_format.h"
 #include "core/qt/document/document.h"
+#include "core/qt/session/export/exporter.h"
 #include "core/qt/session/jobs/recompute.h"
 #include "widgets/base/chooser.h"
 #include "widgets/base/fields/level_form.h"

@@ -2,7 +2,7 @@
 /// What to export, how and where to.
 #pragma once
 
-#include "core/qt/session/export/exporter.h"
+#include "core/qt/session/export/export_options.h"
 #include "widgets/dialogs/export/export_uses.h"
 #include "widgets/dialogs/export/sequence_task.h"
 #include <QDialog>

@@ -2,7 +2,8 @@
 /// One export on a thread of its own.
 #pragma once
 
-#include "core/qt/session/export/exporter.h"
+#include "core/evaluate/evaluator.h"
+#include "core/qt/session/export/export_options.h"
 #include "core/qt/session/export/print_export.h"
 #include "core/qt/session/jobs/job.h"
 #include <QString>

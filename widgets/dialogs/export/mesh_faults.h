@@ -2,7 +2,7 @@
 /// What is not clean about the meshes that an export would write.
 #pragma once
 
-#include "core/qt/session/export/exporter.h"
+#include "core/qt/session/export/export_options.h"
 #include "core/qt/session/jobs/analysis.h"
 #include "core/surface/check/verdict.h"
 #include <QString>

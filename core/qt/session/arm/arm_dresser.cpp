@@ -4,7 +4,6 @@
 #include "core/math/drag_maths.h"
 #include "core/math/reproducible.h"
 #include "core/qt/document/document_command.h"
-#include "core/qt/session/export/exporter.h"
 #include "core/rig/arm/arm_chain.h"
 #include "core/rig/arm/arm_shape.h"
 #include "core/surface/mesh/transformed.h"

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "core/io/formats/file_format.h"
-#include "core/qt/session/export/exporter.h"
+#include "core/qt/session/export/export_options.h"
 #include <span>
 #include <string>
 

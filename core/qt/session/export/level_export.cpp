@@ -1,6 +1,7 @@
 #include "core/qt/session/export/level_export.h"
 
 #include "core/math/reproducible.h"
+#include "core/qt/session/export/exporter.h"
 #include <cmath>
 #include <glm/matrix.hpp>
 

@@ -2,10 +2,11 @@
 /// Levels of detail of the trees of a scene, on their way to files.
 #pragma once
 
+#include "core/evaluate/evaluator.h"
 #include "core/io/formats/file_format.h"
 #include "core/lod/level_skins.h"
 #include "core/lod/level_switches.h"
-#include "core/qt/session/export/exporter.h"
+#include "core/qt/session/export/export_options.h"
 
 namespace ramure {
 

@@ -6,7 +6,7 @@
 #include "core/evaluate/evaluator.h"
 #include "core/io/export_scene.h"
 #include "core/print/print_tree.h"
-#include "core/qt/session/export/exporter.h"
+#include "core/qt/session/export/export_options.h"
 
 namespace ramure {
 

@@ -2,7 +2,8 @@
 /// How many vertices and faces a scene has, part by part: what an export of it writes.
 #pragma once
 
-#include "core/qt/session/export/exporter.h"
+#include "core/evaluate/evaluator.h"
+#include "core/qt/session/export/export_options.h"
 #include <array>
 #include <cstdint>
 #include <map>

@@ -2,8 +2,9 @@
 /// What games move trees by, on its way to files.
 #pragma once
 
+#include "core/evaluate/evaluator.h"
 #include "core/io/formats/file_format.h"
-#include "core/qt/session/export/exporter.h"
+#include "core/qt/session/export/export_options.h"
 
 namespace ramure {
 

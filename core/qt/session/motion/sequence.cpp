@@ -3,6 +3,7 @@
 #include "core/io/formats/file_format.h"
 #include "core/math/reproducible.h"
 #include "core/pipeline/texture_stage.h"
+#include "core/qt/session/export/exporter.h"
 #include "core/qt/session/export/scene_counts.h"
 
 #include <algorithm>

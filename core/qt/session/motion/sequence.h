@@ -2,7 +2,8 @@
 /// Sequences of files, one for each frame: what the export dialog and `ramure-cli --frames` share.
 #pragma once
 
-#include "core/qt/session/export/exporter.h"
+#include "core/evaluate/evaluator.h"
+#include "core/qt/session/export/export_options.h"
 #include <cstdint>
 
 namespace ramure {

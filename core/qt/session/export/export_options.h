@@ -1,0 +1,39 @@
+/// \file
+/// What of a scene is exported, and how it is written.
+#pragma once
+
+#include "core/game_wind/wind_profile.h"
+#include "core/io/file_space.h"
+#include "core/io/mesh_file.h"
+#include "core/lod/level_options.h"
+#include "core/print/print_options.h"
+#include "core/scene/scene.h"
+#include <vector>
+
+namespace ramure {
+
+enum class ExportModel : std::uint8_t {
+    Mesh,     ///< the one continuous mesh, triangle leaves, round apples
+    Rough,    ///< SPEC A3: open cylinders, square leaves, cubes
+    Skeleton, ///< one line segment per branch of the simplified skeleton; parts do not matter
+};
+
+enum ExportPart : std::uint8_t { exportBranches = 1, exportLeaves = 2, exportApples = 4, exportAll = 7 };
+
+struct ExportOptions
+{
+    ExportModel model = ExportModel::Mesh;
+    std::uint8_t parts = exportAll; ///< bits of ExportPart
+    std::vector<NodeId> nodes;      ///< these and the trees below them; empty = the whole scene
+    bool hidden = false;            ///< also nodes that are not shown
+    bool instances = false;         ///< leaves and apples as a list beside the file (core/io/copy_list.h)
+    bool texture = false;     ///< trees with texture coordinates; the rough model and the skeleton have none
+    std::vector<double> clip; ///< s, further times: trees and arms of ExportModel::Mesh then have skins
+    LevelOptions levels;      ///< of trees as ExportModel::Mesh
+    WindProfile wind = WindProfile::None; ///< of trees: numbers by which games move them
+    WriteOptions write;
+    FileSpace space;    ///< the axes and the unit of the file
+    PrintOptions print; ///< of printScene()
+};
+
+} // namespace ramure
