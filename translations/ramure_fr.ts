@@ -4652,14 +4652,6 @@
         <translation>l’échelle propre du placement est nulle</translation>
     </message>
     <message>
-        <source>Seams open at bends</source>
-        <translation>Coutures ouvertes aux courbures</translation>
-    </message>
-    <message>
-        <source>On: where a branch bends sharply, the two sides of its seam part, and 95 of 100 triangles keep the shape of the picture. Off: the picture meets itself along the whole seam, but is stretched at bends.</source>
-        <translation>Activé : là où une branche se courbe fortement, les deux bords de sa couture s’écartent, et 95 triangles sur 100 gardent la forme de l’image. Désactivé : l’image se rejoint tout le long de la couture, mais elle est étirée aux courbures.</translation>
-    </message>
-    <message>
         <source>the last frame must not stand before the first one</source>
         <translation>la dernière image ne doit pas précéder la première</translation>
     </message>
@@ -5292,8 +5284,8 @@
         <translation>Une autre graine dessine un autre morceau de la même écorce.</translation>
     </message>
     <message>
-        <source>Side of the piece of bark that is repeated. A whole number of them goes around every branch. 0: half the way around the trunk, and with plain bark the largest that fits the twigs.</source>
-        <translation>Le côté du morceau d’écorce qui se répète. Un nombre entier en fait le tour de chaque branche. 0 : la moitié du tour du tronc et, pour une écorce unie, le plus grand qui convienne aux rameaux.</translation>
+        <source>Side of the piece of bark that is repeated, on the thickest wood. It is smaller on thinner wood, and a whole number of them goes around every branch. 0: four go around the trunk.</source>
+        <translation>Le côté du morceau d’écorce qui se répète, sur le bois le plus épais. Il est plus petit sur le bois plus fin, et un nombre entier en fait le tour de chaque branche. 0 : quatre font le tour du tronc.</translation>
     </message>
     <message>
         <source>A map of bark has %1 to %2 pixels a side</source>

@@ -63,7 +63,7 @@ Expected<CheckedMesh> checkTree(const Node& node, bool isOneOfSeveral, Evaluated
     checked.report.valid = verdictOn(checked.report, nullptr, branches.roots) != MeshVerdict::Broken;
     checked.crossingsKnown = checks.crossings;
     if (checks.texture) {
-        const auto coordinates = result->texture->coordinates(node.params, progress.part(0.9, 1.0));
+        const auto coordinates = result->texture->coordinates(node.params.texture, progress.part(0.9, 1.0));
         RAMURE_TRY(coordinates);
         checked.texture = textureReport(branches, **coordinates);
     }

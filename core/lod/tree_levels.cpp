@@ -402,9 +402,9 @@ Expected<void> LevelMaker::addBark(TreeLevel& level, const Progress& progress)
         return {};
     TriangleMesh bark = level.branches->mesh;
     if (m_parts.texture) {
-        NodeParams params = m_params;
+        TextureParams params = m_params.texture;
         if (m_tileSize > 0.0)
-            params.texture.tileSize = m_tileSize;
+            params.tileSize = m_tileSize;
         const bool isWhole = level.branches == m_tree.branches;
         const auto texture = isWhole ? m_tree.texture->coordinates(params, progress)
                                      : TextureStage(level.branches).coordinates(params, progress);

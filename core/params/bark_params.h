@@ -22,6 +22,7 @@ enum class BarkFamily : std::uint8_t {
     Corky,     ///< cork oak: deep, soft ridges
     Bamboo,    ///< smooth, with a node each tile
     Ribbed,    ///< cactus: green ribs with spines along their crests
+    Banded,    ///< cherry: red brown, glossy, with pale lenticels across
 };
 
 /// Used where a surface is drawn or its maps are written; no geometry depends on them.

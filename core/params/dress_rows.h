@@ -141,15 +141,9 @@ inline constexpr std::array dressRows{
         ParamUnit::None, {0, maxSeed, 0, 9999, 1, 0}, Stage::Texture, paramSeed),
     row<&NodeParams::texture, &TextureParams::tileSize>(
         {"texture.tileSize", barkGroup, RAMURE_NOOP("Bark tile"),
-         RAMURE_NOOP("Side of the piece of bark that is repeated. A whole number of them goes around every branch. 0: half "
-                     "the way around the trunk, and with plain bark the largest that fits the twigs.")},
+         RAMURE_NOOP("Side of the piece of bark that is repeated, on the thickest wood. It is smaller on thinner wood, "
+                     "and a whole number of them goes around every branch. 0: four go around the trunk.")},
         ParamUnit::Metre, {0, 1000, 0, 0.1, 0.001, 4}, Stage::Texture, paramAdvanced),
-    row<&NodeParams::texture, &TextureParams::seamsAround>(
-        {"texture.seamsAround", barkGroup, RAMURE_NOOP("Seams open at bends"),
-         RAMURE_NOOP("On: where a branch bends sharply, the two sides of its seam part, and 95 of 100 triangles keep the "
-                     "shape of the picture. Off: the picture meets itself along the whole seam, but is stretched at "
-                     "bends.")},
-        ParamUnit::None, {}, Stage::Texture, paramAdvanced),
     pictureRow<&NodeParams::barkPictures, &PictureParams::colour>("bark.colourPicture", barkPicturesGroup),
     pictureRow<&NodeParams::barkPictures, &PictureParams::normal>("bark.normalPicture", barkPicturesGroup),
     pictureRow<&NodeParams::barkPictures, &PictureParams::roughness>("bark.roughnessPicture", barkPicturesGroup),

@@ -104,8 +104,7 @@ struct FoliageParams
 /// Of the branches; used where texture coordinates are asked for, no geometry depends on them.
 struct TextureParams
 {
-    double tileSize = 0.0; ///< m; 0 = half way around the trunk, of plain bark as the thinnest branch allows
-    bool seamsAround = true; ///< seams may open at strong bends
+    double tileSize = 0.0; ///< m, on the thickest wood; 0: four go around it
     bool operator==(const TextureParams&) const = default;
 };
 

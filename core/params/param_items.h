@@ -55,7 +55,8 @@ inline constexpr std::array itemsOf<BarkFamily>{
     EnumItem{"ringed", RAMURE_NOOP("Birch")},      EnumItem{"fibrous", RAMURE_NOOP("Cedar")},
     EnumItem{"mosaic", RAMURE_NOOP("Plane tree")}, EnumItem{"palmScars", RAMURE_NOOP("Palm")},
     EnumItem{"thorny", RAMURE_NOOP("Kapok")},      EnumItem{"corky", RAMURE_NOOP("Cork oak")},
-    EnumItem{"bamboo", RAMURE_NOOP("Bamboo")},     EnumItem{"ribbed", RAMURE_NOOP("Cactus")}};
+    EnumItem{"bamboo", RAMURE_NOOP("Bamboo")},     EnumItem{"ribbed", RAMURE_NOOP("Cactus")},
+    EnumItem{"banded", RAMURE_NOOP("Cherry")}};
 
 template <>
 inline constexpr std::array itemsOf<PrimitiveShape>{

@@ -256,7 +256,7 @@ std::vector<Preset> everyPreset()
          dressed(NodeParams(), LeafShape::Apple, 1.4, FruitKind::Apple, 0.05, BarkFamily::Scaly)},
         {"FanTree", RAMURE_NOOP("Slender branches with fans of twigs"),
          dressed(grown({"EEEEEEBA", fanTreeRules, 8}, {0.15, 0.2, 0.92}), LeafShape::Cherry, 1.2,
-                 FruitKind::Blossom, 0.35, BarkFamily::Ringed, -0.5)},
+                 FruitKind::Blossom, 0.35, BarkFamily::Banded)},
         {"TinyTree", RAMURE_NOOP("A small tree, drawn once by chance and kept"),
          dressed(grown({tinyTreeSymbols, "", 0}, {0.394, 0.2, 0.8}), LeafShape::Oak, 1.3, FruitKind::Acorn,
                  0.3, BarkFamily::Furrowed)},

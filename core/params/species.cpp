@@ -106,6 +106,7 @@ double grownBarkTile(BarkFamily family)
     case BarkFamily::Mosaic:
         return 1.0;
     case BarkFamily::Ringed:
+    case BarkFamily::Banded:
     case BarkFamily::Peeling:
     case BarkFamily::Fibrous:
         return 0.6;

@@ -1,8 +1,6 @@
 #include "core/pipeline/texture_stage.h"
 
 #include "core/pipeline/stage_hashes.h"
-#include <algorithm>
-#include <numbers>
 
 namespace ramure {
 
@@ -15,7 +13,7 @@ TextureStage::TextureStage(std::shared_ptr<const BranchMesh> rest)
     : m_rest(std::move(rest))
     , m_kept([](const TextureCoordinates& made) {
         return made.uv.capacity() * sizeof(glm::vec2) + made.vertex.capacity() * sizeof(Index) +
-               made.corners.capacity() * sizeof(glm::uvec3);
+               made.radius.capacity() * sizeof(float) + made.corners.capacity() * sizeof(glm::uvec3);
     })
 {
     m_kept.setCapacity(2);
@@ -41,16 +39,6 @@ Expected<std::shared_ptr<const TextureCoordinates>> TextureStage::coordinates(co
     const std::lock_guard lock(m_mutex);
     m_kept.keep(hash, result);
     return result;
-}
-
-Expected<std::shared_ptr<const TextureCoordinates>> TextureStage::coordinates(const NodeParams& params,
-                                                                              const Progress& progress) const
-{
-    TextureParams texture = params.texture;
-    if (texture.tileSize == 0.0 && isPictured(params))
-        for (const TubeAxis& axis : m_rest->axes)
-            texture.tileSize = std::max(texture.tileSize, std::numbers::pi * axis.a0);
-    return coordinates(texture, progress);
 }
 
 std::size_t TextureStage::bytes() const

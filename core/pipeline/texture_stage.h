@@ -21,9 +21,6 @@ public:
     /// From any thread; two that ask at once may both compute. Errors: those of textureCoordinates.
     Expected<std::shared_ptr<const TextureCoordinates>> coordinates(const TextureParams& params,
                                                                     const Progress& progress = {}) const;
-    /// The same for the bark that a tree has: with tiles that suit its picture where no size is set.
-    Expected<std::shared_ptr<const TextureCoordinates>> coordinates(const NodeParams& params,
-                                                                    const Progress& progress = {}) const;
     /// The memory of the coordinates that are kept, without the mesh. From any thread.
     [[nodiscard]] std::size_t bytes() const;
 

@@ -6,6 +6,7 @@ in Surface
     vec4 tint;
     vec2 uv;
     float shade;
+    float age;
 } v;
 #ifdef WIRE
 noperspective in vec3 edgeDistance;
@@ -53,6 +54,7 @@ uniform int uImages; // 0 none; 1 uBark and uBarkNormals are pictures of any sur
 #endif
 uniform sampler2D uBark;        // sRGB, occlusion
 uniform sampler2D uBarkNormals; // tangent space, roughness
+uniform vec3 uYoung;            // sRGB, of thin wood; below 0: the mean of uBark
 
 // The bark's colour, its normal turned by what stands out of it. The frame of the texture comes from what both do from
 // pixel to pixel (Schueler, "Followup: normal mapping without precomputed tangents", 2013).
@@ -62,16 +64,13 @@ vec3 barkColour(inout vec3 normal)
     vec2 du = dFdx(v.uv), dv = dFdy(v.uv);
     vec3 p = cross(along, normal), q = cross(normal, across);
     vec3 t = p * du.x + q * dv.x, b = p * du.y + q * dv.y;
-    float area = max(abs(dot(across, p)), 1e-20);
-    // Bark is as old as the branch is thick: where one tile is squeezed around a twig, there is little of it yet.
-    float around = area / max(length(t), 1e-20);
-    float age = smoothstep(0.03, 0.5, around / uTileSize);
+    // Bark is as old as the branch is thick.
     vec4 old = texture(uBark, v.uv);
-    vec3 young = textureLod(uBark, v.uv, 20.0).rgb;
+    vec3 young = uYoung.r < 0.0 ? textureLod(uBark, v.uv, 20.0).rgb : uYoung;
     vec3 relief = texture(uBarkNormals, v.uv).xyz * 2.0 - 1.0;
     float scale = inversesqrt(max(max(dot(t, t), dot(b, b)), 1e-30));
-    normal = normalize(age * scale * (t * relief.x + b * relief.y) + normal * max(relief.z, 0.1));
-    return mix(young, old.rgb * old.a, age);
+    normal = normalize(v.age * scale * (t * relief.x + b * relief.y) + normal * max(relief.z, 0.1));
+    return mix(young, old.rgb * old.a, v.age);
 }
 
 uniform vec3 uBlade; // sRGB, of the leaf whose picture uBark is where uVeins, or what pictures replace

@@ -12,6 +12,7 @@ in Surface
     vec4 tint;
     vec2 uv;
     float shade;
+    float age;
 } vIn[];
 
 out Surface
@@ -22,6 +23,7 @@ out Surface
     vec4 tint;
     vec2 uv;
     float shade;
+    float age;
 } v;
 noperspective out vec3 edgeDistance;
 
@@ -43,6 +45,7 @@ void main()
         v.tint = vIn[i].tint;
         v.uv = vIn[i].uv;
         v.shade = vIn[i].shade;
+        v.age = vIn[i].age;
         edgeDistance = vec3(behind ? 1e6 : 0.0);
         if (!behind)
             edgeDistance[i] = area / max(length(p[(i + 1) % 3] - p[(i + 2) % 3]), 1e-6);

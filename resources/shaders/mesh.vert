@@ -4,6 +4,7 @@ layout(location = 2) in uint aBranch;
 layout(location = 3) in vec2 aTexture;
 layout(location = 4) in vec3 aColour; // sRGB, of the mesh ...
 layout(location = 10) in vec3 aTint;  // ... and of its copy
+layout(location = 12) in float aRadius; // m, of the wood there
 
 // The depth pass and the shading pass must agree to the last bit.
 invariant gl_Position;
@@ -12,6 +13,7 @@ uniform mat4 uClip;     // item -> clip space
 uniform mat4 uRelative; // item -> world axes, relative to the eye
 uniform mat3 uNormal;   // inverse transposed
 uniform float uVariety; // how much leaves of different branches differ
+uniform vec2 uYouth;    // m: radii up to which bark is young, and from which it is old
 
 #ifdef FAR
 uniform vec3 uColour; // sRGB
@@ -26,6 +28,7 @@ out Surface
     vec4 tint;
     vec2 uv;
     float shade;
+    float age; // 0 the skin of twigs, 1 bark
 } v;
 #endif
 
@@ -56,5 +59,6 @@ void main()
     v.tint = tint;
     v.uv = aTexture;
     v.shade = shade;
+    v.age = smoothstep(log(uYouth.x), log(uYouth.y), log(max(aRadius, 1e-6)));
 #endif
 }

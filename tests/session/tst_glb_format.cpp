@@ -131,7 +131,7 @@ class TestGlbFormat : public QObject
         if (!tree)
             qFatal("%s", test::why(tree).constData());
         TriangleMesh mesh = tree->branches->mesh;
-        const auto texture = tree->texture->coordinates(params, {});
+        const auto texture = tree->texture->coordinates(params.texture, {});
         mesh.uv = (*texture)->uv;
         mesh.uvTriangles = (*texture)->corners;
         return mesh;

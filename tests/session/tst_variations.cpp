@@ -77,7 +77,7 @@ private slots:
         const auto alone = spreadVariations({size}, 5, count);
         QVERIFY(alone == spreadVariations({size}, 5, count));
         QVERIFY(alone != spreadVariations({size}, 6, count));
-        const auto both = spreadVariations({density, size, param("texture.seamsAround", 0, 0)}, 5, count);
+        const auto both = spreadVariations({density, size, param("mesh.clampOvershoot", 0, 0)}, 5, count);
         std::set<int> parts;
         std::multiset<std::int64_t> densities;
         int flags = 0;

@@ -23,7 +23,8 @@ void BarkWaiter::follow(const SceneWish& wish)
     m_job.start(
         [all = m_wanted](const Progress& progress) -> Expected<void> {
             for (const Wanted& one : all)
-                RAMURE_TRY(one.stage->coordinates(one.params, progress)); // the check of the mesh tells why
+                RAMURE_TRY(
+                    one.stage->coordinates(one.params.texture, progress)); // the check of the mesh tells why
             return {};
         },
         [this](const Expected<void>& done) {

@@ -96,7 +96,6 @@ private:
             return {};
         for (const Node& listed : input->scene()->nodes()) {
             NodeParams& params = std::get<Scene>(input->content).find(listed.id)->params;
-            params.texture.seamsAround = false; // nobody sees bark that is stretched a little at forks
             params.mesh.targetTriangles = std::int64_t(m_side) * m_side / pixelsATriangle;
         }
         if (!m_painter.hasBegun() && !m_painter.begin())

@@ -83,8 +83,13 @@ public:
         const BarkSample sample = m_look.at(place, m_seed);
         const float grain = gradientNoise(place, {64, 64}, m_seed + 401u);
         const float height = glm::clamp(sample.height + 0.012f * grain, 0.0f, 1.0f);
-        glm::vec3 colour = glm::mix(m_look.crack, m_look.ridge, glm::smoothstep(0.05f, 0.85f, height));
-        colour *= 1.0f + m_look.variety * sample.tint + 0.06f * grain;
+        // Cracks are dark for want of light, which the map of occlusion takes away, more than by their
+        // colour.
+        const glm::vec3 crack = glm::mix(m_look.crack, m_look.ridge, 0.3f);
+        glm::vec3 colour = glm::mix(crack, m_look.ridge, glm::smoothstep(0.0f, 1.0f, height));
+        const float wide = fractalNoise(place, {3, 4}, 3, m_seed + 421u);
+        colour *= 1.0f + m_look.variety * (sample.tint + 0.8f * wide) + 0.09f * grain;
+        colour += glm::vec3(0.020f, 0.0f, -0.024f) * wide; // weathered grey and fresh brown
         colour = mossed(glm::mix(colour, m_look.mark, sample.mark), m_params, place, height, m_seed);
         return {height, colour * float(1.0 + m_params.light)};
     }
@@ -136,6 +141,9 @@ Expected<BarkMaps> barkMaps(const BarkParams& params, int size, const Progress& 
     BarkMaps maps;
     maps.size = size;
     maps.relief = look.relief * float(params.depth);
+    maps.young = bytesOf(look.youth.colour * float(1.0 + params.light));
+    maps.youngRadius = look.youth.from;
+    maps.oldRadius = look.youth.until;
     const auto count = std::size_t(size) * std::size_t(size);
     Heights heights;
     heights.reserve(count);

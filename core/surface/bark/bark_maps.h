@@ -19,10 +19,13 @@ struct BarkMaps
     std::vector<glm::u8vec3> normal; ///< tangent space, x around, y along, z outward; 128 = 0
     std::vector<std::uint8_t> height, occlusion, roughness;
     float relief = 0.0f; ///< height 255 stands so far over height 0, in tiles
+    glm::u8vec3 young{}; ///< sRGB, of thin wood:
+    float youngRadius = 0.0f,
+          oldRadius = 0.0f; ///< m, up to which there is nothing else, and from which none is left
 };
 
 /// Raised when the same parameters give other pictures than before.
-inline constexpr int barkVersion = 4;
+inline constexpr int barkVersion = 5;
 inline constexpr int leastBarkSize = 16, mostBarkSize = 8192;
 
 /// Errors: Invalid (a size out of range; the family Plain, which has no picture), Cancelled.

@@ -17,6 +17,13 @@ struct BarkSample
     float mark = 0.0f;   ///< 0 .. 1: lenticels, lichen, young bark, which have a colour of their own
 };
 
+/// The smooth skin of thin wood, and how it gives way.
+struct BarkYouth
+{
+    glm::vec3 colour{0.5f};           ///< sRGB, 0 .. 1
+    float from = 0.01f, until = 0.1f; ///< m: radii at which bark begins to show, and is all there
+};
+
 struct BarkLook
 {
     BarkSample (*at)(glm::vec2 place, std::uint32_t seed) = nullptr; ///< place in tiles; periodic
@@ -24,6 +31,7 @@ struct BarkLook
     float relief = 0.0f;    ///< from the deepest crack to the highest ridge, in tiles
     float variety = 0.0f;   ///< how far tint reaches
     float roughness = 0.9f; ///< of ridges; cracks are rough
+    BarkYouth youth{};      ///< of twigs, before that
 };
 
 /// Of every family but Plain, whose function is null.

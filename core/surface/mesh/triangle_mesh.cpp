@@ -18,7 +18,8 @@ template <class T> static std::size_t bytesIn(const std::vector<T>& values)
 std::size_t bytesOf(const TriangleMesh& mesh)
 {
     return bytesIn(mesh.positions) + bytesIn(mesh.normals) + bytesIn(mesh.triangles) + bytesIn(mesh.branch) +
-           bytesIn(mesh.level) + bytesIn(mesh.uv) + bytesIn(mesh.uvTriangles) + bytesIn(mesh.colours);
+           bytesIn(mesh.level) + bytesIn(mesh.uv) + bytesIn(mesh.uvTriangles) + bytesIn(mesh.colours) +
+           bytesIn(mesh.radius);
 }
 
 } // namespace ramure

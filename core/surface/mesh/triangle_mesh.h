@@ -25,6 +25,7 @@ struct TriangleMesh
     /// Per triangle its corners' places in uv; empty where uv has one entry per vertex.
     std::vector<glm::uvec3> uvTriangles;
     std::vector<glm::u8vec3> colours; ///< sRGB, one per triangle, or empty
+    std::vector<float> radius;        ///< m, of the wood there, one per vertex, or empty
 
     [[nodiscard]] Index vertexCount() const { return static_cast<Index>(positions.size()); }
     [[nodiscard]] Index faceCount() const { return static_cast<Index>(triangles.size()); }

@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/progress.h"
+#include "core/math/reproducible.h"
 #include "core/params/node_params.h"
 #include "core/skeleton/sections.h"
 #include "core/skeleton/skeleton.h"
@@ -75,7 +76,17 @@ struct TubeRange
 struct TubeAxis
 {
     BranchCurve curve;
-    double a0, a1; ///< radii at its ends, linear in the curve's parameter
+    double a0 = 0.0, a1 = 0.0; ///< own radii at its ends, linear in the curve's parameter
+    /// It begins wider than a0, by this share of it (fork_spread.h). Towards its end the share falls by
+    /// exp(-spreadDecay).
+    double spread = 0.0, spreadDecay = 0.0;
+
+    /// m; \p t: share of the branch.
+    [[nodiscard]] double radiusAt(double t) const
+    {
+        const double own = a0 + (a1 - a0) * t;
+        return spread > 0.0 ? own * (1.0 + spread * maths::exp(-spreadDecay * t)) : own;
+    }
 };
 
 /// A vertex in the valley between the tubes of a fork: what else it follows but its own branch.

@@ -3,7 +3,6 @@
 /// without length, no two siblings in one place, no radius too small for the scene. Every change is noted.
 #pragma once
 
-#include "core/math/reproducible.h"
 #include "core/surface/mesher/branch_mesh.h"
 #include <vector>
 
@@ -13,24 +12,20 @@ namespace ramure {
 struct MeshBranch
 {
     glm::dvec3 p0{0.0}, p1{0.0}; ///< p0 is the parent's p1, but for limbs: those may start higher
-    double a0 = 0.0, a1 = 0.0;
-    /// The branch begins wider than a0, by this share of it (fork_spread.h). Towards its end the share falls
-    /// by exp(-spreadDecay).
-    double spread = 0.0, spreadDecay = 0.0;
-    double rollRad = 0.0;   ///< extra turn of this branch's frames
-    Index parent = noIndex; ///< in NormalSkeleton::branches
-    Index source = noIndex; ///< branch of the skeleton it was made from
-    bool isSawn = false;    ///< its end is flat
-    bool isLimb = false;    ///< it leaves a sibling to its side, and is straight until its end
-    bool isPlate = false;   ///< no branch of the skeleton: what stems stand on that start together
-    Index firstChild = 0;   ///< its children are children[firstChild .. firstChild + childCount)
+    double a0 = 0.0, a1 = 0.0, spread = 0.0, spreadDecay = 0.0; ///< as TubeAxis has them
+    double rollRad = 0.0;                                       ///< extra turn of this branch's frames
+    Index parent = noIndex;                                     ///< in NormalSkeleton::branches
+    Index source = noIndex;                                     ///< branch of the skeleton it was made from
+    bool isSawn = false;                                        ///< its end is flat
+    bool isLimb = false;  ///< it leaves a sibling to its side, and is straight until its end
+    bool isPlate = false; ///< no branch of the skeleton: what stems stand on that start together
+    Index firstChild = 0; ///< its children are children[firstChild .. firstChild + childCount)
     Index childCount = 0;
 
     /// m; \p t: share of the branch.
     [[nodiscard]] double radiusAt(double t) const
     {
-        const double own = a0 + (a1 - a0) * t;
-        return spread > 0.0 ? own * (1.0 + spread * maths::exp(-spreadDecay * t)) : own;
+        return TubeAxis{{}, a0, a1, spread, spreadDecay}.radiusAt(t);
     }
 };
 

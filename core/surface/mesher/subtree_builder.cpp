@@ -57,7 +57,8 @@ void SubtreeBuilder::buildRoot(Index root)
     const BranchCurve curve = meshCurve(m_skeleton, root, m_context.clampOvershoot);
     const Frame frame = frameFromTangent(hermite(curve.h0, curve.h1, curve.v0, curve.v1, 0.0).tangent);
     m_axes.build(curve, branch, frame, m_context.divisions.sections(root), m_sections, nullptr);
-    m_sink.startTube(branch.source, noIndex, {curve, branch.a0, branch.a1});
+    m_sink.startTube(branch.source, noIndex,
+                     {curve, branch.a0, branch.a1, branch.spread, branch.spreadDecay});
     const AxisSection& first = m_sections.front();
     const std::span<const RingPoint> points = m_context.divisions.ring(root, first.radius);
     const Index ring = m_tubes.startRoot(first, points, branch.p0, branch.source);
@@ -74,7 +75,8 @@ void SubtreeBuilder::continueChild(const TubeEnd& parent)
     m_axes.build(curve, branch, parent.section.frame, m_context.divisions.sections(child), m_sections,
                  nullptr);
     const MeshBranch& below = m_skeleton.branches[parent.branch];
-    m_sink.startTube(branch.source, below.isPlate ? noIndex : below.source, {curve, branch.a0, branch.a1});
+    m_sink.startTube(branch.source, below.isPlate ? noIndex : below.source,
+                     {curve, branch.a0, branch.a1, branch.spread, branch.spreadDecay});
     const std::span<const RingPoint> points = m_context.divisions.ring(parent.branch, parent.section.radius);
     m_tubes.finish(child, m_sections, 0, {parent.ring, points, -branch.rollRad}, m_ends);
 }

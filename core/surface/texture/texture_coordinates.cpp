@@ -16,24 +16,10 @@ namespace ramure {
 
 namespace {
 
-constexpr double leastAround = 6.0; ///< tiles around the thinnest branch, where the size is chosen for it
-constexpr double mostAround = 1e6;  ///< more of them than floats tell apart
-constexpr std::size_t tubesInPiece = 16; ///< about half a millisecond of work
+constexpr double usualAround = 4.0;      ///< tiles around the thickest root, where no size is given
+constexpr double mostAround = 1e6;       ///< more of them than floats tell apart
+constexpr std::size_t tubesInPiece = 16; ///< about a tenth of a millisecond of work
 constexpr std::size_t pollEvery = 512;   ///< tubes
-/// Most trees are done at the first attempt; one that falls a little short is done again at the next, with
-/// more care for its worst tubes.
-struct Attempt
-{
-    TubeTexture::Care care;
-    double part;     ///< of the time, when it is done
-    double hopeless; ///< of the triangles are stretched: the next is not worth it
-};
-constexpr std::array<Attempt, 3> attempts{
-    {{{15, 0}, 0.1, 0.08}, {{50, 1}, 0.4, 0.065}, {{200, 4}, 1.0, 0.0}}};
-constexpr double goal = 0.042, gain = 0.2; ///< for which tubes are chosen; of their stretched triangles
-constexpr double fewStretched = 0.049;     ///< of the triangles
-constexpr double worthIt = 0.9;            ///< of them, after an attempt, and the next is made
-constexpr Index mostThorough = 100'000;    ///< triangles: some seconds of work
 
 /// What tubes hand on to those that grow on them.
 struct Shared
@@ -44,7 +30,6 @@ struct Shared
     std::vector<std::uint8_t> isKnown;     ///< per vertex that is no wall: a tube has given it coordinates
     std::vector<glm::vec2> uv;             ///< per vertex that is known: on the tube that made it
     std::vector<TubeTextureEnd> ends;      ///< per tube
-    std::vector<Index> stretched;          ///< per tube: triangles
     std::vector<Index> parent;             ///< per tube: the one it starts from, or noIndex
     std::vector<std::vector<Index>> waves; ///< tubes whose parents are in the waves before
 };
@@ -58,33 +43,34 @@ struct Piece
     };
     std::vector<glm::vec2> uv;
     std::vector<Index> vertex;
+    std::vector<float> radius;
     std::vector<Tube> tubes;
-    Index open = 0, apart = 0;
+    Index apart = 0;
 };
 
 /// Unrolls tubes; one per thread.
 class TubeUnroller
 {
 public:
-    TubeUnroller(const Shared& shared, const TubeTexture::Options& options)
-        : m_tube(options)
+    TubeUnroller(const Shared& shared, const TileScale& scale)
+        : m_tube(scale)
         , m_slot(shared.mesh.mesh.positions.size(), 0)
     {
     }
     /// Corners of the tube's triangles go to their place in \p corners, counted from its own first one.
-    void unroll(Shared& shared, Index tube, const TubeTexture::Care& care, Piece& piece,
-                std::vector<glm::uvec3>& corners);
+    void unroll(Shared& shared, Index tube, Piece& piece, std::vector<glm::uvec3>& corners);
 
 private:
     /// \param isLimb it leaves a thicker tube to its side: the bark does not go on from there.
     void gather(const Shared& shared, Index first, Index end, bool isLimb);
-    void write(Shared& shared, glm::uvec3* corners);
+    void write(Shared& shared, std::span<glm::uvec3> corners);
     glm::uvec3 place(const BranchMesh& mesh, const glm::uvec3& triangle);
-    Index add(Index vertex, const glm::dvec2& uv);
+    Index add(const TubeTextureVertex& vertex, const glm::dvec2& uv);
 
     TubeTexture m_tube;
     Piece* m_piece = nullptr;
     Index m_begin = 0;                             ///< of the tube's coordinates in the piece
+    std::vector<glm::uvec3> m_triangles;           ///< of the tube: places in it
     std::vector<Index> m_slot;                     ///< per vertex: its place in the tube at hand, if any
     std::vector<Index> m_plain, m_shifted, m_flat; ///< per vertex of the tube: its coordinates
 };
@@ -92,8 +78,9 @@ private:
 void TubeUnroller::gather(const Shared& shared, Index first, Index end, bool isLimb)
 {
     m_tube.begin();
+    m_triangles.clear();
     for (Index t = first; t < end; ++t) {
-        glm::uvec3 corners;
+        glm::uvec3& corners = m_triangles.emplace_back();
         for (int c = 0; c < 3; ++c) {
             const Index vertex = shared.mesh.mesh.triangles[t][c];
             const std::span<const TubeTextureVertex> known = m_tube.vertices();
@@ -107,19 +94,19 @@ void TubeUnroller::gather(const Shared& shared, Index first, Index end, bool isL
             }
             corners[c] = slot;
         }
-        m_tube.addTriangle(corners);
     }
 }
 
-Index TubeUnroller::add(Index vertex, const glm::dvec2& uv)
+Index TubeUnroller::add(const TubeTextureVertex& vertex, const glm::dvec2& uv)
 {
     const auto index = static_cast<Index>(m_piece->uv.size()) - m_begin;
     m_piece->uv.emplace_back(uv);
-    m_piece->vertex.push_back(vertex);
+    m_piece->vertex.push_back(vertex.vertex);
+    m_piece->radius.push_back(static_cast<float>(vertex.radius));
     return index;
 }
 
-void TubeUnroller::write(Shared& shared, glm::uvec3* corners)
+void TubeUnroller::write(Shared& shared, std::span<glm::uvec3> corners)
 {
     const std::span<const TubeTextureVertex> vertices = m_tube.vertices();
     m_plain.assign(vertices.size(), noIndex);
@@ -130,14 +117,14 @@ void TubeUnroller::write(Shared& shared, glm::uvec3* corners)
         const TubeTextureVertex& vertex = vertices[i];
         if (vertex.isPole)
             continue;
-        m_plain[i] = add(vertex.vertex, {vertex.u, vertex.v});
+        m_plain[i] = add(vertex, {vertex.u, vertex.v});
         if (!vertex.onWall && shared.isKnown[vertex.vertex] == 0) {
             shared.isKnown[vertex.vertex] = 1;
             shared.uv[vertex.vertex] = glm::vec2(vertex.u, vertex.v);
         }
     }
-    for (const glm::uvec3& triangle : m_tube.triangles())
-        *corners++ = place(shared.mesh, triangle);
+    std::ranges::transform(m_triangles, corners.begin(),
+                           [&](const glm::uvec3& triangle) { return place(shared.mesh, triangle); });
 }
 
 /// The coordinates of a triangle's corners.
@@ -154,7 +141,7 @@ glm::uvec3 TubeUnroller::place(const BranchMesh& mesh, const glm::uvec3& triangl
         std::vector<Index>& kind = cap ? m_flat : beyond[corner] ? m_shifted : m_plain;
         slot[corner] = &kind[triangle[c]];
         uv[corner] = cap ? glm::vec2(m_tube.onDisc(vertex, mesh.mesh.positions[vertex.vertex]))
-                         : glm::vec2(vertex.u + (beyond[corner] ? vertex.around : 0.0), vertex.v);
+                         : glm::vec2(vertex.u + (beyond[corner] ? m_tube.around() : 0.0), vertex.v);
     }
     const glm::dvec2 a(uv[0]), ab = glm::dvec2(uv[1]) - a, ac = glm::dvec2(uv[2]) - a;
     const bool folded = !(ab.x * ac.y - ab.y * ac.x > 0.0);
@@ -163,7 +150,7 @@ glm::uvec3 TubeUnroller::place(const BranchMesh& mesh, const glm::uvec3& triangl
     glm::uvec3 out;
     for (int c = 0; c < 3; ++c) {
         const auto corner = static_cast<std::size_t>(c);
-        const Index vertex = vertices[triangle[c]].vertex;
+        const TubeTextureVertex& vertex = vertices[triangle[c]];
         if (folded)
             out[c] = add(vertex, apart[corner]);
         else if (*slot[corner] == noIndex)
@@ -174,8 +161,7 @@ glm::uvec3 TubeUnroller::place(const BranchMesh& mesh, const glm::uvec3& triangl
     return out;
 }
 
-void TubeUnroller::unroll(Shared& shared, Index index, const TubeTexture::Care& care, Piece& piece,
-                          std::vector<glm::uvec3>& corners)
+void TubeUnroller::unroll(Shared& shared, Index index, Piece& piece, std::vector<glm::uvec3>& corners)
 {
     const std::vector<TubeRange>& tubes = shared.mesh.tubes;
     const Index first = tubes[index].firstTriangle;
@@ -186,29 +172,27 @@ void TubeUnroller::unroll(Shared& shared, Index index, const TubeTexture::Care& 
     m_begin = static_cast<Index>(piece.uv.size());
     TubeTextureEnd below = parent == noIndex ? TubeTextureEnd{} : shared.ends[parent];
     const bool isLimb = shared.isLimb[index] != 0;
-    if (isLimb)
+    if (isLimb) {
         below.around = 0.0;
+        below.bend = glm::dvec3(0.0);
+    }
     gather(shared, first, end, isLimb);
-    m_tube.setCare(care);
-    m_tube.unroll(shared.mesh.axes[index], below);
+    m_tube.unroll(shared.mesh.axes[index], below, m_triangles);
     shared.ends[index] = m_tube.end();
-    write(shared, corners.data() + first);
-    piece.open += m_tube.isOpen() ? 1 : 0;
-    shared.stretched[index] = m_tube.stretchedTriangles();
+    write(shared, {corners.data() + first, end - first});
     piece.tubes.push_back({index, m_begin, static_cast<Index>(piece.uv.size()) - m_begin});
 }
 
 Shared shareOf(const BranchMesh& mesh)
 {
     const std::size_t vertices = mesh.mesh.positions.size(), tubes = mesh.tubes.size();
-    Shared shared{mesh, {}, {}, {}, {}, {}, {}, {}, {}};
+    Shared shared{mesh, {}, {}, {}, {}, {}, {}, {}};
     shared.isWall.assign(vertices, 0);
     for (const ForkVertex& fork : mesh.forkVertices)
         shared.isWall[fork.vertex] = 1;
     shared.isKnown.assign(vertices, 0);
     shared.uv.resize(vertices);
     shared.ends.resize(tubes);
-    shared.stretched.assign(tubes, 0);
     shared.parent.assign(tubes, noIndex);
     Index branches = 0;
     for (const TubeRange& tube : mesh.tubes)
@@ -238,18 +222,14 @@ Shared shareOf(const BranchMesh& mesh)
 class CoordinateBuilder
 {
 public:
-    /// \param attempt per tube
-    CoordinateBuilder(const BranchMesh& mesh, const TubeTexture::Options& options,
-                      const std::vector<std::uint8_t>& attempt)
+    CoordinateBuilder(const BranchMesh& mesh, const TileScale& scale)
         : m_shared(shareOf(mesh))
-        , m_options(options)
-        , m_attempt(attempt)
+        , m_scale(scale)
     {
         m_result.corners.resize(mesh.mesh.triangles.size());
-        m_result.tileSize = options.tileSize;
+        m_result.tileSize = scale.tileSize;
     }
     bool run(const Progress& progress);
-    [[nodiscard]] const std::vector<Index>& stretched() const { return m_shared.stretched; }
     TextureCoordinates join();
 
 private:
@@ -257,8 +237,7 @@ private:
     void unroll(std::span<const Index> tubes);
 
     Shared m_shared;
-    TubeTexture::Options m_options;
-    const std::vector<std::uint8_t>& m_attempt;
+    TileScale m_scale;
     TextureCoordinates m_result;
     std::vector<Piece> m_pieces;
     std::mutex m_mutex;
@@ -269,7 +248,7 @@ std::unique_ptr<TubeUnroller> CoordinateBuilder::borrow()
 {
     const std::scoped_lock lock(m_mutex);
     if (m_idle.empty())
-        return std::make_unique<TubeUnroller>(m_shared, m_options);
+        return std::make_unique<TubeUnroller>(m_shared, m_scale);
     std::unique_ptr<TubeUnroller> unroller = std::move(m_idle.back());
     m_idle.pop_back();
     return unroller;
@@ -283,7 +262,7 @@ void CoordinateBuilder::unroll(std::span<const Index> tubes)
         std::unique_ptr<TubeUnroller> unroller = borrow();
         Piece& piece = m_pieces[first + from / tubesInPiece];
         for (std::size_t i = from; i < to; ++i)
-            unroller->unroll(m_shared, tubes[i], attempts[m_attempt[tubes[i]]].care, piece, m_result.corners);
+            unroller->unroll(m_shared, tubes[i], piece, m_result.corners);
         const std::scoped_lock lock(m_mutex);
         m_idle.push_back(std::move(unroller));
     });
@@ -321,7 +300,6 @@ TextureCoordinates CoordinateBuilder::join()
     for (const Piece& piece : m_pieces) {
         for (const Piece::Tube& tube : piece.tubes)
             places[tube.tube] = {&piece, tube.first, tube.count, 0};
-        m_result.open += piece.open;
         m_result.apart += piece.apart;
     }
     Index sum = 0;
@@ -331,12 +309,16 @@ TextureCoordinates CoordinateBuilder::join()
     }
     m_result.uv.resize(sum);
     m_result.vertex.resize(sum);
+    m_result.radius.resize(sum);
     parallelFor(places.size(), pollEvery, [&](std::size_t from, std::size_t to) {
         for (std::size_t t = from; t < to; ++t) {
             const Place& place = places[t];
-            std::copy_n(place.piece->uv.data() + place.from, place.count, m_result.uv.data() + place.to);
-            std::copy_n(place.piece->vertex.data() + place.from, place.count,
-                        m_result.vertex.data() + place.to);
+            const auto copied = [&place](const auto& source, auto& target) {
+                std::copy_n(source.data() + place.from, place.count, target.data() + place.to);
+            };
+            copied(place.piece->uv, m_result.uv);
+            copied(place.piece->vertex, m_result.vertex);
+            copied(place.piece->radius, m_result.radius);
             const std::size_t end =
                 t + 1 < tubes.size() ? tubes[t + 1].firstTriangle : m_result.corners.size();
             for (std::size_t f = tubes[t].firstTriangle; f < end; ++f)
@@ -346,32 +328,16 @@ TextureCoordinates CoordinateBuilder::join()
     return std::move(m_result);
 }
 
-/// The worst tubes, as many as may bring the whole to where it is good, are for the next attempt.
-void chooseTubes(const std::vector<Index>& stretched, double triangles, std::uint8_t attempt,
-                 std::vector<std::uint8_t>& attemptOf)
+/// The size of tiles on the thickest root.
+TileScale scaleOf(const BranchMesh& mesh, double wanted)
 {
-    std::vector<Index> order(stretched.size());
-    std::iota(order.begin(), order.end(), Index(0));
-    std::stable_sort(order.begin(), order.end(),
-                     [&](Index a, Index b) { return stretched[a] > stretched[b]; });
-    const Index sum = std::accumulate(stretched.begin(), stretched.end(), Index(0));
-    double missing = (double(sum) - goal * triangles) / gain;
-    for (const Index tube : order) {
-        if (missing <= 0.0 || stretched[tube] == 0)
-            return;
-        attemptOf[tube] = attempt;
-        missing -= double(stretched[tube]);
-    }
-}
-
-double tileFor(const BranchMesh& mesh, double wanted)
-{
-    if (wanted > 0.0)
-        return wanted;
-    double thinnest = std::numeric_limits<double>::infinity();
-    for (const TubeAxis& axis : mesh.axes)
-        thinnest = std::min(thinnest, 0.5 * (axis.a0 + axis.a1));
-    return fullTurn * thinnest / leastAround;
+    TileScale scale{wanted, 0.0};
+    for (std::size_t t = 0; t < mesh.tubes.size(); ++t)
+        if (mesh.tubes[t].parent == noIndex)
+            scale.radius = std::max(scale.radius, mesh.axes[t].radiusAt(0.5));
+    if (wanted == 0.0)
+        scale.tileSize = fullTurn * scale.radius / usualAround;
+    return scale;
 }
 
 Expected<void> check(const BranchMesh& mesh, const TextureParams& params)
@@ -387,7 +353,7 @@ Expected<void> check(const BranchMesh& mesh, const TextureParams& params)
     double thickest = 0.0;
     for (const TubeAxis& axis : mesh.axes)
         thickest = std::max({thickest, axis.a0, axis.a1});
-    if (fullTurn * thickest <= mostAround * tileFor(mesh, params.tileSize))
+    if (params.tileSize == 0.0 || fullTurn * thickest <= mostAround * params.tileSize)
         return {};
     auto error = fail(ErrorCode::Invalid, RAMURE_NOOP("The texture tile is too small for the tree"));
     error.value().path = "texture.tileSize";
@@ -402,28 +368,10 @@ Expected<TextureCoordinates> textureCoordinates(const BranchMesh& mesh, const Te
     RAMURE_TRY(check(mesh, params));
     if (progress.cancelled())
         return fail(ErrorCode::Cancelled, RAMURE_NOOP("Cancelled"));
-    const double tileSize = tileFor(mesh, params.tileSize), triangles = double(mesh.mesh.faceCount());
-    const TubeTexture::Options options{tileSize, params.seamsAround};
-    std::vector<std::uint8_t> attemptOf(mesh.tubes.size(), 0);
-    double before = 0.0, last = 1.0;
-    for (std::uint8_t attempt = 0; attempt < attempts.size(); ++attempt) {
-        CoordinateBuilder builder(mesh, options, attemptOf);
-        const double after = attempts[attempt].part;
-        if (!builder.run(progress.part(before, after)))
-            break;
-        before = after;
-        const std::vector<Index>& bad = builder.stretched();
-        const double stretched = double(std::accumulate(bad.begin(), bad.end(), Index(0))) / triangles;
-        const bool helps = stretched < attempts[attempt].hopeless && stretched < worthIt * last;
-        last = stretched;
-        if (stretched > fewStretched && helps && triangles <= double(mostThorough) && before < 1.0) {
-            chooseTubes(bad, triangles, std::uint8_t(attempt + 1), attemptOf);
-            continue;
-        }
-        progress.report(1.0);
-        return builder.join();
-    }
-    return fail(ErrorCode::Cancelled, RAMURE_NOOP("Cancelled"));
+    CoordinateBuilder builder(mesh, scaleOf(mesh, params.tileSize));
+    if (!builder.run(progress))
+        return fail(ErrorCode::Cancelled, RAMURE_NOOP("Cancelled"));
+    return builder.join();
 }
 
 TriangleMesh splitByTexture(const BranchMesh& mesh, const TextureCoordinates& coordinates)
@@ -432,6 +380,7 @@ TriangleMesh splitByTexture(const BranchMesh& mesh, const TextureCoordinates& co
     const std::size_t count = coordinates.uv.size();
     split.triangles = coordinates.corners;
     split.uv = coordinates.uv;
+    split.radius = coordinates.radius;
     split.positions.reserve(count);
     split.normals.reserve(count);
     split.branch.reserve(count);

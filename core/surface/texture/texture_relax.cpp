@@ -1,210 +1,234 @@
 #include "core/surface/texture/texture_relax.h"
 
+#include "core/math/reproducible.h"
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <limits>
 
 namespace ramure {
 
 namespace {
 
-constexpr double densityWeight = 0.1;
-constexpr double awakeAbove = 1.008; ///< (s/t + t/s) / 2 of a triangle stretched by 1.13
-constexpr double halfWeight = 0.07;  ///< shape above 1 at which a triangle counts half: stretched by 1.45
-constexpr double leastSoftness = 0.05;
-constexpr int sweepsWhenFlat = 6;
-constexpr double shorter = 0.4; ///< of a step that leads up
-constexpr int mostTries = 6;
-constexpr double enough = 1e-3; ///< tiles: a shorter step ends the moves of a vertex
-
-double cross(const glm::dvec2& a, const glm::dvec2& b)
-{
-    return a.x * b.y - a.y * b.x;
-}
+constexpr double goodK = 1.0 / 9.0; ///< stretched by 1.25
+constexpr double boundK = 0.9 * goodK;
+constexpr double foldedK = 0.98; ///< next to no area
+constexpr double leastRoom = 0.02;
+constexpr double leastSize = 0.01; ///< |a|² of triangles that have collapsed
+constexpr double farK = 0.5;       ///< stretched by 3: what is worse is drawn back, hopeless or not
+// Excess of k at which a triangle pulls a quarter as much, in the first and in the last round.
+constexpr double firstScale = 0.1, lastScale = 0.02;
+constexpr double mostMomentum = 0.95; ///< of a round's moves, carried into the next
+constexpr double warmUpShare = 0.015; ///< of the rounds: until momentum is half
+constexpr double inertia = 0.1;       ///< of triangles without excess
 
 } // namespace
 
 void TextureRelaxer::clear()
 {
-    m_uv.clear();
+    m_z.clear();
     m_free.clear();
-    m_awake.clear();
     m_triangles.clear();
-    m_least = 1.0;
-    m_anyAwake = false;
 }
 
 void TextureRelaxer::addVertex(const glm::dvec2& uv, bool isFree)
 {
-    m_uv.push_back(uv);
+    m_z.push_back({uv.x, uv.y});
     m_free.push_back(isFree ? 1 : 0);
-    m_awake.push_back(0);
-}
-
-TextureRelaxer::Jacobian TextureRelaxer::jacobian(const Triangle& triangle) const
-{
-    Jacobian map;
-    for (std::size_t c = 0; c < 3; ++c) {
-        const glm::dvec2& at = m_uv[triangle.corner[c]];
-        map.u += (at.x + triangle.shift[c]) * triangle.gradient[c];
-        map.v += at.y * triangle.gradient[c];
-    }
-    return map;
-}
-
-void TextureRelaxer::wake(const Triangle& triangle)
-{
-    for (const Index corner : triangle.corner)
-        m_awake[corner] = m_free[corner];
-    m_anyAwake = true;
 }
 
 void TextureRelaxer::addTriangle(const std::array<Index, 3>& corner, const std::array<glm::dvec3, 3>& place,
                                  const std::array<double, 3>& shift)
 {
-    FlatCorners flat;
-    if (!layFlat(place, flat))
+    const glm::dvec3 first = place[1] - place[0], second = place[2] - place[0];
+    const double square = glm::dot(first, first), part = glm::dot(first, second);
+    const double doubled = std::sqrt(std::max(square * glm::dot(second, second) - part * part, 0.0));
+    if (!(doubled > 1e-9 * square)) // it has no shape to keep
         return;
-    const glm::dvec2 one(1.0 / flat.x1, -flat.x2 / (flat.x1 * flat.y2)), two(0.0, 1.0 / flat.y2);
-    m_triangles.push_back({corner, shift, {-one - two, one, two}, 1.0});
-    const Jacobian map = jacobian(m_triangles.back());
-    const double area = cross(map.u, map.v);
-    m_least = std::min(m_least, area);
-    if (glm::dot(map.u, map.u) + glm::dot(map.v, map.v) > 2.0 * awakeAbove * area)
-        wake(m_triangles.back());
+    const double x1 = std::sqrt(square);
+    Triangle& added = m_triangles.emplace_back();
+    added.corner = corner;
+    added.x1 = x1;
+    added.x2 = part / x1;
+    added.y2 = doubled / x1;
+    added.shift1 = shift[1] - shift[0];
+    added.shift2 = shift[2] - shift[0];
 }
 
-template <bool derivatives>
-void TextureRelaxer::add(const TrianglesAround::Use& use, const glm::dvec2& moved, Around& sum) const
+void TextureRelaxer::link()
 {
-    const Triangle& triangle = m_triangles[use.triangle];
-    Jacobian map = jacobian(triangle);
-    const glm::dvec2& own = triangle.gradient[use.place];
-    map.u += moved.x * own;
-    map.v += moved.y * own;
-    double area = cross(map.u, map.v), softened = 1.0;
-    if (m_softness > 0.0) {
-        const double root = std::sqrt(area * area + m_softness * m_softness);
-        softened = 0.5 * (1.0 + area / root);
-        area = 0.5 * (area + root);
-    }
-    if (!(area > 0.0)) {
-        sum.energy = std::numeric_limits<double>::infinity();
-        return;
-    }
-    const double inverse = 1.0 / area;
-    const double shape = 0.5 * (glm::dot(map.u, map.u) + glm::dot(map.v, map.v)) * inverse;
-    const double weight = 2.0 * triangle.weight * shape;
-    sum.energy += 0.5 * weight * shape + 0.5 * densityWeight * (area + inverse);
-    if constexpr (derivatives) {
-        const glm::dvec2 byArea = softened * glm::dvec2(cross(own, map.v), cross(map.u, own));
-        const glm::dvec2 spread = glm::dvec2(glm::dot(map.u, own), glm::dot(map.v, own)) * inverse;
-        const glm::dvec2 area1 = byArea * inverse;
-        const glm::dvec2 slope = spread - shape * area1;
-        sum.slope += weight * slope + 0.5 * densityWeight * (1.0 - inverse * inverse) * byArea;
-        const double size = glm::dot(own, own) * inverse;
-        const double curve = densityWeight * inverse;
-        const auto second = [&](double s, double t, double slopes, double spreads, double areas) {
-            return weight * (s * t * size - spreads + 2.0 * shape * areas) + 2.0 * triangle.weight * slopes +
-                   curve * areas;
-        };
-        sum.xx += second(1.0, 1.0, slope.x * slope.x, 2.0 * spread.x * area1.x, area1.x * area1.x);
-        sum.yy += second(1.0, 1.0, slope.y * slope.y, 2.0 * spread.y * area1.y, area1.y * area1.y);
-        sum.xy +=
-            second(1.0, 0.0, slope.x * slope.y, spread.x * area1.y + spread.y * area1.x, area1.x * area1.y);
+    m_first.assign(m_z.size() + 1, 0);
+    for (const Triangle& triangle : m_triangles)
+        for (const Index corner : triangle.corner)
+            ++m_first[corner];
+    Index sum = 0;
+    for (Index& first : m_first)
+        first = sum += first;
+    m_uses.resize(sum);
+    for (Index t = static_cast<Index>(m_triangles.size()); t-- > 0;)
+        for (Index c = 3; c-- > 0;)
+            m_uses[--m_first[m_triangles[t].corner[c]]] = {t, c};
+}
+
+/// How much a triangle is stretched. With z = a x + b conj(x), the sum of the corners' z times their opposite
+/// edges is b times 2i the doubled area, and a with the conjugate edges.
+inline void TextureRelaxer::measure(Triangle& t) const
+{
+    const Complex &from = m_z[t.corner[0]], &to1 = m_z[t.corner[1]], &to2 = m_z[t.corner[2]];
+    const Complex way1{to1.re - from.re + t.shift1, to1.im - from.im};
+    const Complex way2{to2.re - from.re + t.shift2, to2.im - from.im};
+    const double re = t.x1 * way2.re - t.x2 * way1.re, im = t.x1 * way2.im - t.x2 * way1.im;
+    const Complex r{re + t.y2 * way1.im, im - t.y2 * way1.re};
+    const Complex q{re - t.y2 * way1.im, im + t.y2 * way1.re};
+    const double b = r.re * r.re + r.im * r.im, a = q.re * q.re + q.im * q.im;
+    const double doubled = t.x1 * t.y2;
+    const double size = 1.0 / std::max({a, 0.25 * b, leastSize * 4.0 * doubled * doubled});
+    t.stretch = std::min(b * size, 4.0);
+    t.inverse = {q.re * size, -q.im * size};
+    t.value = times(r, t.inverse);
+}
+
+/// Which triangles are bad, and who is to move for them.
+void TextureRelaxer::measure()
+{
+    m_awake.assign(m_z.size(), 0);
+    m_folded = false;
+    m_bad = 0;
+    for (Triangle& t : m_triangles) {
+        measure(t);
+        m_folded = m_folded || !(t.stretch <= foldedK * foldedK); // or no number
+        m_bad += t.stretch >= goodK * goodK ? 1 : 0;
+        if (t.stretch > boundK * boundK)
+            for (const Index corner : t.corner)
+                m_awake[corner] = m_free[corner];
     }
 }
 
-/// \returns whether it moved by more than next to nothing.
-bool TextureRelaxer::move(Index vertex)
+inline void TextureRelaxer::differentiate(Triangle& t)
 {
-    const std::span<const TrianglesAround::Use> uses = m_around.of(vertex);
-    Around here;
-    for (const TrianglesAround::Use& use : uses)
-        add<true>(use, glm::dvec2(0.0), here);
-    const double determinant = here.xx * here.yy - here.xy * here.xy;
-    if (!std::isfinite(here.energy) || !(determinant > 0.0))
+    // The edges opposite to the second and third corner, less the value times their conjugates.
+    const Complex& value = t.value;
+    const Complex second{value.re * t.x2 + value.im * t.y2 - t.x2, value.im * t.x2 - value.re * t.y2 - t.y2};
+    const Complex third{t.x1 - value.re * t.x1, -value.im * t.x1};
+    t.slope[1] = times(second, t.inverse);
+    t.slope[2] = times(third, t.inverse);
+    t.slope[0] = {-t.slope[1].re - t.slope[2].re, -t.slope[1].im - t.slope[2].im};
+}
+
+/// What the excess of triangles counts around vertices that are awake.
+void TextureRelaxer::weigh(double scale)
+{
+    for (Triangle& t : m_triangles) {
+        if ((m_awake[t.corner[0]] | m_awake[t.corner[1]] | m_awake[t.corner[2]]) == 0)
+            continue;
+        differentiate(t);
+        t.weight = t.barrier = 1.0;
+        if (t.stretch <= boundK * boundK)
+            continue;
+        const double part = (std::sqrt(t.stretch) - boundK) / scale, sum = 1.0 + part * part;
+        const double room = std::max(1.0 - t.stretch, leastRoom);
+        t.barrier = 1.0 / (room * room * room);
+        t.weight = t.barrier / (sum * sum);
+    }
+}
+
+inline void TextureRelaxer::move(Index vertex, const Complex& step)
+{
+    m_z[vertex].re += step.re;
+    m_z[vertex].im += step.im;
+    for (const Use& use : usesOf(vertex)) {
+        Triangle& triangle = m_triangles[use.triangle];
+        const Complex by = times(triangle.slope[use.place], step);
+        triangle.value.re += by.re;
+        triangle.value.im += by.im;
+    }
+}
+
+inline TextureRelaxer::Around TextureRelaxer::around(Index vertex) const
+{
+    double slopeX = 0.0, slopeY = 0.0, xx = 0.0, xy = 0.0, yy = 0.0, even = 0.0;
+    for (const Use& use : usesOf(vertex)) {
+        const Triangle& triangle = m_triangles[use.triangle];
+        const Complex w = triangle.slope[use.place], r = triangle.value;
+        const double weight = triangle.weight;
+        const double square = r.re * r.re + r.im * r.im, size = w.re * w.re + w.im * w.im;
+        even += inertia * weight * size;
+        if (square <= boundK * boundK)
+            continue;
+        const double k = std::sqrt(square), inverse = 1.0 / k;
+        const double far = std::max(k - farK, 0.0);
+        const double pull = weight * (k - boundK) + triangle.barrier * far;
+        // Second derivatives: so much along the value, and so much across it.
+        const double radial = far > 0.0 ? weight + triangle.barrier : weight;
+        const double across = pull * inverse, more = radial - across;
+        const double x = (w.re * r.re + w.im * r.im) * inverse, y = (w.re * r.im - w.im * r.re) * inverse;
+        slopeX += pull * x;
+        slopeY += pull * y;
+        even += across * size;
+        xx += more * x * x;
+        yy += more * y * y;
+        xy += more * x * y;
+    }
+    return {{slopeX, slopeY}, xx + even, xy, yy + even};
+}
+
+void TextureRelaxer::sweep()
+{
+    for (Index vertex = 0; vertex < m_z.size(); ++vertex) {
+        if (m_awake[vertex] == 0)
+            continue;
+        const Around sum = around(vertex);
+        const double determinant = sum.xx * sum.yy - sum.xy * sum.xy;
+        if (!(determinant > 0.0) || (sum.slope.re == 0.0 && sum.slope.im == 0.0))
+            continue;
+        const double share = -1.0 / determinant;
+        move(vertex, {share * (sum.yy * sum.slope.re - sum.xy * sum.slope.im),
+                      share * (sum.xx * sum.slope.im - sum.xy * sum.slope.re)});
+    }
+}
+
+/// Moves all that is awake by a share of what the last round has moved it (Nesterov).
+void TextureRelaxer::goOn(double share)
+{
+    for (Index vertex = 0; vertex < m_z.size(); ++vertex) {
+        const Complex now = m_z[vertex], before = m_before[vertex];
+        m_before[vertex] = now;
+        if (m_awake[vertex] == 0)
+            continue;
+        m_z[vertex].re += share * (now.re - before.re);
+        m_z[vertex].im += share * (now.im - before.im);
+    }
+}
+
+bool TextureRelaxer::run(int rounds, double enough)
+{
+    measure();
+    const auto most = static_cast<Index>(enough * double(m_triangles.size()));
+    if (m_bad <= most)
         return false;
-    glm::dvec2 step = -glm::dvec2(here.yy * here.slope.x - here.xy * here.slope.y,
-                                  here.xx * here.slope.y - here.xy * here.slope.x) /
-                      determinant;
-    if (glm::dot(step, step) < enough * enough)
-        return false;
-    for (int tries = 0; tries < mostTries; ++tries, step *= shorter) {
-        Around there;
-        for (const TrianglesAround::Use& use : uses)
-            add<false>(use, step, there);
-        if (there.energy < here.energy) {
-            m_uv[vertex] += step;
-            return true;
-        }
+    if (m_folded) {
+        std::erase_if(m_triangles, [](const Triangle& t) { return !(t.stretch <= foldedK * foldedK); });
+        measure();
     }
-    return false;
-}
-
-double TextureRelaxer::leastArea() const
-{
-    double least = 1.0;
-    for (const Triangle& triangle : m_triangles) {
-        const Jacobian map = jacobian(triangle);
-        least = std::min(least, cross(map.u, map.v));
+    link();
+    m_before = m_best = m_z;
+    const Index first = m_bad;
+    Index fewest = first;
+    const double shrink = maths::pow(lastScale / firstScale, 1.0 / std::max(rounds - 1, 1));
+    const double warmUp = warmUpShare * double(rounds);
+    double scale = firstScale;
+    for (int round = 0; round < rounds && fewest > most; ++round, scale *= shrink) {
+        weigh(scale);
+        sweep();
+        sweep();
+        goOn(std::min(mostMomentum, double(round) / (double(round) + warmUp)));
+        measure();
+        if (m_folded || m_bad >= fewest)
+            continue;
+        fewest = m_bad;
+        m_best = m_z;
     }
-    return least;
-}
-
-/// (s/t + t/s) / 2 of the map's singular values: 1 where shapes are kept.
-double TextureRelaxer::shapeOf(const Jacobian& map)
-{
-    return 0.5 * (glm::dot(map.u, map.u) + glm::dot(map.v, map.v)) / cross(map.u, map.v);
-}
-
-/// The worse a triangle's shape the less it counts; vertices at good ones sleep.
-void TextureRelaxer::weigh()
-{
-    std::fill(m_awake.begin(), m_awake.end(), std::uint8_t(0));
-    for (Triangle& triangle : m_triangles) {
-        const double shape = shapeOf(jacobian(triangle)), excess = (shape - 1.0) / halfWeight;
-        triangle.weight = 1.0 / (1.0 + excess * excess);
-        if (shape > awakeAbove)
-            wake(triangle);
-    }
-}
-
-bool TextureRelaxer::sweep()
-{
-    bool moved = false;
-    for (Index vertex = 0; vertex < m_uv.size(); ++vertex)
-        if (m_awake[vertex] != 0)
-            moved = move(vertex) || moved;
-    return moved;
-}
-
-bool TextureRelaxer::run(int evenSweeps, int choosySweeps)
-{
-    if (!m_anyAwake)
-        return m_least > 0.0;
-    m_around.link(std::span<const Triangle>(m_triangles), m_uv.size());
-    const bool folded = m_least <= 0.0;
-    if (folded)
-        m_awake = m_free;
-    int flat = 0; // sweeps since nothing is folded
-    for (int i = 0; i < evenSweeps; ++i) {
-        m_softness = m_least > 0.0 ? 0.0 : std::max(leastSoftness, -0.5 * m_least);
-        if (!sweep())
-            break;
-        if (folded)
-            m_least = leastArea();
-        if (m_least > 0.0 && ++flat == sweepsWhenFlat)
-            break;
-    }
-    m_softness = 0.0;
-    for (int i = 0; i < choosySweeps && m_least > 0.0; ++i) {
-        weigh();
-        if (!sweep())
-            break;
-    }
-    return m_least > 0.0;
+    m_z.swap(m_best);
+    return fewest < first;
 }
 
 } // namespace ramure

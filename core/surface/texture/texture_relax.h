@@ -1,72 +1,91 @@
 /// \file
-/// Evens out texture coordinates: moves them until triangles keep their shape as well as they can.
-/// Internal to the texture coordinates.
+/// Evens out texture coordinates where too many triangles are stretched. Internal to the texture coordinates.
 #pragma once
 
-#include "core/surface/texture/texture_patch.h"
+#include "core/base/index.h"
+#include <array>
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <span>
 #include <vector>
 
 namespace ramure {
 
-/// A patch of triangles in the texture plane. The energy of a triangle whose map has the singular values s, t
-/// is ((s/t + t/s) / 2)² plus a little for its density, s t + 1 / (s t): convex in each vertex, infinite
-/// where it would fold. Vertices are moved one after the other to where it is least (Newton's method). A
-/// patch where some triangles cannot keep their shape (long ones at a bend whose cross-sections are far
-/// apart) is better off with few bad ones than with many that are nearly good: in the last rounds the worse a
-/// triangle is the less it counts. One that is folded to begin with is unfolded by a softened energy
-/// (Garanzha et al., "Foldover-free maps in 50 lines of code", 2021).
+/// A patch of triangles in the texture plane as complex numbers z = u + iv. On a triangle the map is
+/// a x + b conj(x) of its own plane, its stretch (1 + k) / (1 - k) with k = |b| / |a| (Lévy et al., "Least
+/// squares conformal maps", 2002). Vertices are moved so that few triangles are stretched by more than a
+/// bound, however much the rest is: only the excess of k over the bound counts, by Newton's method one vertex
+/// after the other, and the greater it is the less it pulls (Geman and McClure), so that few triangles are
+/// bad rather than many nearly good. Triangles that are folded to begin with do not count; no other gets
+/// folded.
 class TextureRelaxer
 {
 public:
     void clear();
     void addVertex(const glm::dvec2& uv, bool isFree);
-    /// \param place in tiles. \param shift is added to each corner's u: it stands beyond the seam.
+    /// \param place in any unit. \param shift is added to each corner's u: it stands beyond the seam.
     void addTriangle(const std::array<Index, 3>& corner, const std::array<glm::dvec3, 3>& place,
                      const std::array<double, 3>& shift);
-    [[nodiscard]] bool isFolded() const { return m_least <= 0.0; }
-    /// Only vertices at triangles that are stretched are moved. \returns whether the patch is not folded now.
-    bool run(int evenSweeps, int choosySweeps);
-    [[nodiscard]] const glm::dvec2& uv(Index vertex) const { return m_uv[vertex]; }
+    /// Lets the triangles be where no more than a share \p enough of them is stretched by 1.25, or fewest of
+    /// all that it came by in \p rounds. \returns whether anything has moved.
+    bool run(int rounds, double enough);
+    [[nodiscard]] glm::dvec2 uv(Index vertex) const { return {m_z[vertex].re, m_z[vertex].im}; }
 
 private:
+    struct Complex
+    {
+        double re = 0.0, im = 0.0;
+    };
     struct Triangle
     {
         std::array<Index, 3> corner;
-        std::array<double, 3> shift;
-        std::array<glm::dvec2, 3> gradient; ///< of the corners' hat functions, in the triangle's plane
-        double weight = 1.0;                ///< of its shape in the energy
+        double x1, x2, y2;     ///< in its own plane its corners are (0, 0), (x1, 0) and (x2, y2)
+        double shift1, shift2; ///< of the second and third corner's u, against the first's
+        double stretch;        ///< k²
+        Complex inverse;       ///< of a, with the factor of the sums over edges
+        // To first order since the last weighing:
+        Complex value;                ///< b / a
+        std::array<Complex, 3> slope; ///< of it by the corners' places
+        double weight;
+        double barrier; ///< weight of what it is stretched beyond farK
     };
-    /// Energy around a vertex with its first and second derivatives.
+    struct Use
+    {
+        Index triangle;
+        Index place; ///< which of its corners
+    };
+    /// The energy around a vertex: its slope, and its second derivatives.
     struct Around
     {
-        double energy = 0.0;
-        glm::dvec2 slope{0.0};
+        Complex slope;
         double xx = 0.0, xy = 0.0, yy = 0.0;
     };
-    struct Jacobian
+    static Complex times(const Complex& a, const Complex& b)
     {
-        glm::dvec2 u{0.0}, v{0.0}; ///< gradients in the triangle's plane
-    };
-    [[nodiscard]] Jacobian jacobian(const Triangle& triangle) const;
-    [[nodiscard]] double leastArea() const;
-    [[nodiscard]] static double shapeOf(const Jacobian& map);
-    void wake(const Triangle& triangle);
-    void weigh();
-    bool sweep();
-    template <bool derivatives>
-    void add(const TrianglesAround::Use& use, const glm::dvec2& moved, Around& sum) const;
-    bool move(Index vertex);
+        return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
+    }
+    [[nodiscard]] std::span<const Use> usesOf(Index vertex) const
+    {
+        return {m_uses.data() + m_first[vertex], m_first[vertex + 1] - m_first[vertex]};
+    }
+    void link();
+    void measure();
+    inline void measure(Triangle& triangle) const;
+    static inline void differentiate(Triangle& triangle);
+    void weigh(double scale);
+    void sweep();
+    [[nodiscard]] inline Around around(Index vertex) const;
+    inline void move(Index vertex, const Complex& step);
+    void goOn(double share);
 
-    std::vector<glm::dvec2> m_uv;
+    std::vector<Complex> m_z, m_before, m_best; ///< now, a round ago, where fewest are bad
     std::vector<std::uint8_t> m_free, m_awake;
     std::vector<Triangle> m_triangles;
-    TrianglesAround m_around;
-    double m_least = 1.0; ///< determinant
-    double m_softness = 0.0;
-    bool m_anyAwake = false;
+    std::vector<Index> m_first; ///< per vertex: where its uses begin
+    std::vector<Use> m_uses;
+    bool m_folded = false;
+    Index m_bad = 0;
 };
 
 } // namespace ramure

@@ -2,25 +2,21 @@
 
 #include "core/math/reproducible.h"
 #include <algorithm>
-#include <cmath>
 #include <glm/common.hpp>
-#include <numbers>
 
 namespace ramure {
 
 namespace {
 
-/// How far radii may differ (as a logarithm) before another number of tiles goes around.
-constexpr double tolerated = 0.45, toleratedOnShort = 0.9;
-/// How much of that v makes good: in between, neither the stretch nor the density is far off.
-constexpr double followed = 0.5;
 // In radii: where the middle of a tip is, and of the flat end of a root.
 constexpr double leastTip = 0.1, tipRadius = 0.5, rootRadius = 0.05;
-constexpr double cutRadius = 0.94; ///< in radii: within it lies the ring of a cut
-constexpr double narrowGap =
-    2.4; ///< rad: what limbs leave of their parent's last cross-section goes on all around
-constexpr double manyTiles = 24.0;
-constexpr double lost = 0.2; ///< of the triangles are stretched: that shall not go on into the children
+constexpr double cutRadius = 0.94;   ///< in radii: within it lies the ring of a cut
+constexpr double sameSection = 1e-3; ///< of the tube: cross-sections closer than that are one
+constexpr double leastOnRoot = 4.0, leastAround = 2.0; ///< tiles around a branch
+constexpr double wallRoom = 1.05;                      ///< the wall between siblings has some tiles, too
+constexpr double handingLength = 2.0;                  ///< diameters
+constexpr int evenRounds = 12;
+constexpr double enoughStretched = 0.06; ///< of a tube's triangles: it is left at that
 
 } // namespace
 
@@ -29,9 +25,6 @@ void TubeTexture::begin()
     m_vertices.clear();
     m_positions.clear();
     m_given.clear();
-    m_triangles.clear();
-    m_isOpen = false;
-    m_stretched = 0;
 }
 
 Index TubeTexture::addVertex(Index vertex, const glm::vec3& position, bool onParent, bool onWall,
@@ -47,47 +40,43 @@ Index TubeTexture::addVertex(Index vertex, const glm::vec3& position, bool onPar
     return static_cast<Index>(m_vertices.size() - 1);
 }
 
-void TubeTexture::unroll(const TubeAxis& axis, const TubeTextureEnd& parent)
+void TubeTexture::unroll(const TubeAxis& axis, const TubeTextureEnd& parent,
+                         std::span<const glm::uvec3> triangles)
 {
-    m_axis.build(axis, parent.normal);
+    m_axis.build(axis, parent.normal, parent.bend);
     place();
     chooseSeam();
-    chooseTiles(parent.around);
-    measureAlong();
-    assign(parent);
-    if (!even(parent))
-        unfold(parent);
-    if (m_stretched > shareOf(lost))
-        keepEnd(parent);
-    m_end.normal = m_axis.end().frame.normal;
-    m_end.around = m_knots.back().around;
+    chooseTiles(parent);
+    measureAlong(parent.radius == 0.0);
+    assign();
+    even(triangles);
+    const UnrollAxis::Node& end = m_axis.end();
+    m_end = {end.frame.normal, end.bend.x * end.frame.normal + end.bend.y * end.frame.binormal, m_around,
+             end.radius};
 }
 
 void TubeTexture::place()
 {
-    m_highestWall = 0.0;
     const double length = m_axis.length();
     bool isCut = false;
+    std::size_t points = 0;
     for (std::size_t i = 0; i < m_vertices.size(); ++i) {
         TubeTextureVertex& vertex = m_vertices[i];
         const UnrollAxis::Place place = m_axis.place(glm::dvec3(m_positions[i]));
         const bool own = !vertex.onParent && !vertex.onWall;
         vertex.along = vertex.onParent ? 0.0 : place.along;
         vertex.azimuth = place.azimuth;
+        vertex.crowding = place.crowding;
+        vertex.radius = place.radius;
         const bool onTip = place.along >= length && place.beyond > leastTip && place.radial < tipRadius;
         vertex.isPole = own && (onTip || (place.along <= 0.0 && place.radial < rootRadius));
-        isCut = isCut || (own && place.along > (1.0 - sameSection) * length && place.radial < rootRadius &&
-                          !vertex.isPole);
-        if (vertex.onWall)
-            m_highestWall = std::max(m_highestWall, place.along);
+        const bool atEnd = own && !vertex.isPole && place.along > (1.0 - sameSection) * length;
+        isCut = isCut || (atEnd && place.radial < rootRadius);
+        points += atEnd ? 1 : 0;
     }
     if (isCut)
         markCut();
-    const auto points = std::ranges::count_if(m_vertices, [&](const TubeTextureVertex& vertex) {
-        return !vertex.onParent && !vertex.onWall && !vertex.isPole &&
-               vertex.along > (1.0 - sameSection) * length;
-    });
-    const double half = pi / static_cast<double>(std::max<std::ptrdiff_t>(points, 3));
+    const double half = pi / static_cast<double>(std::max<std::size_t>(points, 3));
     m_chord = maths::sin(half) / half;
 }
 
@@ -106,11 +95,14 @@ void TubeTexture::markCut()
 void TubeTexture::chooseSeam()
 {
     m_sorted.clear();
-    for (const TubeTextureVertex& vertex : m_vertices)
+    bool hasWall = false;
+    for (const TubeTextureVertex& vertex : m_vertices) {
+        hasWall = hasWall || vertex.onWall;
         if (vertex.onParent)
             m_sorted.push_back(shortWay(vertex.azimuth));
+    }
     double seam = pi;
-    m_goesOn = false;
+    m_front = pi;
     if (!m_sorted.empty()) {
         std::sort(m_sorted.begin(), m_sorted.end());
         double widest = m_sorted.front() + turn - m_sorted.back();
@@ -120,7 +112,8 @@ void TubeTexture::chooseSeam()
                 widest = gap;
                 seam = m_sorted[i] + 0.5 * gap;
             }
-        m_goesOn = widest < narrowGap;
+        if (hasWall)
+            m_front = pi - 0.5 * widest;
     }
     for (TubeTextureVertex& vertex : m_vertices) {
         const double behind = vertex.azimuth - seam;
@@ -128,133 +121,85 @@ void TubeTexture::chooseSeam()
     }
 }
 
-/// Above two dozen a number that can be halved until it is below: a pattern of two, four ... tiles fits as
-/// well.
-double TubeTexture::fitting(double radius) const
+/// Where there is no wall the parent's number goes on, whatever the radius: bark stretches as wood thickens.
+/// At a fork one that keeps the density, as far as whole numbers do, and leaves some tiles to the wall.
+void TubeTexture::chooseTiles(const TubeTextureEnd& parent)
 {
-    const double wanted = turn * m_chord * radius / m_tile;
-    double step = 1.0;
-    while (wanted > manyTiles * step)
-        step *= 2.0;
-    return std::max(1.0, std::round(wanted / step) * step);
-}
-
-double TubeTexture::radiusAt(double along) const
-{
-    const auto& nodes = m_axis.nodes();
-    std::size_t i = 0;
-    while (i + 2 < nodes.size() && nodes[i + 1].along < along)
-        ++i;
-    const double span = nodes[i + 1].along - nodes[i].along;
-    const double part = span > 0.0 ? std::clamp((along - nodes[i].along) / span, 0.0, 1.0) : 0.0;
-    return nodes[i].radius + (nodes[i + 1].radius - nodes[i].radius) * part;
-}
-
-/// Heights of the whole cross-sections of the tube, above its front.
-void TubeTexture::findSections()
-{
-    m_sections.clear();
-    for (const TubeTextureVertex& vertex : m_vertices)
-        if (!vertex.onParent && !vertex.onWall && !vertex.isPole && vertex.along > m_highestWall)
-            m_sections.push_back(vertex.along);
-    std::sort(m_sections.begin(), m_sections.end());
-    const double apart = sameSection * m_axis.length();
-    const auto same = [apart](double a, double b) { return b - a < apart; };
-    m_sections.erase(std::unique(m_sections.begin(), m_sections.end(), same), m_sections.end());
-    if (m_sections.empty())
-        m_sections.push_back(m_axis.length());
-}
-
-/// The parent's number on the front; from the first whole cross-section on one that fits as long as the
-/// radius does not change much.
-void TubeTexture::chooseTiles(double before)
-{
-    findSections();
-    m_knots.clear();
-    if (before > 0.0)
-        m_knots.push_back({0.0, before});
-    if (before > 0.0 && (m_highestWall == 0.0 || m_goesOn)) {
-        const double fits = fitting(radiusAt(m_sections.back()));
-        // Another number winds around the tube by half the difference: a short tube leaves that to the next.
-        const bool isShort = m_axis.length() < 0.5 * std::abs(before - fits) * m_tile;
-        const bool goesOn = std::abs(maths::log(before / fits)) < (isShort ? toleratedOnShort : tolerated);
-        m_knots.push_back({m_sections.back(), goesOn ? before : fits});
+    const UnrollAxis::Node& foot = m_axis.nodes().front();
+    m_excess = 0.0;
+    m_handing = 1.0;
+    if (parent.around == 0.0) {
+        const double middle = m_axis.nodes()[UnrollAxis::steps / 2].radius; // above a root's flare
+        const double least = parent.radius > 0.0 ? leastAround : leastOnRoot;
+        m_around = std::max(least, std::round(m_scale.around(middle)));
         return;
     }
-    std::size_t i = 0;
-    while (i < m_sections.size()) {
-        // A root's first cross-section, at its foot, has the number of the next.
-        const double first = radiusAt(m_knots.empty() ? 0.5 * m_sections[i] : m_sections[i]);
-        double last = first;
-        std::size_t end = i + 1;
-        for (; end < m_sections.size(); ++end) {
-            const double radius = radiusAt(m_sections[end]);
-            if (std::abs(maths::log(radius / first)) > tolerated)
-                break;
-            last = radius;
-        }
-        const double around = fitting(0.5 * (first + last));
-        for (; i < end; ++i)
-            m_knots.push_back({m_sections[i], around});
-    }
+    m_around = parent.around;
+    if (m_front >= pi || !(parent.radius > 0.0))
+        return;
+    const double same = parent.around * foot.own / parent.radius, below = std::floor(same);
+    const double fits = same * same > below * (below + 1.0) ? below + 1.0 : below;
+    const double least = std::max(leastAround, std::ceil(wallRoom * parent.around * m_front / pi));
+    m_around = std::clamp(fits, std::min(least, parent.around), parent.around);
+    m_excess = parent.around - m_around;
+    m_handing = std::max(std::min(m_axis.length(), handingLength * 2.0 * foot.radius), 1e-300);
 }
 
-double TubeTexture::aroundAt(double along) const
-{
-    if (along <= m_knots.front().along)
-        return m_knots.front().around;
-    for (std::size_t i = 0; i + 1 < m_knots.size(); ++i) {
-        const Knot &a = m_knots[i], &b = m_knots[i + 1];
-        if (along <= b.along)
-            return a.around == b.around
-                       ? a.around
-                       : a.around + (b.around - a.around) * (along - a.along) / (b.along - a.along);
-    }
-    return m_knots.back().around;
-}
-
-/// v goes on a little faster where more tiles than fit stand around, and slower where fewer do; where not
-/// even one fits, as fast as that one is squeezed.
-void TubeTexture::measureAlong()
+/// Tiles keep their shape, as fast along the tube as they go around it; in the flare of a root, which is
+/// short, not as much.
+void TubeTexture::measureAlong(bool isRoot)
 {
     const auto& nodes = m_axis.nodes();
     m_tilesAt[0] = 0.0;
     for (std::size_t i = 0; i < UnrollAxis::steps; ++i) {
-        const double middle = 0.5 * (nodes[i].along + nodes[i + 1].along);
-        const double radius = 0.5 * (nodes[i].radius + nodes[i + 1].radius) * m_chord;
-        const double one = m_tile / (turn * radius), squeezed = std::max(1.0, one);
-        const double excess = std::clamp(aroundAt(middle) * one / squeezed, 0.25, 4.0);
-        static_assert(followed == 0.5);
-        m_tilesAt[i + 1] =
-            m_tilesAt[i] + (nodes[i + 1].along - nodes[i].along) / m_tile * squeezed * std::sqrt(excess);
+        double radius = 0.5 * (nodes[i].radius + nodes[i + 1].radius);
+        if (isRoot)
+            radius = std::min(radius, 0.25 * radius + 0.75 * nodes[UnrollAxis::steps / 2].radius);
+        radius *= m_chord;
+        m_tilesAt[i + 1] = m_tilesAt[i] + (nodes[i + 1].along - nodes[i].along) * m_around / (turn * radius);
     }
 }
 
 double TubeTexture::tilesAlong(double along) const
 {
-    const auto& nodes = m_axis.nodes();
-    std::size_t i = 0;
-    while (i + 2 < nodes.size() && nodes[i + 1].along < along)
-        ++i;
-    const double span = nodes[i + 1].along - nodes[i].along;
-    const double part = span > 0.0 ? (along - nodes[i].along) / span : 0.0;
+    const auto [i, part] = m_axis.find(along);
     return m_tilesAt[i] + (m_tilesAt[i + 1] - m_tilesAt[i]) * part;
 }
 
+/// m, the side of a tile there.
+double TubeTexture::tileAt(double along) const
+{
+    const auto [i, part] = m_axis.find(along);
+    const auto& nodes = m_axis.nodes();
+    return turn * (nodes[i].radius + (nodes[i + 1].radius - nodes[i].radius) * part) / m_around;
+}
+
+/// Tiles from the middle of the front. What the parent's cross-section has more of them than the child has
+/// room for is given back along the tube, and on the front itself between the ends of the shared arc.
+double TubeTexture::turnOf(const TubeTextureVertex& vertex) const
+{
+    double excess = 0.0;
+    if (m_excess != 0.0 && vertex.along < m_handing) {
+        const double away = std::abs(vertex.azimuth);
+        const double share = away <= m_front ? away : m_front * (pi - away) / (pi - m_front);
+        excess = std::copysign(m_excess * share, vertex.azimuth) * (1.0 - vertex.along / m_handing);
+    }
+    return (m_around * (vertex.azimuth + vertex.crowding) + excess) / turn;
+}
+
 /// Where the tube starts in the texture: where its parent really ends, which may have been moved.
-glm::dvec2 TubeTexture::startOf(const TubeTextureEnd& parent) const
+glm::dvec2 TubeTexture::startOf() const
 {
     glm::dvec2 nearest(0.0), sum(0.0);
-    double azimuth = turn;
+    double azimuth = turn, count = 0.0;
     const auto startAt = [&](std::size_t i) {
-        return glm::dvec2(double(m_given[i].x) - parent.around * m_vertices[i].azimuth / turn, m_given[i].y);
+        return glm::dvec2(double(m_given[i].x) - turnOf(m_vertices[i]), m_given[i].y);
     };
     for (std::size_t i = 0; i < m_given.size(); ++i)
         if (m_vertices[i].onParent && std::abs(m_vertices[i].azimuth) < azimuth) {
             azimuth = std::abs(m_vertices[i].azimuth);
             nearest = startAt(i);
         }
-    double count = 0.0;
     for (std::size_t i = 0; i < m_given.size(); ++i)
         if (m_vertices[i].onParent) {
             const glm::dvec2 away = startAt(i) - nearest;
@@ -264,20 +209,13 @@ glm::dvec2 TubeTexture::startOf(const TubeTextureEnd& parent) const
     return nearest + sum / std::max(count, 1.0);
 }
 
-void TubeTexture::assign(const TubeTextureEnd& parent)
+void TubeTexture::assign()
 {
-    const glm::dvec2 start = startOf(parent);
-    double lastAlong = -1.0, around = 0.0, v = 0.0;
+    const glm::dvec2 start = startOf();
     for (std::size_t i = 0; i < m_vertices.size(); ++i) {
         TubeTextureVertex& vertex = m_vertices[i];
-        if (vertex.along != lastAlong) {
-            lastAlong = vertex.along;
-            around = aroundAt(vertex.along);
-            v = start.y + tilesAlong(vertex.along);
-        }
-        vertex.around = around;
-        vertex.u = start.x + around * vertex.azimuth / turn;
-        vertex.v = v;
+        vertex.u = start.x + turnOf(vertex);
+        vertex.v = start.y + tilesAlong(vertex.along);
         if (vertex.onParent) {
             vertex.u = double(m_given[i].x) + std::round(vertex.u - double(m_given[i].x));
             vertex.v = double(m_given[i].y);
@@ -285,10 +223,39 @@ void TubeTexture::assign(const TubeTextureEnd& parent)
     }
 }
 
+/// What bends within a few cross-sections cannot be laid out by a formula.
+void TubeTexture::even(std::span<const glm::uvec3> triangles)
+{
+    m_relaxer.clear();
+    for (const TubeTextureVertex& vertex : m_vertices)
+        m_relaxer.addVertex({vertex.u, vertex.v}, !vertex.onParent && !vertex.isPole);
+    for (const glm::uvec3& triangle : triangles) {
+        if (isCap(triangle))
+            continue;
+        const std::array<bool, 3> beyond = beyondSeam(triangle);
+        std::array<double, 3> shift{};
+        std::array<glm::dvec3, 3> places;
+        for (int c = 0; c < 3; ++c) {
+            const auto corner = static_cast<std::size_t>(c);
+            shift[corner] = beyond[corner] ? m_around : 0.0;
+            places[corner] = position(triangle[c]);
+        }
+        m_relaxer.addTriangle({triangle.x, triangle.y, triangle.z}, places, shift);
+    }
+    if (!m_relaxer.run(evenRounds, enoughStretched))
+        return;
+    for (Index i = 0; i < m_vertices.size(); ++i) {
+        const glm::dvec2 uv = m_relaxer.uv(i);
+        m_vertices[i].u = uv.x;
+        m_vertices[i].v = uv.y;
+    }
+}
+
 std::array<glm::dvec2, 3> TubeTexture::apart(const glm::uvec3& triangle) const
 {
-    const glm::dvec3 origin = position(triangle.x), first = (position(triangle.y) - origin) / m_tile,
-                     second = (position(triangle.z) - origin) / m_tile;
+    const double tile = tileAt(m_vertices[triangle.x].along);
+    const glm::dvec3 origin = position(triangle.x), first = (position(triangle.y) - origin) / tile,
+                     second = (position(triangle.z) - origin) / tile;
     const double length = glm::length(first);
     // Near the origin, where floats are fine; where in the pattern does not matter.
     const glm::dvec2 whole(m_vertices[triangle.x].u, m_vertices[triangle.x].v),
@@ -303,7 +270,7 @@ glm::dvec2 TubeTexture::onDisc(const TubeTextureVertex& vertex, const glm::vec3&
 {
     const bool start = vertex.along < 0.5 * m_axis.length();
     const UnrollAxis::Node& node = start ? m_axis.nodes().front() : m_axis.end();
-    const glm::dvec3 away = (glm::dvec3(position) - node.point) / m_tile;
+    const glm::dvec3 away = (glm::dvec3(position) - node.point) * (m_around / (turn * node.radius));
     const double x = glm::dot(away, node.frame.normal), y = glm::dot(away, node.frame.binormal);
     // The flat end of a root is seen against the axis. Half a tile aside: no line of the pattern at the pole.
     return {0.5 + (start ? -x : x), 0.5 + y};

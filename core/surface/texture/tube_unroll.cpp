@@ -18,9 +18,12 @@ glm::dvec3 across(const glm::dvec3& vector, const glm::dvec3& direction)
     return frameFromTangent(direction).normal;
 }
 
+constexpr double mostBend = 0.6;   ///< more of it would crowd the inside too much
+constexpr double bendWithin = 2.0; ///< radii, within which a bend gives way to the next
+
 } // namespace
 
-void UnrollAxis::build(const TubeAxis& axis, const glm::dvec3& normal)
+void UnrollAxis::build(const TubeAxis& axis, const glm::dvec3& normal, const glm::dvec3& bend)
 {
     const BranchCurve& curve = axis.curve;
     const glm::dvec3 way = curve.h1 - curve.h0;
@@ -39,9 +42,37 @@ void UnrollAxis::build(const TubeAxis& axis, const glm::dvec3& normal)
         carried = across(carried, tangent);
         node.frame = {tangent, carried, glm::cross(tangent, carried)};
         node.along = i == 0 ? 0.0 : m_nodes[i - 1].along + glm::length(node.point - m_nodes[i - 1].point);
-        node.radius = axis.a0 + (axis.a1 - axis.a0) * t;
+        node.own = axis.a0 + (axis.a1 - axis.a0) * t;
+        node.radius = axis.radiusAt(t);
     }
+    bendNodes(bend);
     m_last = 0;
+}
+
+/// The bend at each node, after its tangents before and behind.
+void UnrollAxis::bendNodes(const glm::dvec3& before)
+{
+    for (std::size_t i = 0; i <= steps; ++i) {
+        const Node &from = m_nodes[i == 0 ? 0 : i - 1], &to = m_nodes[std::min(i + 1, steps)];
+        Node& node = m_nodes[i];
+        const double way = to.along - from.along;
+        glm::dvec3 bend =
+            way > 0.0 ? (to.frame.tangent - from.frame.tangent) * (node.radius / way) : glm::dvec3(0.0);
+        const double part = std::min(node.along / (bendWithin * m_nodes[0].radius), 1.0);
+        bend = before + (bend - before) * (part >= 0.0 ? part : 1.0);
+        const double size = glm::length(bend);
+        bend *= size > mostBend ? mostBend / size : 1.0;
+        node.bend = {glm::dot(bend, node.frame.normal), glm::dot(bend, node.frame.binormal)};
+    }
+}
+
+std::pair<std::size_t, double> UnrollAxis::find(double along) const
+{
+    std::size_t i = 0;
+    while (i + 2 < m_nodes.size() && m_nodes[i + 1].along < along)
+        ++i;
+    const double span = m_nodes[i + 1].along - m_nodes[i].along;
+    return {i, span > 0.0 ? std::clamp((along - m_nodes[i].along) / span, 0.0, 1.0) : 0.0};
 }
 
 UnrollAxis::Place UnrollAxis::place(const glm::dvec3& point)
@@ -67,8 +98,14 @@ UnrollAxis::Place UnrollAxis::place(const glm::dvec3& point)
     const glm::dvec3 away = point - between(a.point, b.point);
     const double x = glm::dot(away, between(a.frame.normal, b.frame.normal));
     const double y = glm::dot(away, between(a.frame.binormal, b.frame.binormal));
-    const double radius = between(a.radius, b.radius);
-    Place place{between(a.along, b.along), maths::atan2(y, x), std::sqrt(x * x + y * y) / radius, 0.0};
+    const double radius = between(a.radius, b.radius), distance = std::sqrt(x * x + y * y);
+    const glm::dvec2 bend = between(a.bend, b.bend);
+    Place place{between(a.along, b.along),
+                maths::atan2(y, x),
+                distance / radius,
+                0.0,
+                distance > 0.0 ? (bend.x * y - bend.y * x) / distance : 0.0,
+                radius};
     if (second > 0.0)
         place.beyond = second / radius;
     else if (first < 0.0)

@@ -5,6 +5,7 @@
 #include "core/math/frame.h"
 #include "core/surface/mesher/branch_mesh.h"
 #include <array>
+#include <utility>
 
 namespace ramure {
 
@@ -19,8 +20,10 @@ public:
     {
         glm::dvec3 point{0.0};
         Frame frame;
-        double along = 0.0;  ///< m, from the start
-        double radius = 0.0; ///< m
+        double along = 0.0;   ///< m, from the start
+        double radius = 0.0;  ///< m
+        double own = 0.0;     ///< m, without what it is wider at its start
+        glm::dvec2 bend{0.0}; ///< along the normal and the binormal: to the inside, radius times curvature
     };
     struct Place
     {
@@ -28,18 +31,27 @@ public:
         double azimuth; ///< rad, -pi to pi, from the frame's normal towards its binormal
         double radial;  ///< distance from the axis, in radii there
         double beyond;  ///< how far before the start or past the end, in radii there; else 0
+        /// rad, to be added to the azimuth: on a torus, squares stay squares where they are smaller on the
+        /// inside of the bend. To first order in the bend.
+        double crowding;
+        double radius; ///< m, of the tube there
     };
 
     /// \param normal any vector, not along the axis's start: azimuths are counted from it. It is carried
     /// along the axis without turning about it.
-    void build(const TubeAxis& axis, const glm::dvec3& normal);
+    /// \param bend of the end that it goes on from. Over some diameters it gives way to the axis's own.
+    void build(const TubeAxis& axis, const glm::dvec3& normal, const glm::dvec3& bend);
     /// The foot is searched from where the last one was found: neighbours should follow each other.
     Place place(const glm::dvec3& point);
     [[nodiscard]] const std::array<Node, steps + 1>& nodes() const { return m_nodes; }
     [[nodiscard]] const Node& end() const { return m_nodes.back(); }
+    /// The node before a place along the axis, and the share of the way to the next, 0 to 1.
+    [[nodiscard]] std::pair<std::size_t, double> find(double along) const;
     [[nodiscard]] double length() const { return m_nodes.back().along; }
 
 private:
+    void bendNodes(const glm::dvec3& before);
+
     std::array<Node, steps + 1> m_nodes;
     std::size_t m_last = 0;
 };

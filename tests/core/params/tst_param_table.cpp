@@ -139,7 +139,6 @@ void TestParamTable::keysAreThePublicInterface()
                                             "foliage.fruitStalk",
                                             "foliage.seed",
                                             "texture.tileSize",
-                                            "texture.seamsAround",
                                             "tree.translation",
                                             "tree.rotation",
                                             "tree.scale",

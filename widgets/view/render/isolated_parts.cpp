@@ -32,6 +32,8 @@ public:
             made.level.push_back(m_from.level[vertex]);
         if (m_from.uv.size() == m_from.positions.size())
             made.uv.push_back(m_from.uv[vertex]);
+        if (!m_from.radius.empty())
+            made.radius.push_back(m_from.radius[vertex]);
         return place;
     }
 

@@ -68,7 +68,7 @@ struct TexturedMesh
 
 TexturedMesh texturedMesh(const BranchMesh& branches, const TextureStage& texture, const NodeParams& params)
 {
-    const auto made = texture.coordinates(params);
+    const auto made = texture.coordinates(params.texture);
     if (!made)
         return {};
     return {splitByTexture(branches, **made), *made, textureReport(branches, **made)};
@@ -237,10 +237,8 @@ struct TreeItems
     /// The branches with their texture coordinates, which may be none.
     std::shared_ptr<const TexturedMesh> mapped()
     {
-        const TextureParams& texture = node.params.texture;
         return cache.get<TexturedMesh>(
-            ScenePart::Textured, tree.branches, tree.texture,
-            {texture.tileSize, texture.seamsAround ? 1.0 : 0.0, isPictured(node.params) ? 1.0 : 0.0},
+            ScenePart::Textured, tree.branches, tree.texture, {node.params.texture.tileSize},
             [&] { return texturedMesh(*tree.branches, *tree.texture, node.params); });
     }
     /// Null where nothing of it is shown.
@@ -500,7 +498,7 @@ bool isBarkReady(const TextureStage& texture, const NodeParams& params)
 {
     std::stop_source stopped;
     stopped.request_stop();
-    return texture.coordinates(params, {stopped.get_token(), {}}).has_value();
+    return texture.coordinates(params.texture, {stopped.get_token(), {}}).has_value();
 }
 
 SceneBuilder::SceneBuilder()

@@ -137,7 +137,7 @@ Expected<void> addTexture(TreeMeshes& meshes, const TextureStage& texture, const
                           const Progress& progress)
 {
     if (meshes.branches) {
-        const auto made = texture.coordinates(params, progress);
+        const auto made = texture.coordinates(params.texture, progress);
         RAMURE_TRY(made);
         const auto branches = std::make_shared<TriangleMesh>(*meshes.branches);
         branches->uv = (*made)->uv;

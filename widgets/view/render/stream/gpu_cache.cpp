@@ -9,6 +9,8 @@
 #include <utility>
 
 namespace ramure {
+
+static constexpr glm::vec2 usualYouth(0.01f, 0.06f); ///< m, under pictures that an artist brings
 namespace {
 
 using gpu::offset;
@@ -117,6 +119,7 @@ void GpuCache::restAttributes()
     QOpenGLFunctions& gl = *QOpenGLContext::currentContext()->functions();
     for (const GLuint white : {4u, 10u})
         gl.glVertexAttrib4f(white, 1.0f, 1.0f, 1.0f, 1.0f);
+    gl.glVertexAttrib4f(12, 1.0f, 0.0f, 0.0f, 1.0f); // thick wood
     for (const GLuint place : {8u, 9u})
         gl.glVertexAttrib4f(place, 0.0f, 0.0f, 0.0f, 1.0f);
 }
@@ -222,6 +225,11 @@ void GpuCache::fillMesh(GpuBlock& block, const TriangleMesh& mesh)
         addBuffer(block, GL_ARRAY_BUFFER, mesh.uv.data(), mesh.uv.size() * sizeof(glm::vec2));
         m_gl.glVertexAttribPointer(3, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
         m_gl.glEnableVertexAttribArray(3);
+    }
+    if (mesh.radius.size() == mesh.positions.size()) {
+        addBuffer(block, GL_ARRAY_BUFFER, mesh.radius.data(), mesh.radius.size() * sizeof(float));
+        m_gl.glVertexAttribPointer(12, 1, GL_FLOAT, GL_FALSE, 0, nullptr);
+        m_gl.glEnableVertexAttribArray(12);
     }
     addBuffer(block, GL_ELEMENT_ARRAY_BUFFER, mesh.triangles.data(),
               mesh.triangles.size() * sizeof(glm::uvec3));
@@ -367,7 +375,10 @@ void GpuCache::bindPictures(ShaderProgram& program, const MeshItem& item)
     m_gl.glActiveTexture(GL_TEXTURE0 + barkNormalsUnit);
     m_gl.glBindTexture(GL_TEXTURE_2D, block ? block->normals : restTexture());
     m_gl.glActiveTexture(GL_TEXTURE0);
-    program.set("uHasBark", !item.images && item.bark);
+    const bool isBark = !item.images && item.bark;
+    program.set("uHasBark", isBark);
+    program.set("uYouth", isBark ? glm::vec2(item.bark->youngRadius, item.bark->oldRadius) : usualYouth);
+    program.set("uYoung", isBark ? glm::vec3(item.bark->young) / 255.0f : glm::vec3(-1.0f));
     const bool isLeaf = !item.images && !item.bark && item.leaf;
     program.set("uVeins", isLeaf);
     program.set("uImages", item.images ? (item.images->isAged ? 2 : 1) : 0);
