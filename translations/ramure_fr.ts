@@ -3416,8 +3416,8 @@
         <translation>Combien de fois les règles s’appliquent. Chaque tour affine l’arbre&#xa0;; le nombre de branches croît vite.</translation>
     </message>
     <message>
-        <source>By chance</source>
-        <translation>Au hasard</translation>
+        <source>Random</source>
+        <translation>Aléatoire</translation>
     </message>
     <message>
         <source>Names one tree among all that chance can give. The same seed always grows the same tree.</source>
@@ -5682,10 +5682,6 @@
     <message>
         <source>the stems have more pieces than the limit of %1</source>
         <translation>les tiges ont plus de morceaux que la limite de %1</translation>
-    </message>
-    <message>
-        <source>Grows by</source>
-        <translation>Pousse par</translation>
     </message>
     <message>
         <source>Weber and Penn</source>

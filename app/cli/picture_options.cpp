@@ -163,8 +163,8 @@ void addPictureOptions(CommandLine& line)
         QStringLiteral("METRES"));
     line.addDefault(
         {QStringLiteral("samples")},
-        QStringLiteral("So many pictures in one, 1 to 256, each seen from another part of a pixel: "
-                       "finer edges, and as many times slower."),
+        QStringLiteral(
+            "Antialiasing samples of each pixel, 1 to 256: finer edges, and as many times slower."),
         QStringLiteral("N"), QStringLiteral("1"));
     line.add({QStringLiteral("sky-picture")},
              QStringLiteral("Also writes the sky of --background sky, all around and without the sun, as a "

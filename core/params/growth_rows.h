@@ -10,7 +10,7 @@ namespace ramure::rows {
 // clang-format off
 inline constexpr std::array growthRows{
     row<&NodeParams::generator, &GeneratorParams::kind>(
-        {"generator.kind", generatorGroup, RAMURE_NOOP("Grows by"),
+        {"generator.kind", generatorGroup, RAMURE_NOOP("Generator"),
          RAMURE_NOOP("What makes the branches. Grammar: symbols that rules replace, and a turtle that draws them. Weber and "
                      "Penn: trunk, limbs, branches and twigs, each level by its own numbers. Space colonisation: branches reach for "
                      "points that fill a crown of your shape. Leaves, bark and motion stay.")},
@@ -44,7 +44,7 @@ inline constexpr std::array growthRows{
                      "quickly.")},
         ParamUnit::Count, {0, 30, 0, 12, 1, 0}, Stage::Symbols),
     row<&NodeParams::grammar, &GrammarParams::stochastic>(
-        {"grammar.stochastic", grammarGroup, RAMURE_NOOP("By chance"),
+        {"grammar.stochastic", grammarGroup, RAMURE_NOOP("Random"),
          RAMURE_NOOP("Let chance choose among the outcomes of a rule and vary the branches, so that every seed gives "
                      "another tree. Off: each rule always gives its default, and nothing varies.")},
         ParamUnit::None, {}, Stage::Symbols),

@@ -101,7 +101,7 @@ private slots:
         QVERIFY(!joint->enabled && !joint->reason.isEmpty()); // there is no arm
         const PaletteItem* level = model()->item(rowOf(QStringLiteral("weberPenn.level1.rotate")));
         QVERIFY(!level->enabled); // both trees are made by a grammar
-        QCOMPARE(level->reason, QStringLiteral("no effect while “Grows by” is “Grammar”"));
+        QCOMPARE(level->reason, QStringLiteral("no effect while “Generator” is “Grammar”"));
         const PaletteItem* sides = model()->item(rowOf(QStringLiteral("variation.angle")));
         QCOMPARE(sides->reason, QStringLiteral("no effect now: another value turns it off"));
     }
