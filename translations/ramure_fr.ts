@@ -2790,12 +2790,12 @@
         <translation>%1 m</translation>
     </message>
     <message>
-        <source>One square: %1, or 2, 4, 8 … times that</source>
-        <translation>Un carré : %1, ou 2, 4, 8 … fois autant</translation>
+        <source>One square: a tile, %1 on the thickest wood</source>
+        <translation>Un carré : un carreau, %1 sur le bois le plus épais</translation>
     </message>
     <message>
-        <source>Red rings: every metre along the branches</source>
-        <translation>Anneaux rouges : chaque mètre le long des branches</translation>
+        <source>Where too small to see: 2, 4, 8 … tiles</source>
+        <translation>Où ils seraient trop petits : 2, 4, 8 … carreaux</translation>
     </message>
     <message>
         <source>Stretch of the texture</source>

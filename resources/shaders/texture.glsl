@@ -4,11 +4,9 @@ const int uPaint = 0;
 #else
 uniform int uPaint; // enum Paint: 0 the material, 1 checker, 2 stretch, 3 weights
 #endif
-uniform float uTileSize; // m
 
 const vec3 lightSquare = vec3(0.95, 0.92, 0.85);
 const vec3 darkSquare = vec3(0.30, 0.40, 0.55);
-const vec3 metreRing = vec3(0.80, 0.16, 0.12);
 const vec3 mirroredColour = vec3(0.90, 0.0, 0.80);
 const float smallestSquare = 7.0; // pixels
 
@@ -21,22 +19,16 @@ float squares(vec2 uv, vec2 width, float side)
     return 0.5 - 0.5 * a.x * a.y;
 }
 
-vec3 checker(vec2 uv, vec3 place)
+vec3 checker(vec2 uv)
 {
     vec2 width = max(abs(dFdx(uv)) + abs(dFdy(uv)), vec2(1e-7));
     // Twice as large squares wherever the smaller ones would be too small, one fading into the other. Where a
     // surface turns away, squares of the same size show that it does.
-    float pixelSize = min(length(dFdx(place)), length(dFdy(place)));
-    float level = max(log2(smallestSquare * pixelSize / uTileSize), 0.0);
+    float pixelSize = max(min(length(dFdx(uv)), length(dFdy(uv))), 1e-7);
+    float level = max(log2(smallestSquare * pixelSize), 0.0);
     float side = exp2(floor(level));
     float coarse = smoothstep(0.85, 1.0, fract(level));
-    float pattern = mix(squares(uv, width, side), squares(uv, width, 2.0 * side), coarse);
-    vec3 colour = mix(darkSquare, lightSquare, pattern);
-    float metres = uv.y * uTileSize;
-    float pixel = width.y * uTileSize;
-    float fromRing = abs(metres - round(metres));
-    float ring = 1.0 - smoothstep(1.0 * pixel, 2.0 * pixel, fromRing - 0.5 * uTileSize);
-    return mix(colour, metreRing, 0.85 * ring * (1.0 - smoothstep(0.05, 0.2, pixel)));
+    return mix(darkSquare, lightSquare, mix(squares(uv, width, side), squares(uv, width, 2.0 * side), coarse));
 }
 
 // The two singular values of the map from the surface to the texture, from what both do from pixel to pixel.
@@ -79,7 +71,7 @@ vec3 painted(vec2 uv, vec3 place, vec3 material)
     if (uPaint == 3)
         return mix(boneColour(floor(uv.x)), boneColour(floor(uv.x) + 1.0), fract(uv.x));
     if (uPaint == 1)
-        return checker(uv, place);
+        return checker(uv);
     if (uPaint == 2)
         return stretchColour(uv, place);
     return material;

@@ -51,9 +51,9 @@ QStringList linesOf(DisplayMode mode, const TextureSummary& texture)
 {
     const QLocale locale;
     if (mode == DisplayMode::Checker)
-        return {QCoreApplication::translate("TextureLegend", "One square: %1, or 2, 4, 8 … times that")
+        return {QCoreApplication::translate("TextureLegend", "One square: a tile, %1 on the thickest wood")
                     .arg(tileText(texture.tileSize)),
-                QCoreApplication::translate("TextureLegend", "Red rings: every metre along the branches")};
+                QCoreApplication::translate("TextureLegend", "Where too small to see: 2, 4, 8 … tiles")};
     const double good = 100.0 * (1.0 - double(texture.stretched) / double(texture.triangles));
     return {QCoreApplication::translate("TextureLegend", "Stretch of the texture"),
             QCoreApplication::translate("TextureLegend", "Under 1.25: %1 % of the triangles")

@@ -109,14 +109,19 @@ RAMURE_WIDE_CLONE BarkSample peelingBark(vec2 p, Seed seed)
             (1.0f - old) * (0.8f + 0.2f * wide)};
 }
 
+/// Short dashes across. \param lengths from the shortest to the longest, \param width in cells. \param
+/// missing share of the cells that have none.
+float lenticels(const Cells& cell, vec2 lengths, float width, float missing)
+{
+    const float length = glm::mix(lengths.x, lengths.y, share(cell.id * 3u));
+    return step(1.0f, 0.55f, glm::length(cell.from / vec2(length, width))) *
+           step(missing, missing + 0.1f, share(cell.id * 11u));
+}
+
 RAMURE_WIDE_CLONE BarkSample ringedBark(vec2 p, Seed seed)
 {
     const float film = fractalNoise(warped(p, {3, 6}, {0.0f, 0.015f}, 2, seed), {2, 26}, 2, seed);
-    // Lenticels: short dashes across, of different lengths.
-    const Cells dash = cellsAt(p, {5, 18}, 0.8f, seed + 61u);
-    const float length = 0.12f + 0.5f * share(dash.id * 3u);
-    const float dashes = step(1.0f, 0.55f, glm::length(dash.from / vec2(length, 0.16f))) *
-                         step(0.35f, 0.45f, share(dash.id * 11u));
+    const float dashes = lenticels(cellsAt(p, {5, 18}, 0.8f, seed + 61u), {0.12f, 0.62f}, 0.16f, 0.35f);
     // Where limbs were, and where the trunk has burst, bark is black and rough.
     const Cells scar = cellsAt(warped(p, {6, 6}, {0.05f, 0.05f}, 2, seed), {2, 2}, 0.9f, seed + 71u);
     const float black =
@@ -129,10 +134,7 @@ RAMURE_WIDE_CLONE BarkSample ringedBark(vec2 p, Seed seed)
 RAMURE_WIDE_CLONE BarkSample bandedBark(vec2 p, Seed seed)
 {
     const float film = fractalNoise(warped(p, {3, 6}, {0.0f, 0.015f}, 2, seed), {2, 22}, 3, seed);
-    const Cells band = cellsAt(p, {3, 14}, 0.8f, seed + 161u);
-    const float length = 0.25f + 0.6f * share(band.id * 3u);
-    const float lenticel = step(1.0f, 0.5f, glm::length(band.from / vec2(length, 0.2f))) *
-                           step(0.25f, 0.35f, share(band.id * 11u));
+    const float lenticel = lenticels(cellsAt(p, {3, 14}, 0.8f, seed + 161u), {0.2f, 0.8f}, 0.2f, 0.5f);
     return {0.5f + 0.3f * film + 0.25f * lenticel, film, 0.85f * lenticel};
 }
 
@@ -315,13 +317,13 @@ const std::array<BarkLook, 15> looks{{
      0.80f,
      {rgb(112, 134, 84), 0.0005f, 0.001f}},
     {bandedBark,
-     rgb(70, 44, 36),
-     rgb(118, 80, 66),
-     rgb(172, 136, 108),
+     rgb(68, 50, 44),
+     rgb(112, 86, 76),
+     rgb(150, 122, 102),
      0.016f,
      0.10f,
      0.50f,
-     {rgb(104, 72, 60), 0.006f, 0.03f}},
+     {rgb(100, 76, 66), 0.006f, 0.03f}},
 }};
 
 } // namespace

@@ -74,7 +74,7 @@ enum class Paint : std::uint8_t {
 /// What the texture modes say about all that is shown.
 struct TextureSummary
 {
-    double tileSize = 0.0; ///< m, the smallest
+    double tileSize = 0.0; ///< m, on the thickest wood; of several trees the smallest
     std::size_t triangles = 0, stretched = 0, mirrored = 0;
 };
 
@@ -108,7 +108,6 @@ struct MeshItem
     std::shared_ptr<const BarkMaps> bark;          ///< in place of the material's colour; null: none
     std::shared_ptr<const LeafMaps> leaf;          ///< what tints the colours of a leaf; null: none
     std::shared_ptr<const SurfaceImages> images;   ///< in place of both; null: none
-    float tileSize = 1.0f;                         ///< m, for the checker's metres and for bark
     float opacity = 1.0f;                          ///< under 1: its nearest surface only, over all the rest
     std::shared_ptr<const OutlinedFaces> outlined; ///< null: nothing of it
     glm::dmat4 world{1.0};

@@ -248,7 +248,6 @@ struct TreeItems
         if (!item)
             return nullptr;
         closed(item);
-        item->tileSize = static_cast<float>(made->coordinates->tileSize);
         if (item->mesh.get() == &made->mesh)
             item->split = {{tree.branches, &tree.branches->mesh}, {made, &made->coordinates->vertex}};
         return item;

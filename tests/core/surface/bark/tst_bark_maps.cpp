@@ -164,7 +164,7 @@ private slots:
                     .add((maps.height[i] << 16) + (maps.occlusion[i] << 8) + maps.roughness[i]);
         }
         QCOMPARE(barkVersion, 5);
-        QCOMPARE(hash.value(), std::uint64_t(0x1556E2DB0BC86B52));
+        QCOMPARE(hash.value(), std::uint64_t(0xB19B32B20ED1A227));
     }
 };
 

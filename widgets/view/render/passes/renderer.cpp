@@ -490,7 +490,6 @@ void Renderer::drawMesh(ShaderProgram& program, const Picture& picture, const Me
     program.set("uVariety", item.mesh->branch.empty() ? 0.0f : item.material.variety);
     program.set("uTwoSided", item.material.twoSided);
     program.set("uPaint", int(item.paint));
-    program.set("uTileSize", item.tileSize);
     program.set("uOpacity", item.opacity);
     const bool covers = m_samples > 1 && item.images && item.images->isCut && item.opacity >= 1.0f;
     program.set("uCovers", covers);
