@@ -50,20 +50,25 @@ bool FieldLeaver::eventFilter(QObject* watched, QEvent* event)
         event->ignore();
         return true;
     }
-    if (key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter || key->key() == Qt::Key_Escape)
-        leaveSoon(field);
+    const bool isEscape = key->key() == Qt::Key_Escape;
+    if (isEscape || key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter)
+        leaveSoon(field, isEscape);
     return false;
 }
 
-/// After the field itself has had the key or the click.
-void FieldLeaver::leaveSoon(QWidget* field)
+/// After the field itself has had the key or the click. \param givesUp Esc: a search is given up with its
+/// text.
+void FieldLeaver::leaveSoon(QWidget* field, bool givesUp)
 {
     const QPointer<QWidget> kept = field;
     QMetaObject::invokeMethod(
         this,
-        [this, kept] {
-            if (kept && isOurs(kept))
-                leave(kept);
+        [this, kept, givesUp] {
+            if (!kept || !isOurs(kept))
+                return;
+            if (auto* line = qobject_cast<QLineEdit*>(kept); givesUp && line && line->isClearButtonEnabled())
+                line->clear();
+            leave(kept);
         },
         Qt::QueuedConnection);
 }

@@ -32,11 +32,17 @@ private:
         const QWidget* focus = QApplication::focusWidget();
         return focus && (focus == host || host->isAncestorOf(focus));
     }
-    /// The search fields of all panels, each in sight and with the focus.
-    [[nodiscard]] QList<QLineEdit*> searches() const
+    /// The search fields of all docked panels.
+    [[nodiscard]] QList<QLineEdit*> panelSearches() const
     {
         QList<QLineEdit*> fields = m_window->findChildren<QLineEdit*>();
-        fields.removeIf([](const QLineEdit* field) { return !field->isClearButtonEnabled(); });
+        fields.removeIf([this](const QLineEdit* field) {
+            const QWidget* around = field->parentWidget();
+            while (around && !qobject_cast<const QDockWidget*>(around))
+                around = around->parentWidget();
+            return !field->isClearButtonEnabled() || !around || field->window() != m_window.get() ||
+                   !field->parentWidget()->isEnabled();
+        });
         return fields;
     }
     void enter(QLineEdit* field)
@@ -81,13 +87,8 @@ private slots:
     void theCrossGivesTheKeysBack()
     {
         int panels = 0;
-        for (QLineEdit* field : searches()) {
-            if (field->window() != m_window.get() || !field->parentWidget()->isEnabled())
-                continue;
-            for (QWidget* around = field; around; around = around->parentWidget())
-                panels += int(qobject_cast<QDockWidget*>(around) != nullptr);
-            if (!field->isVisible() && !qobject_cast<QDockWidget*>(field->parentWidget()->parentWidget()))
-                continue; // of the page that welcomes
+        for (QLineEdit* field : panelSearches()) {
+            ++panels;
             enter(field);
             QTest::keyClicks(field, "oak");
             QToolButton* cross = crossOf(field);
@@ -98,6 +99,28 @@ private slots:
             QTRY_VERIFY2(viewHasFocus(), qPrintable(field->objectName()));
         }
         QVERIFY(panels >= 3); // scene, gallery, properties
+    }
+
+    void escapeGivesTheSearchUp()
+    {
+        for (QLineEdit* field : panelSearches()) {
+            enter(field);
+            QTest::keyClicks(field, "oak");
+            QTest::keyClick(field, Qt::Key_Escape);
+            QTRY_VERIFY2(viewHasFocus(), qPrintable(field->objectName()));
+            QVERIFY2(field->text().isEmpty(), qPrintable(field->objectName()));
+        }
+    }
+
+    /// Only Esc gives up: Return is the beginning of work on what was found.
+    void returnKeepsTheSearch()
+    {
+        auto* search = m_window->properties()->findChild<QLineEdit*>();
+        enter(search);
+        QTest::keyClicks(search, "no such thing");
+        QTest::keyClick(search, Qt::Key_Return);
+        QTRY_VERIFY(viewHasFocus());
+        QCOMPARE(search->text(), QStringLiteral("no such thing"));
     }
 
     void theButtonThatClearsGivesTheKeysBack()
