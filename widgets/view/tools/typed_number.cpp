@@ -32,7 +32,9 @@ bool TypedNumber::erase()
 
 QString TypedNumber::text() const
 {
-    return (m_negative ? QString(QChar(0x2212)) : QString()) + m_digits;
+    QString digits = m_digits;
+    digits.replace(u'.', QLocale().decimalPoint());
+    return (m_negative ? QString(QChar(0x2212)) : QString()) + digits;
 }
 
 std::optional<double> TypedNumber::value() const
