@@ -27,6 +27,7 @@ public:
     void showMessage(Severity severity, const QString& text, const QString& button,
                      std::function<void()> action);
     [[nodiscard]] QString text() const;
+    [[nodiscard]] Severity severity() const { return m_severity; }
 
 protected:
     void changeEvent(QEvent* event) override;

@@ -256,8 +256,11 @@ void MainWindow::buildActions()
     connect(m_files, &FileActions::exportRequested, this, &MainWindow::showExportDialog);
     connect(m_files, &FileActions::exportAgainRequested, this, &MainWindow::repeatExport);
     connect(m_document, &Document::changed, m_files, [this](const Change& change) {
-        if (change.kinds & changeReset) // another tree must not go over the files of this one
-            m_files->setLastExport({});
+        if (!(change.kinds & changeReset))
+            return;
+        m_files->setLastExport({}); // another tree must not go over the files of this one
+        if (m_banner->severity() == Severity::Info)
+            m_banner->hide(); // it told of the document that is gone; what went wrong is still to be read
     });
     connect(m_files, &FileActions::quitRequested, this, &QWidget::close);
     buildManyTrees();

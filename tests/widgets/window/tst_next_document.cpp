@@ -3,6 +3,7 @@
 #include "tests/widgets/base/fixture.h"
 #include "widgets/actions/file_actions.h"
 #include "widgets/base/action_set.h"
+#include "widgets/base/message_banner.h"
 #include "widgets/base/theme/preferences.h"
 #include "widgets/panels/properties/properties_panel.h"
 #include "widgets/view/tools/gizmo_settings.h"
@@ -102,6 +103,17 @@ private slots:
         QCOMPARE(view()->gizmo()->space(), TransformSpace::World);
         QVERIFY(!view()->gizmo()->snaps());
         QCOMPARE(view()->quality(), Quality::Draft); // of the machine, not of the document
+    }
+
+    /// "Exported to …" was said of the document before; what went wrong may be the reason for this one.
+    void newsOfTheDocumentBeforeIsGone()
+    {
+        MessageBanner* banner = m_window->banner();
+        for (const Severity severity : {Severity::Info, Severity::Error}) {
+            banner->showMessage(severity, QStringLiteral("Exported to tree.glb"));
+            QVERIFY(m_window->files()->newFromPreset(QStringLiteral("SmallTree")));
+            QCOMPARE(banner->isVisible(), severity == Severity::Error);
+        }
     }
 
     void autoKeyIsSeenInTheStatusBar()
