@@ -119,18 +119,6 @@ private:
     static void showPanel(const QWidget* panel);
     void buildDocks();
     void connectKeys();
-    /// Among tabs, one that needs more height than the others.
-    struct TallDock
-    {
-        QDockWidget* dock = nullptr;
-        QDockWidget* front = nullptr; ///< of the others
-        int least = 0, height = 0;
-        int others = 0; ///< their height
-        bool isShown = false;
-        QList<QDockWidget*> below{}; ///< tabs that give the room
-    };
-    void watchHeight(TallDock& tall);
-    void fitHeight(TallDock& tall, bool shown);
     void buildActions();
     void buildManyTrees();
     void buildBranchActions();
@@ -192,7 +180,6 @@ private:
     QToolBar* m_toolBar = nullptr;
     ArmPanel* m_arm = nullptr;
     QList<QDockWidget*> m_docks; ///< one for each row of panels()
-    TallDock m_tallDocks[2];     ///< keys, gallery
 };
 
 } // namespace ramure

@@ -60,7 +60,6 @@
 #include <QMenuBar>
 #include <QScreen>
 #include <QStatusBar>
-#include <QTabBar>
 #include <QToolBar>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -134,51 +133,6 @@ void MainWindow::connectKeys()
     connect(m_keys->ruler(), &TimelineRuler::menuRequested, this, [this](const QPoint& place, qint64 frame) {
         m_timeline->rulerMenu()->popUp(m_keys->ruler(), place, frame);
     });
-    m_tallDocks[0] = {dockOf(m_keys), dockOf(m_timeline), 220, 290};
-    m_tallDocks[1] = {dockOf(findChild<GalleryPanel*>()), dockOf(m_scene), 420, 460};
-    for (std::size_t i = 0; i < panels().size(); ++i)
-        if (panels()[i].place == PanelPlace::LowerRight)
-            m_tallDocks[1].below += m_docks[qsizetype(i)];
-    for (TallDock& tall : m_tallDocks)
-        watchHeight(tall);
-}
-
-/// Queued: the layout has then given the dock its place.
-void MainWindow::watchHeight(TallDock& tall)
-{
-    connect(
-        tall.dock, &QDockWidget::visibilityChanged, this,
-        [this, &tall](bool shown) { fitHeight(tall, shown); }, Qt::QueuedConnection);
-}
-
-/// The height of what shares its place is no room for it, and its own is lost to the others: both have their
-/// own, and keep what the user makes of it.
-void MainWindow::fitHeight(TallDock& tall, bool shown)
-{
-    if (!isVisible() || isMinimized() || tall.dock->isFloating() || shown == tall.isShown)
-        return;
-    tall.isShown = shown;
-    // What is behind keeps the size that it had in front; what comes to the front may still be on its way.
-    if (shown)
-        tall.others = tall.front->height();
-    else
-        tall.height = std::max(tall.least, tall.dock->height());
-    if (tall.others >= tall.least)
-        return;
-    QDockWidget* front = shown ? tall.dock : tall.front;
-    const int height = shown ? tall.height : tall.others;
-    int tabs = 0; // resizeDocks counts them to the dock
-    if (!tabifiedDockWidgets(front).isEmpty())
-        for (const QTabBar* bar : findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
-            tabs = std::max(tabs, bar->sizeHint().height());
-    QList<QDockWidget*> docks{front};
-    QList<int> heights{height + tabs};
-    for (QDockWidget* below : tall.below) // one of these tabs is seen, and has the rest
-        if (!below->isFloating() && !below->visibleRegion().isEmpty()) {
-            docks += below;
-            heights += std::max(1, front->height() + below->height() + tabs - height);
-        }
-    resizeDocks(docks, heights, Qt::Vertical);
 }
 
 void MainWindow::resetLayout()
@@ -203,7 +157,9 @@ void MainWindow::resetLayout()
         docks.front()->raise();
     }
     m_toolBar->show();
-    resizeDocks({upper, lower}, {220, 520}, Qt::Vertical);
+    // Panels that share a place have one height: what comes to the front moves nothing.
+    resizeDocks({upper, lower}, {300, 440}, Qt::Vertical);
+    resizeDocks({bottom}, {210}, Qt::Vertical);
     resizeDocks({upper}, {384}, Qt::Horizontal);
 }
 

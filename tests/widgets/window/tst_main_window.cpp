@@ -210,43 +210,6 @@ private slots:
         QTRY_VERIFY(!m_window->problem()->message().isEmpty());
     }
 
-    /// The room that rows of keys need is the view's again when the timeline comes back.
-    void leavingTheKeysGivesTheirHeightBack()
-    {
-        auto* keys = m_window->findChild<QDockWidget*>(QStringLiteral("keysDock"));
-        auto* timeline = m_window->findChild<QDockWidget*>(QStringLiteral("timelineDock"));
-        const auto room = [this] { return m_window->centralWidget()->height(); };
-        timeline->raise();
-        QTRY_VERIFY(timeline->height() < 220);
-        const int before = room();
-        for (int i = 0; i < 2; ++i) {
-            keys->raise();
-            QTRY_VERIFY(keys->height() >= 220);
-            QVERIFY(room() < before);
-            timeline->raise();
-            QTRY_COMPARE(room(), before);
-        }
-        keys->raise();
-        QTRY_VERIFY(keys->height() >= 220);
-        keys->close();
-        QTRY_VERIFY(room() >= before);
-    }
-
-    /// A few pictures more than two, and the other panels keep their own height.
-    void theGalleryIsHigherThanItsNeighbours()
-    {
-        auto* gallery = m_window->findChild<QDockWidget*>(QStringLiteral("galleryDock"));
-        auto* scene = m_window->findChild<QDockWidget*>(QStringLiteral("sceneDock"));
-        m_window->resize(1280, 900);
-        scene->raise();
-        QTRY_VERIFY(scene->height() < 420);
-        const int before = scene->height();
-        gallery->raise();
-        QTRY_VERIFY(gallery->height() >= 420);
-        scene->raise();
-        QTRY_COMPARE(scene->height(), before);
-    }
-
     void spaceGrowsAnotherTreeAndUndoBringsItBack()
     {
         QVERIFY(m_window->files()->newFromPreset(QStringLiteral("SmallTree")));

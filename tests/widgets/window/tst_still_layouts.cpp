@@ -116,6 +116,34 @@ private slots:
         window.hide();
     }
 
+    /// Whatever tab comes to the front, the view and the places of the panels stay as they are.
+    void panelsThatShareAPlaceMoveNothing_data() { addLanguages(); }
+    void panelsThatShareAPlaceMoveNothing()
+    {
+        setLanguage();
+        const Language language(m_preferences);
+        MainWindow window(m_document.get(), m_recompute.get(), &m_preferences, &m_chooser);
+        test::openNodes(*m_document, {test::treeNode(1, "oak")});
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        for (const QSize size : {QSize(1280, 800), QSize(1280, 948), QSize(1900, 1000)}) {
+            window.resize(size);
+            QCoreApplication::processEvents();
+            const QRect before = window.centralWidget()->geometry();
+            for (QDockWidget* dock : window.findChildren<QDockWidget*>()) {
+                QRect place = dock->geometry();
+                for (const QDockWidget* tab : window.tabifiedDockWidgets(dock))
+                    if (tab->x() >= 0) // the others lie beside the window
+                        place = tab->geometry();
+                dock->raise();
+                QTRY_VERIFY(dock->x() >= 0);
+                QCoreApplication::processEvents();
+                QCOMPARE(window.centralWidget()->geometry(), before);
+                QCOMPARE(dock->geometry(), place);
+            }
+        }
+    }
+
     void exportPagesKeepTheirPlaces_data() { addLanguages(); }
     /// From page to page, whatever is chosen there, and when it says something.
     void exportPagesKeepTheirPlaces()
