@@ -1199,6 +1199,14 @@
         <source>An orange line around what is selected, seen through leaves and branches for a second after it was selected</source>
         <translation>Un trait orange autour de ce qui est sélectionné, visible à travers feuilles et branches pendant une seconde après la sélection</translation>
     </message>
+    <message>
+        <source>New e&amp;mpty scene</source>
+        <translation>Nouvelle scène &amp;vide</translation>
+    </message>
+    <message>
+        <source>Begin a scene with nothing in it</source>
+        <translation>Commencer une scène sans rien dedans</translation>
+    </message>
 </context>
 <context>
     <name>ArmOverlay</name>

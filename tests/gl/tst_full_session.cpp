@@ -98,8 +98,10 @@ private:
         const auto menus = [&](int count) {
             return [&, count] { return editor.windowCount() == before + count; };
         };
-        if (!Editor::keysUntil({QStringLiteral("alt+f")}, menus(1)) ||
-            !Editor::keysUntil({QStringLiteral("Right")}, menus(2)))
+        if (!Editor::keysUntil({QStringLiteral("alt+f")}, menus(1)))
+            return false;
+        Editor::keys(down(1)); // below the empty scene
+        if (!Editor::keysUntil({QStringLiteral("Right")}, menus(2)))
             return false;
         Editor::keys(down((species + others).indexOf(QString::fromUtf8(wanted->group))));
         if (!Editor::keysUntil({QStringLiteral("Right")}, menus(3)))

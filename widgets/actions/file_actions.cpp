@@ -56,7 +56,9 @@ FileActions::FileActions(Document* document, Preferences* preferences, Chooser* 
     }
     set->add(
         this,
-        {{"file.open", Actions::tr("&Open…"), "open", QKeySequence::Open,
+        {{"file.newEmpty", Actions::tr("New e&mpty scene"), "new", Qt::CTRL | Qt::ALT | Qt::Key_N,
+          Actions::tr("Begin a scene with nothing in it"), [this] { newEmpty(); }},
+         {"file.open", Actions::tr("&Open…"), "open", QKeySequence::Open,
           Actions::tr("Open a Ramure file, or objects into a new scene"), [this] { open(); }},
          {"file.save", Actions::tr("&Save"), "save", QKeySequence::Save, Actions::tr("Save the scene"),
           [this] { save(); }},
@@ -79,7 +81,8 @@ FileActions::FileActions(Document* document, Preferences* preferences, Chooser* 
 
 void FileActions::fillNewMenus(QMenu* menu)
 {
-    QMenu* newMenu = menu->addMenu(icon("new"), tr("&New from preset"));
+    m_set->fill(menu, {"file.newEmpty"});
+    QMenu* newMenu = menu->addMenu(tr("&New from preset"));
     newMenu->setToolTipsVisible(true);
     for (std::size_t i = 0; i < m_presets.size(); ++i)
         addPreset(newMenu, presets()[i], m_presets[i]);
@@ -157,6 +160,11 @@ bool FileActions::mayDiscard()
     return false;
 }
 
+bool FileActions::newEmpty()
+{
+    return startWith(Scene(), QString());
+}
+
 bool FileActions::newFromPreset(const QString& preset)
 {
     return startWith(namedTree(preset).and_then([](Node&& tree) {
@@ -180,12 +188,18 @@ bool FileActions::startWith(Expected<Scene> scene, const QString& why)
     }
     if (!mayDiscard())
         return false;
-    const NodeId first = scene->nodes().front().id;
-    m_document->reset(std::move(*scene), QString());
-    Selection selection;
-    selection.nodes = {first};
-    m_document->setSelection(selection);
+    resetTo(std::move(*scene), QString());
     return true;
+}
+
+/// Its first node is selected.
+void FileActions::resetTo(Scene scene, const QString& path, std::string extras)
+{
+    Selection selection;
+    if (!scene.empty())
+        selection.nodes = {scene.nodes().front().id};
+    m_document->reset(std::move(scene), path, std::move(extras));
+    m_document->setSelection(selection);
 }
 
 bool FileActions::open()
@@ -265,12 +279,7 @@ bool FileActions::openProject(const QString& path)
     if (!mayDiscard())
         return false;
     removeAbandonedParts(QFile::encodeName(path).toStdString()); // of a program that was killed while saving
-    Selection selection;
-    if (!project->scene.empty())
-        selection.nodes = {project->scene.nodes().front().id};
-    m_document->reset(std::move(project->scene), QFileInfo(path).absoluteFilePath(),
-                      std::move(project->extras));
-    m_document->setSelection(selection);
+    resetTo(std::move(project->scene), QFileInfo(path).absoluteFilePath(), std::move(project->extras));
     remember(path);
     if (const QStringList bad = badPictures(m_document->scene()); !bad.isEmpty())
         m_chooser->report(Severity::Warning, tr("Pictures that cannot be shown; their paths are kept:") +

@@ -36,6 +36,7 @@ public:
     bool mayDiscard();
     /// Each returns whether it was done; errors are reported to the chooser, and the document stays as it
     /// was.
+    bool newEmpty(); ///< a scene without a node
     /// \param preset as namedTree takes it.
     bool newFromPreset(const QString& preset);
     bool newFromDemo(const QString& demo); ///< see core/scene/demo_scenes.h
@@ -62,6 +63,7 @@ private:
     bool saveTo(const QString& path);
     bool openProject(const QString& path);
     bool takeObjects(const QString& path, std::optional<Scene> scene);
+    void resetTo(Scene scene, const QString& path, std::string extras = {});
     bool startWith(Expected<Scene> scene, const QString& why);
     void reportError(const QString& what, const Error& error);
     void fillRecentMenu();

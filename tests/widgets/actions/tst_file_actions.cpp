@@ -315,6 +315,24 @@ private slots:
         QCOMPARE(m_document->scene().nodes().front().params.barkPictures.colour, gone);
     }
 
+    void anEmptySceneIsOfferedFirst()
+    {
+        QMenu menu;
+        m_files->fillNewMenus(&menu);
+        QAction* empty = menu.actions().front();
+        QCOMPARE(empty, m_set->find(QStringLiteral("file.newEmpty")));
+        edit();
+        empty->trigger(); // asked: Cancel
+        QVERIFY(m_document->isModified() && !m_document->scene().empty());
+        m_chooser->unsaved = Chooser::Unsaved::Discard;
+        empty->trigger();
+        QVERIFY(m_document->scene().empty() && !m_document->isModified());
+        QVERIFY(m_document->selection().nodes.empty() && m_document->filePath().isEmpty());
+        m_chooser->answer = path("empty.ramure");
+        QVERIFY(m_files->save() && m_files->openFile(path("empty.ramure")));
+        QVERIFY(m_document->scene().empty());
+    }
+
     void recentFilesAreListedAndOpen()
     {
         QMenu menu;
