@@ -2782,6 +2782,10 @@
         <source>no effect while “%1” is “%2”</source>
         <translation>sans effet tant que « %1 » est « %2 »</translation>
     </message>
+    <message>
+        <source>no effect while “%1” is off</source>
+        <translation>sans effet tant que « %1 » est désactivé</translation>
+    </message>
 </context>
 <context>
     <name>TextureLegend</name>
@@ -11649,6 +11653,10 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
     <message>
         <source>It has no effect now: another value turns it off.</source>
         <translation>Sans effet maintenant : une autre valeur le désactive.</translation>
+    </message>
+    <message>
+        <source>It has no effect while “%1” is off.</source>
+        <translation>Sans effet tant que « %1 » est désactivé.</translation>
     </message>
 </context>
 <context>

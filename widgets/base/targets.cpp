@@ -61,6 +61,20 @@ NodeId nodeWithParam(const Document& document, const ParamDef& def)
     return best != nodes.end() ? *best : nodes.empty() ? noNode : nodes.front();
 }
 
+const ParamDef* switchOf(const ParamDef& def)
+{
+    const auto decides = [&def](const ParamDef& other) {
+        NodeParams params;
+        const auto isUsed = [&](bool on) {
+            other.assign(params, on);
+            return def.matters(params);
+        };
+        return other.type == ParamType::Bool && isUsed(true) && !isUsed(false);
+    };
+    const auto found = def.matters ? std::ranges::find_if(paramTable(), decides) : paramTable().end();
+    return found == paramTable().end() ? nullptr : &*found;
+}
+
 QString whyNoNode(const Document& document, const ParamDef& def)
 {
     const std::vector<NodeId> nodes = nodesOfKind(document, def);
@@ -68,8 +82,11 @@ QString whyNoNode(const Document& document, const ParamDef& def)
         return TargetWords::tr("nothing in the scene has it");
     const NodeParams& params = document.scene().find(nodes.front())->params;
     const ParamDef* wanted = &def;
-    if (isRelevant(params, def))
-        return TargetWords::tr("no effect now: another value turns it off");
+    if (isRelevant(params, def)) {
+        const ParamDef* off = switchOf(def);
+        return off ? TargetWords::tr("no effect while “%1” is off").arg(coreText(off->label))
+                   : TargetWords::tr("no effect now: another value turns it off");
+    }
     // The outermost choice comes first: without a grammar nobody asks for its language.
     while (const Relevance* relevance = relevanceOf(*wanted)) {
         wanted = findParam(relevance->chooser);

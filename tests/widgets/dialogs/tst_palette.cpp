@@ -103,7 +103,7 @@ private slots:
         QVERIFY(!level->enabled); // both trees are made by a grammar
         QCOMPARE(level->reason, QStringLiteral("no effect while “Generator” is “Grammar”"));
         const PaletteItem* sides = model()->item(rowOf(QStringLiteral("variation.angle")));
-        QCOMPARE(sides->reason, QStringLiteral("no effect now: another value turns it off"));
+        QCOMPARE(sides->reason, QStringLiteral("no effect while “Random” is off"));
     }
 
     /// The row that is seen, not the one that stood there before the list was filtered.

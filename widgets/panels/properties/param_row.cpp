@@ -2,6 +2,7 @@
 
 #include "core/params/presets.h"
 #include "widgets/base/fields/key_button.h"
+#include "widgets/base/targets.h"
 #include "widgets/base/texts/core_text.h"
 #include "widgets/base/theme/icons.h"
 #include "widgets/panels/properties/param_editor_factory.h"
@@ -217,8 +218,13 @@ void ParamRow::contextMenuEvent(QContextMenuEvent* event)
 void ParamRow::showToolTips()
 {
     QString tip = paramToolTip(def(), m_angleUnit, m_preset);
-    if (!m_acts)
-        tip += QStringLiteral("<p>%1</p>").arg(tr("It has no effect now: another value turns it off."));
+    if (!m_acts) {
+        const ParamDef* off = switchOf(def());
+        tip +=
+            QStringLiteral("<p>%1</p>")
+                .arg(off ? tr("It has no effect while “%1” is off.").arg(coreText(off->label).toHtmlEscaped())
+                         : tr("It has no effect now: another value turns it off."));
+    }
     m_label->setToolTip(tip);
     m_editor->setToolTip(tip);
     const bool isPresets = presetValue(m_preset, def()) != defaultValue(def());

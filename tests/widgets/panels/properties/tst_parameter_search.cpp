@@ -141,10 +141,25 @@ private slots:
         QVERIFY(
             edit::setParam(*m_document, {1}, param("mesh.targetTriangles"), ParamValue(std::int64_t{5000})));
         QVERIFY(row->isVisibleTo(m_panel.get()) && !row->editor()->isEnabled());
-        QVERIFY(row->editor()->toolTip().contains(QStringLiteral("no effect")));
+        QVERIFY(row->editor()->toolTip().contains(QStringLiteral("no effect now: another value")));
         m_document->undo();
         QVERIFY(row->editor()->isEnabled() &&
                 !row->editor()->toolTip().contains(QStringLiteral("no effect")));
+    }
+
+    void whatASwitchTurnsOffNamesTheSwitch()
+    {
+        for (const auto& [key, owner] : {std::pair{"grammar.seed", "grammar.stochastic"},
+                                         std::pair{"simplify.rotationThreshold", "simplify.enabled"}}) {
+            const QString why =
+                QStringLiteral("no effect while “%1” is off").arg(QLatin1String(param(owner).label));
+            const ParamRow* row = m_panel->row(param(key));
+            QVERIFY(edit::setParam(*m_document, {1}, param(owner), ParamValue(false)) &&
+                    !row->editor()->isEnabled());
+            QVERIFY2(row->editor()->toolTip().contains(why), qPrintable(row->editor()->toolTip()));
+            QVERIFY(edit::setParam(*m_document, {1}, param(owner), ParamValue(true)) &&
+                    !row->editor()->toolTip().contains(why));
+        }
     }
 
     void whatIsFoundNowhereCanBeCleared()
