@@ -14021,6 +14021,18 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
         <source>The language changes when Ramure is started again.</source>
         <translation>La langue change au prochain démarrage de Ramure.</translation>
     </message>
+    <message>
+        <source>&amp;Draw as</source>
+        <translation>&amp;Représentation</translation>
+    </message>
+    <message>
+        <source>&amp;Show</source>
+        <translation>&amp;Montrer</translation>
+    </message>
+    <message>
+        <source>&amp;Quality</source>
+        <translation>&amp;Qualité</translation>
+    </message>
 </context>
 <context>
     <name>ramure::ViewMenu</name>

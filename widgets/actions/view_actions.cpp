@@ -284,17 +284,18 @@ void ViewActions::fillMenu(QMenu* menu, const QList<QAction*>& panels)
     m_set->fill(menu, {"view.frameAll", "view.frameSelection"});
     menu->addMenu(tr("&View from"))->addActions(m_axes);
     menu->addMenu(tr("M&ove the view"))->addActions(m_moves);
+    m_set->fill(menu, {"view.orthographic"});
     m_bookmarks->fillMenu(menu);
     m_cameras->fillMenu(menu);
     menu->addSeparator();
-    menu->addActions(m_modes->actions());
-    menu->addSeparator();
-    menu->addActions(m_shading->actions());
-    menu->addSeparator();
-    menu->addActions(m_qualities->actions());
-    menu->addSeparator();
-    menu->addActions(m_switches);
-    m_set->fill(menu, {"view.path", "view.ghosts"});
+    QMenu* drawAs = menu->addMenu(tr("&Draw as"));
+    drawAs->addActions(m_modes->actions());
+    drawAs->addSeparator();
+    drawAs->addActions(m_shading->actions());
+    m_set->fill(menu->addMenu(tr("&Show")),
+                {"view.leaves", "view.apples", nullptr, "view.grid", "view.ground", nullptr, "view.outline",
+                 "view.crowns", "view.path", "view.ghosts"});
+    menu->addMenu(tr("&Quality"))->addActions(m_qualities->actions());
     QMenu* gameWind = menu->addMenu(tr("Wind of a ga&me"));
     gameWind->addActions(m_gameWinds->actions());
     gameWind->addSeparator();
