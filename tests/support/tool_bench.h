@@ -32,6 +32,7 @@ struct ToolBench : ToolHost
     std::vector<Index> marked; ///< branches
     bool markedGo = false;     ///< they would be taken away
     int repaints = 0;
+    QList<EditOrgan> organsShown;
     /// Says what is in the box that is looked at.
     std::function<void(const std::vector<PickedBranches>&)> answerBox;
 
@@ -70,6 +71,7 @@ struct ToolBench : ToolHost
     }
     void repaint() override { ++repaints; }
     void updateHint() override {}
+    void showOrgans(EditOrgan kind) override { organsShown += kind; }
     void raiseMessage(const QString& text) override { messages << text; }
 
     /// Fills the document, and shows it.

@@ -177,6 +177,10 @@ struct Viewport::Private final : ToolHost
     void markBranches(NodeId node, std::vector<Index> branches, bool go) override;
     void repaint() override { widget->update(); }
     void updateHint() override;
+    void showOrgans(EditOrgan kind) override
+    {
+        (kind == EditOrgan::Leaf ? settings->leavesVisible : settings->applesVisible).set(true);
+    }
     void raiseMessage(const QString& text) override { emit widget->messageRaised(text); }
 };
 

@@ -2,6 +2,7 @@
 /// What tools ask of the view that they work in. The viewport is one; tests have another, without OpenGL.
 #pragma once
 
+#include "core/params/tree_edit.h"
 #include "widgets/base/theme/navigation_style.h"
 #include "widgets/view/render/pick/pick_scene.h"
 #include <QPointF>
@@ -51,6 +52,8 @@ public:
     virtual void markBranches(NodeId node, std::vector<Index> branches, bool go) = 0;
     void unmarkBranches() { markBranches(noNode, {}, false); }
 
+    /// Where the leaves of the view, or its fruit, are hidden, they are shown again.
+    virtual void showOrgans(EditOrgan kind) = 0;
     virtual void repaint() = 0;
     virtual void updateHint() = 0;
     /// What the hand wanted and could not have, and why.

@@ -16,6 +16,7 @@ private slots:
     void aLeafGrowsWhereItIsClicked();
     void itGrowsOnTheSideThatIsClicked();
     void asManyAsAreWanted();
+    void whatIsPlacedIsShown();
     void whatTheTreeBearsIsSaid();
 };
 
@@ -121,6 +122,23 @@ void TestPlaceTool::asManyAsAreWanted()
     }
     const double apart = bench.edits()[1].azimuthRad - bench.edits()[0].azimuthRad;
     QVERIFY(std::abs(apart - 2.0943951) < 1e-6);
+}
+
+/// Also where leaves, or fruit, were hidden.
+void TestPlaceTool::whatIsPlacedIsShown()
+{
+    HandBench bench(HandTool::Place);
+    bench.click({2.0, 2.0}); // beside the tree
+    QVERIFY(bench.organsShown.isEmpty());
+    for (const EditOrgan organ : {EditOrgan::Leaf, EditOrgan::Flower}) {
+        HandOptions options;
+        options.organ = organ;
+        bench.hand.setOptions(options);
+        bench.click(bench.on(bench.twig()));
+        QCOMPARE(bench.organsShown.back(), organ);
+        bench.grow();
+    }
+    QCOMPARE(bench.organsShown.size(), 2);
 }
 
 void TestPlaceTool::whatTheTreeBearsIsSaid()

@@ -56,8 +56,10 @@ Expected<void> PlaceTool::act(const LimbHit& limb, Qt::KeyboardModifiers)
     edit.factor = options.organSize;
     edit.organ = options.organ;
     auto done = putAround(m_context.document, limb, std::move(edit), options.copies);
-    if (done)
+    if (done) {
+        m_context.host.showOrgans(options.organ); // a click that nothing follows would be made again
         sayWhatItIs(limb.node);
+    }
     return done;
 }
 
