@@ -10860,7 +10860,7 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
     </message>
     <message>
         <source>Level</source>
-        <translation>Niveau</translation>
+        <translation>Niv.</translation>
     </message>
     <message>
         <source>Triangles of bark, leaves and fruit together</source>
@@ -10915,8 +10915,10 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
         <translation>Hauteur</translation>
     </message>
     <message>
-        <source>Leaves left</source>
-        <translation>Feuilles restantes</translation>
+        <source>Leaves
+left</source>
+        <translation>Feuilles
+restantes</translation>
     </message>
 </context>
 <context>

@@ -132,7 +132,7 @@ inline QString misfit(const QWidget* widget)
             if (header->isSectionHidden(i) || header->orientation() == Qt::Vertical)
                 continue;
             const QString text = header->model()->headerData(i, Qt::Horizontal).toString();
-            const int needed = header->fontMetrics().horizontalAdvance(text);
+            const int needed = header->fontMetrics().size(0, text).width(); // of its lines
             if (needed > header->sectionSize(i))
                 return say(text, needed, header->sectionSize(i));
         }

@@ -190,7 +190,7 @@ QVariant LevelModel::headerData(int section, Qt::Orientation orientation, int ro
         return isTip
                    ? tr("Share of the tree's leaves that are left; they have grown, so that the crown keeps "
                         "its area")
-                   : tr("Leaves left");
+                   : tr("Leaves\nleft");
     case From:
         return isTip ? tr("Distance in metres from which the level takes the place of the one before, with "
                           "a vertical angle of view of 40°. Double-click one to change it.")
@@ -208,7 +208,7 @@ QString LevelModel::text(int firstRow, int count) const
 {
     QStringList lines, names;
     for (int column = 0; column < Columns; ++column)
-        names += headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+        names += headerData(column, Qt::Horizontal, Qt::DisplayRole).toString().simplified();
     lines += names.join(u'\t');
     for (int row = firstRow; row < std::min(firstRow + count, rowCount()); ++row) {
         QStringList cells;

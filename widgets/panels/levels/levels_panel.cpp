@@ -202,6 +202,7 @@ void LevelsPanel::buildTable(QVBoxLayout* column)
     QFont small = font(); // seven columns stand beside each other in a dock of the usual width
     small.setPointSizeF(0.88 * small.pointSizeF());
     m_table->setFont(small);
+    small.setPointSizeF(0.78 * font().pointSizeF()); // the words are wider than the numbers below them
     m_table->header()->setFont(small);
     m_table->header()->setSectionsMovable(false);
     m_table->header()->setStretchLastSection(false);

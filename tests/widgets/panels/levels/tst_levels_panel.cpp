@@ -6,12 +6,15 @@
 #include "widgets/base/empty_page.h"
 #include "widgets/base/fields/level_form.h"
 #include "widgets/base/fields/number_slider.h"
+#include "widgets/base/theme/language.h"
 #include "widgets/base/theme/preferences.h"
+#include "widgets/base/theme/theme.h"
 #include "widgets/panels/levels/level_model.h"
 #include "widgets/panels/levels/level_view.h"
 #include "widgets/panels/levels/levels_panel.h"
+#include <QApplication>
 #include <QClipboard>
-#include <QGuiApplication>
+#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
@@ -103,6 +106,28 @@ private slots:
         QVERIFY(!bench.panel->level());
         QTRY_VERIFY(bench.state() == State::None && bench.rows() == 0);
     }
+    void theTableFitsADockOfTheUsualWidth_data()
+    {
+        QTest::addColumn<QString>("language");
+        QTest::newRow("English") << QStringLiteral("en");
+        QTest::newRow("French") << QStringLiteral("fr");
+    }
+    void theTableFitsADockOfTheUsualWidth()
+    {
+        QFETCH(QString, language);
+        Preferences preferences;
+        preferences.language.set(language);
+        const Language spoken(preferences);
+        const Theme theme(qApp, &preferences); // its style sheet has the margins of the cells
+        Bench bench;
+        bench.setBudgets(QStringLiteral("80000, 20000, 5000, 1250"), 4);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.isDone() && bench.rows() == 4, patienceMs);
+        const QTreeView* table = bench.panel->table();
+        const int wide = table->header()->length(), room = table->viewport()->width();
+        QVERIFY2(wide <= room, qPrintable(QStringLiteral("%1 of %2").arg(wide).arg(room)));
+        qApp->setStyleSheet({});
+    }
+
     void wrongBudgetsAreTold_data()
     {
         QTest::addColumn<int>("count");
