@@ -162,6 +162,36 @@ private slots:
         }
     }
 
+    /// Which have one mesh in the file (tst_glb_motion); those with another bark, or that move, have their
+    /// own.
+    void equalTreesOfAGlbCountOnce()
+    {
+        Node node = m_scene.nodes().front();
+        std::vector<Node> row;
+        for (int i = 0; i < 3; ++i) {
+            node.id = static_cast<NodeId>(i + 1);
+            node.params.tree.translation.x = 3.0 * i;
+            row.push_back(node);
+        }
+        const TreeSource rest = pipelineSource(m_pipeline);
+        const auto bytes = [&](const Scene& scene, const char* file, const ExportOptions& options = {}) {
+            return double(estimatedFileBytes(scene, options, rest, path(file)));
+        };
+        const Scene equal = *Scene::fromNodes(row);
+        const double one = bytes(m_scene, "a.glb");
+        QVERIFY(one > 0.0);
+        QCOMPARE(bytes(equal, "a.glb"), one);
+        QVERIFY(bytes(equal, "a.obj") > 2.9 * bytes(m_scene, "a.obj"));
+        QVERIFY(exportScene(Evaluator(rest).at(equal), {}, path("a.glb")));
+        const auto real = double(QFileInfo(name(QStringLiteral("a.glb"))).size());
+        QVERIFY2(std::abs(one - real) < 0.2 * real, qPrintable(QString::number(one / real)));
+        ExportOptions moving;
+        moving.clip.resize(10);
+        QVERIFY(bytes(equal, "a.glb", moving) > 2.5 * bytes(m_scene, "a.glb", moving));
+        row[2].params.bark.family = BarkFamily::Corky;
+        QVERIFY(bytes(*Scene::fromNodes(row), "a.glb") > 1.9 * one);
+    }
+
     void cancellingLeavesWholeFilesOnly()
     {
         const FrameSequence frames{0, 1000, 1, 24.0};

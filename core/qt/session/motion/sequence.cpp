@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -163,6 +164,29 @@ static double glbBytes(const Scene& scene, const ExportOptions& options, const S
     return bytes + beside;
 }
 
+/// A GLB has the meshes of trees at rest once that differ only in their place: the second one has none. The
+/// pipeline gives such trees the same mesh.
+static TreeSource withoutRepeats(const TreeSource& rest)
+{
+    const auto inItsPlace = [](NodeParams params) {
+        params.tree = params.local = {};
+        return params;
+    };
+    std::map<const BranchMesh*, NodeParams> known;
+    return [=](const Node& node, Stage last, const Progress& progress) mutable {
+        auto tree = rest(node, last, progress);
+        if (!tree || !tree->branches)
+            return tree;
+        NodeParams params = inItsPlace(node.params);
+        const auto [first, isNew] = known.try_emplace(tree->branches.get(), params);
+        if (!isNew && first->second == params) {
+            tree->branches = std::make_shared<const BranchMesh>();
+            tree->leaves = tree->apples = nullptr;
+        }
+        return tree;
+    };
+}
+
 std::uint64_t estimatedFileBytes(const Scene& scene, const ExportOptions& options, const TreeSource& rest,
                                  const std::string& path)
 {
@@ -172,7 +196,8 @@ std::uint64_t estimatedFileBytes(const Scene& scene, const ExportOptions& option
     ExportOptions held = options;
     if (options.instances)
         held.parts &= exportBranches;
-    const SceneCounts counts = SceneCounter().count(scene, held, rest);
+    const bool hasOnce = ((*format)->holds & holdsClip) && options.clip.empty() && !options.levels.isWanted();
+    const SceneCounts counts = SceneCounter().count(scene, held, hasOnce ? withoutRepeats(rest) : rest);
     if (!counts.complete)
         return 0;
     auto vertices = static_cast<double>(counts.total().vertices);
