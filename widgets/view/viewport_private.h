@@ -148,6 +148,7 @@ struct Viewport::Private final : ToolHost
     [[nodiscard]] std::shared_ptr<const MotionFrame> motionOfNow();
     [[nodiscard]] SceneView sceneView() const;
     [[nodiscard]] SceneWish wish();
+    [[nodiscard]] bool showsBranchesOf(NodeId node) const;
     [[nodiscard]] bool isAllGrown() const;
     [[nodiscard]] bool isPosedDraft(const Change& change) const;
     [[nodiscard]] RenderOptions options(double pixelRatio) const;

@@ -87,6 +87,13 @@ const TreeResult* Viewport::Private::resultOf(NodeId id) const
     return result ? &result->tree : nullptr;
 }
 
+/// The branches of the document have the numbers of those in the picture.
+bool Viewport::Private::showsBranchesOf(NodeId node) const
+{
+    const TreeResult *now = resultOf(node), *seen = shownTree(node);
+    return node == noNode || (now && seen && now->simplified == seen->simplified);
+}
+
 /// Of every tree there is a result, or a reason.
 bool Viewport::Private::isAllGrown() const
 {
@@ -134,6 +141,11 @@ void Viewport::onDocumentChanged(const Change& change)
     if (change.has(changeSelection | changeStructure | changeReset))
         d->updateHint();
     d->outline.isNew = d->outline.isNew || change.has(changeSelection | changeReset);
+    // The tint goes where the selection goes at once: another scene comes late while trees move or grow.
+    if (change.has(changeSelection) && d->showsBranchesOf(d->document->selection().branchNode)) {
+        d->highlightsStale = true;
+        update();
+    }
     if (d->through != noNode && !d->document->scene().find(d->through))
         d->leaveCamera();
     d->frame.again = d->frame.again || (change.has(changeStructure) && d->frame.isAll);
