@@ -7795,6 +7795,14 @@
         <source>Thick shells: each leaf is as thick as the thinnest twig and in one piece with its own. Small leaves are enlarged and fewer. Fruit stays off.</source>
         <translation>Coques épaisses : chaque feuille est aussi épaisse que le rameau le plus fin et d’un seul tenant avec le sien. Les petites feuilles sont agrandies et moins nombreuses. Les fruits ne sont pas imprimés.</translation>
     </message>
+    <message>
+        <source>Date palm</source>
+        <translation>Dattier</translation>
+    </message>
+    <message>
+        <source>Dates</source>
+        <translation>Dattes</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>

@@ -23,6 +23,7 @@ enum class BarkFamily : std::uint8_t {
     Bamboo,    ///< smooth, with a node each tile
     Ribbed,    ///< cactus: green ribs with spines along their crests
     Banded,    ///< cherry: red brown, glossy, with pale lenticels across
+    PalmBoots, ///< date palm: what is left of its fronds, in crossing spirals
 };
 
 /// Used where a surface is drawn or its maps are written; no geometry depends on them.

@@ -20,10 +20,11 @@ enum class FruitKind : std::uint8_t {
     Acorn,
     Cone,
     Coconut,
+    Dates,
     Berries,
     Blossom,
 };
-inline constexpr int fruitKindCount = 13;
+inline constexpr int fruitKindCount = 14;
 
 struct FruitParams
 {

@@ -4,19 +4,37 @@ namespace ramure {
 namespace {
 
 // clang-format off
-/// Trunk T, crown K of fronds P, leaflets along each; r turns from one to the next.
+/// Foot S, trunk T, bunches B of fruit, crown K of fronds P, whose pieces Q carry leaflets L; r turns from one
+/// to the next.
 constexpr const char* turns = "r = 137.5";
-constexpr const char* coconutRules = R"(T(n) : n < 12 -> &(2-n*0.35)F(0.86)!(0.4-0.012*n)&(1-n*0.2)F(0.86)!(0.394-0.012*n)T(n+1)
-K(n) : n < 7 -> [/(n*4*r)&(18+n*14)!(0.07)P(0)][/(n*4*r+r)&(22+n*14)!(0.07)P(0)][/(n*4*r+2*r)&(25+n*14)!(0.07)P(0)][/(n*4*r+3*r)&(29+n*14)!(0.07)P(0)]B(n)F(0.07)K(n+1)
-B(n) : n == 5 -> [/(40)&(110)~(fruit,0.26)][/(130)&(120)~(fruit,0.26)][/(210)&(115)~(fruit,0.26)][/(300)&(120)~(fruit,0.26)]
-P(m) : m < 10 -> F(0.1)!(0.06-0.004*m)[+(58)&(18)~(leaf,0.95-0.04*m)][-(58)&(18)~(leaf,0.95-0.04*m)]&(2.7)F(0.1)[+(56)&(20)~(leaf,0.94-0.04*m)][-(56)&(20)~(leaf,0.94-0.04*m)]&(2.7)F(0.1)[+(55)&(18)~(leaf,0.93-0.04*m)][-(55)&(18)~(leaf,0.93-0.04*m)]&(2.7)P(m+1)
+constexpr const char* coconutAxiom = "!(0.68)F(0.05)!(0.75)F(0.08)!(0.765)F(0.09)!(0.76)F(0.08)S(0)T(0)!(0.22)F(0.14)B(0)F(0.04)K(0)";
+constexpr const char* coconutRules = R"(S(n) : n < 8 -> &(2.2)F(0.16)!(0.36+0.4*0.94^((n+1)*(n+1)))S(n+1)
+T(n) : n < 24 -> ^(0.6)F(0.75)!(0.36-0.005*n)T(n+1)
+B(n) : n < 4 -> [/(n*90+35)&(62+n*4)!(0.06)F(0.2)&(35)F(0.16)&(30)N(0)]F(0.04)B(n+1)
+N(k) : k < 2 -> F(0.1)[/(k*60)&(60)~(fruit,0.24)][/(k*60+120)&(64)~(fruit,0.25)][/(k*60+240)&(58)~(fruit,0.23)]N(k+1)
+K(n) : n < 7 -> [/(n*4*r)&(104-n*13)P(0)][/(n*4*r+r)&(101-n*13)P(0)][/(n*4*r+2*r)&(97-n*13)P(0)][/(n*4*r+3*r)&(94-n*13)P(0)]F(0.08)!(0.2-0.018*n)K(n+1)
+P(m) : m < 20 -> Q(m)Q(m+1)P(m+2)
+P(m) -> F(0.07)!(0.006)[+(22)&(8)~(leaf,0.26)][-(22)&(8)~(leaf,0.26)]~(leaf,0.28)
+Q(m) : m == 0 -> !(0.06)F(0.2)!(0.053)&(2)F(0.2)!(0.048)&(2)F(0.2)L(0)!(0.045)&(2)
+Q(m) -> F(0.066)!(0.046-0.0019*m)L(m)&(2.7)F(0.066)!(0.045-0.0019*m)L(m+0.5)&(2.7)
+L(m) -> [+(64-1.7*m)&(26)~(leaf,min(0.75+0.1*m,1.1-0.035*m))][-(64-1.7*m)&(26)~(leaf,min(0.75+0.1*m,1.1-0.035*m))]
 )";
-constexpr const char* datePalmRules = R"(T(n) : n < 12 -> F(0.54)!(0.59-0.002*n)F(0.54)!(0.59-0.002*n)T(n+1)
-K(n) : n < 9 -> [/(n*4*r)&(12+n*13)!(0.08)P(0)][/(n*4*r+r)&(15+n*13)!(0.08)P(0)][/(n*4*r+2*r)&(18+n*13)!(0.08)P(0)][/(n*4*r+3*r)&(21+n*13)!(0.08)P(0)]F(0.12)K(n+1)
-P(m) : m < 10 -> F(0.11)!(0.07-0.005*m)[+(48)^(12)~(leaf,0.8-0.032*m)][-(48)^(12)~(leaf,0.8-0.032*m)]&(1.4)F(0.11)[+(47)^(14)~(leaf,0.79-0.032*m)][-(47)^(14)~(leaf,0.79-0.032*m)]&(1.4)F(0.11)[+(46)^(12)~(leaf,0.78-0.032*m)][-(46)^(12)~(leaf,0.78-0.032*m)]&(1.4)P(m+1)
+constexpr const char* datePalmAxiom = "!(0.7)F(0.05)!(0.74)F(0.1)!(0.74)F(0.06)S(0)T(0)!(0.44)F(0.14)!(0.38)F(0.05)B(0)K(0)";
+constexpr const char* datePalmRules = R"(S(n) : n < 7 -> F(0.14)!(0.56+0.18*0.93^((n+1)*(n+1)))S(n+1)
+T(n) : n < 24 -> F(0.44)!(0.56-0.0015*n)T(n+1)
+B(n) : n < 6 -> [/(n*140+20)&(46)!(0.045)F(0.4)&(24)F(0.3)&(38)F(0.25)&(34)D(0)]F(0.06)B(n+1)
+D(k) : k < 3 -> F(0.06)!(0.03)[/(k*100)&(24)~(fruit,0.05)][/(k*100+60)&(38)~(fruit,0.052)][/(k*100+120)&(28)~(fruit,0.05)][/(k*100+180)&(42)~(fruit,0.048)][/(k*100+240)&(30)~(fruit,0.052)][/(k*100+300)&(36)~(fruit,0.05)]D(k+1)
+K(n) : n < 9 -> [/(n*4*r)&(114-n*13)P(0)][/(n*4*r+r)&(111-n*13)P(0)][/(n*4*r+2*r)&(108-n*13)P(0)][/(n*4*r+3*r)&(105-n*13)P(0)]F(0.1)!(0.34-0.028*n)K(n+1)
+P(m) : m < 22 -> Q(m)Q(m+1)P(m+2)
+P(m) -> F(0.08)!(0.006)[+(20)^(6)~(leaf,0.3)][-(20)^(6)~(leaf,0.3)]~(leaf,0.32)
+Q(m) : m == 0 -> !(0.066)F(0.2)!(0.056)&(0.5)F(0.2)L(0)!(0.049)&(1)
+Q(m) -> F(0.07)!(0.049-0.0019*m)L(m)&(0.8)F(0.07)!(0.048-0.0019*m)L(m+0.5)&(0.8)
+L(m) -> [+(52-0.9*m)^(16)~(leaf,min(0.3+0.1*m,0.7-0.016*m))][-(52-0.9*m)^(16)~(leaf,min(0.3+0.1*m,0.7-0.016*m))]
 )";
-constexpr const char* fanPalmRules = R"(T(n) : n < 10 -> F(0.52)!(0.82-0.012*n)F(0.52)!(0.816-0.012*n)T(n+1)
-K(n) : n < 9 -> [/(n*4*r)&(14+n*12)!(0.05)P(0)][/(n*4*r+r)&(17+n*12)!(0.05)P(0)][/(n*4*r+2*r)&(20+n*12)!(0.05)P(0)][/(n*4*r+3*r)&(23+n*12)!(0.05)P(0)]F(0.17)K(n+1)
+constexpr const char* fanPalmAxiom = "!(1.12)F(0.06)!(1.19)F(0.1)!(1.2)F(0.08)S(0)T(0)!(0.6)F(0.16)!(0.5)F(0.06)K(0)";
+constexpr const char* fanPalmRules = R"(S(n) : n < 8 -> F(0.16)!(0.83+0.36*0.94^((n+1)*(n+1)))S(n+1)
+T(n) : n < 20 -> F(0.4)!(0.83-0.006*n)T(n+1)
+K(n) : n < 9 -> [/(n*4*r)&(112-n*12)!(0.05)P(0)][/(n*4*r+r)&(109-n*12)!(0.05)P(0)][/(n*4*r+2*r)&(106-n*12)!(0.05)P(0)][/(n*4*r+3*r)&(103-n*12)!(0.05)P(0)]F(0.14)!(0.46-0.044*n)K(n+1)
 P(m) : m < 4 -> F(0.43)!(0.044-0.005*m)&(3)P(m+1)
 P(m) : m == 4 -> F(0.2)~(leaf,1.15)P(5)
 )";
@@ -60,7 +78,8 @@ struct Plant
     BarkFamily bark;
     FruitKind fruit = FruitKind::Faithful;
     bool byChance = false;
-    int sides = 8; ///< of a cross-section
+    int sides = 8;     ///< of a cross-section
+    int divisions = 3; ///< of a piece along its axis
 };
 
 /// In metres and degrees. Nothing grows but what the rules say.
@@ -77,7 +96,7 @@ NodeParams paramsOf(const Plant& plant)
     params.fruit.kind = plant.fruit;
     params.bark.family = plant.bark;
     params.simplify.enabled = false; // a crown is thinner than the trunk it goes on from
-    params.sections = {3, plant.sides};
+    params.sections = {plant.divisions, plant.sides};
     params.mesh.clampOvershoot = true;
     return params;
 }
@@ -87,21 +106,22 @@ NodeParams paramsOf(const Plant& plant)
 std::vector<Preset> organPresets()
 {
     constexpr const char* group = RAMURE_NOOP("Palms, bamboos and cacti");
-    NodeParams fanPalm = paramsOf({"!(1)F(0.3)!(0.84)T(0)!(0.1)F(0.25)K(0)", fanPalmRules, 16,
-                                   LeafShape::FanPalm, 1, 0.5, BarkFamily::PalmScars});
+    NodeParams fanPalm = paramsOf({fanPalmAxiom, fanPalmRules, 26, LeafShape::FanPalm, 1, 0.5,
+                                   BarkFamily::PalmScars, FruitKind::Faithful, false, 16, 2});
     fanPalm.leaf.petiole = 0.15; // its stalks are branches
+    fanPalm.bark.depth = 0.5;
     return {
         {"Bamboo", RAMURE_NOOP("A clump of green canes that lean outwards under their leaves"),
          paramsOf({"!(0.14)F(0.06)K(0)", bambooRules, 26, LeafShape::Bamboo, 1, 0.6, BarkFamily::Bamboo,
                    FruitKind::Faithful, true}),
          "Bambusa textilis", group},
         {"CoconutPalm", RAMURE_NOOP("A slim leaning trunk with a mop of feather fronds"),
-         paramsOf({"!(0.55)F(0.2)!(0.44)T(0)!(0.14)F(0.15)K(0)", coconutRules, 18, LeafShape::Willow, 0.5,
-                   0.5, BarkFamily::PalmScars, FruitKind::Coconut}),
+         paramsOf({coconutAxiom, coconutRules, 26, LeafShape::Willow, 0.36, 0.5, BarkFamily::PalmScars,
+                   FruitKind::Coconut, false, 16, 2}),
          "Cocos nucifera", group},
         {"DatePalm", RAMURE_NOOP("A straight column under a fountain of stiff fronds"),
-         paramsOf({"!(0.7)F(0.2)!(0.6)T(0)!(0.12)F(0.2)K(0)", datePalmRules, 20, LeafShape::Willow, 0.6, 0.1,
-                   BarkFamily::PalmScars}),
+         paramsOf({datePalmAxiom, datePalmRules, 26, LeafShape::Willow, 0.55, 0.1, BarkFamily::PalmBoots,
+                   FruitKind::Dates, false, 16, 2}),
          "Phoenix dactylifera", group},
         {"FanPalm", RAMURE_NOOP("A stout column below a head of fans"), fanPalm, "Washingtonia filifera",
          group},

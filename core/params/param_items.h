@@ -56,7 +56,7 @@ inline constexpr std::array itemsOf<BarkFamily>{
     EnumItem{"mosaic", RAMURE_NOOP("Plane tree")}, EnumItem{"palmScars", RAMURE_NOOP("Palm")},
     EnumItem{"thorny", RAMURE_NOOP("Kapok")},      EnumItem{"corky", RAMURE_NOOP("Cork oak")},
     EnumItem{"bamboo", RAMURE_NOOP("Bamboo")},     EnumItem{"ribbed", RAMURE_NOOP("Cactus")},
-    EnumItem{"banded", RAMURE_NOOP("Cherry")}};
+    EnumItem{"banded", RAMURE_NOOP("Cherry")},     EnumItem{"palmBoots", RAMURE_NOOP("Date palm")}};
 
 template <>
 inline constexpr std::array itemsOf<PrimitiveShape>{
@@ -130,8 +130,8 @@ inline constexpr std::array itemsOf<FruitKind>{
     EnumItem{"plum", RAMURE_NOOP("Plum")},         EnumItem{"orange", RAMURE_NOOP("Orange")},
     EnumItem{"lemon", RAMURE_NOOP("Lemon")},       EnumItem{"olive", RAMURE_NOOP("Olives")},
     EnumItem{"acorn", RAMURE_NOOP("Acorns")},      EnumItem{"cone", RAMURE_NOOP("Cone")},
-    EnumItem{"coconut", RAMURE_NOOP("Coconuts")},  EnumItem{"berries", RAMURE_NOOP("Berries")},
-    EnumItem{"blossom", RAMURE_NOOP("Blossom")}};
+    EnumItem{"coconut", RAMURE_NOOP("Coconuts")},  EnumItem{"dates", RAMURE_NOOP("Dates")},
+    EnumItem{"berries", RAMURE_NOOP("Berries")},   EnumItem{"blossom", RAMURE_NOOP("Blossom")}};
 static_assert(itemsOf<FruitKind>.size() == fruitKindCount);
 
 template <>

@@ -12,7 +12,7 @@ constexpr std::array tall{"cylinder", "cone", "frameCross"};
 constexpr std::array angular{"box", "plane"};
 constexpr std::array standing{"cylinder", "sphere", "box", "cone", "plane"};
 constexpr std::array pictured{"smooth", "plated",    "furrowed", "scaly", "peeling", "ringed", "fibrous",
-                              "mosaic", "palmScars", "thorny",   "corky", "bamboo",  "banded"};
+                              "mosaic", "palmScars", "thorny",   "corky", "bamboo",  "banded", "palmBoots"};
 constexpr std::array classic{"classic"};
 constexpr std::array parametricOnly{"parametric"};
 constexpr std::array robust{"robust"};

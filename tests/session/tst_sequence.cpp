@@ -135,7 +135,7 @@ private slots:
         QTest::newRow("SilverBirch") << 59806432.0 << 80255800.0 << 84896912.0;
         QTest::newRow("ScotsPine") << 190366292.0 << 262948080.0 << 0.0;
         QTest::newRow("SmallTree") << 32410308.0 << 43303640.0 << 44629376.0;
-        QTest::newRow("CoconutPalm") << 4611844.0 << 6174060.0 << 0.0;
+        QTest::newRow("CoconutPalm") << 6369796.0 << 8446404.0 << 0.0;
         QTest::newRow("OrchardApple") << 40020216.0 << 53490072.0 << 0.0;
     }
     void sizesOfGlbAreWithinATenth()

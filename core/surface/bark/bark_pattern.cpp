@@ -160,11 +160,38 @@ RAMURE_WIDE_CLONE BarkSample mosaicBark(vec2 p, Seed seed)
 
 RAMURE_WIDE_CLONE BarkSample palmBark(vec2 p, Seed seed)
 {
-    const float y = 6.0f * (p.y + 0.02f * fractalNoise(p, {3, 3}, 2, seed));
+    // The scar of a frond goes all around; above it the skin of the trunk has split upright as it aged.
+    constexpr int rings = 6; // a tile
+    const float y = float(rings) * (p.y + 0.03f * fractalNoise(p, {2, 5}, 4, seed));
     const float in = y - std::floor(y);
-    const float fibres = fractalNoise(p, {34, 4}, 2, seed + 121u);
-    const float scar = step(0.0f, 0.1f, in) * (1.0f - 0.55f * in);
-    return {0.15f + 0.7f * scar + 0.12f * fibres, fibres, 0.6f * step(0.16f, 0.03f, in)};
+    const Seed own = latticeHash(0, wrapped(floorOf(y), rings), seed + 127u);
+    const float scar = step(0.04f, 0.10f, in) * step(0.36f + 0.2f * share(own), 0.28f, in);
+    const float groove = step(0.07f, 0.02f, in) + step(0.985f, 1.0f, in);
+    const float fibres = fractalNoise(p, {34, 5}, 3, seed + 121u);
+    const float cracks = step(0.16f, 0.02f, std::abs(gradientNoise(p, {19, 7}, seed + 123u))) *
+                         step(-0.2f, 0.4f, gradientNoise(p, {9, 11}, seed + 125u));
+    return {0.48f + 0.34f * scar + (0.12f - 0.08f * scar) * fibres - 0.3f * cracks * (1.0f - scar) -
+                0.5f * groove,
+            0.6f * fibres + 0.5f * tintOf(own), 0.75f * groove};
+}
+
+RAMURE_WIDE_CLONE BarkSample bootedBark(vec2 p, Seed seed)
+{
+    // Feet of fronds, sawn off, each in the gap between two of the row below.
+    constexpr int columns = 4, rows = 5; // a tile
+    const vec2 at = warped(p, {5, 5}, {0.03f, 0.026f}, 3, seed) * vec2(columns, rows);
+    const float a = at.x + at.y, b = at.x - at.y;
+    const int i = floorOf(a), j = floorOf(b);
+    const Seed own = latticeHash(wrapped(i + j + 1, 2 * columns), wrapped(i - j, 2 * rows), seed + 171u);
+    const float fa = a - float(i), fb = b - float(j);
+    const float inside = glm::min(glm::min(fa, 1.0f - fa), glm::min(fb, 1.0f - fb));
+    const float up = 0.5f * (fa - fb) + 0.5f; // 0 the lower corner, 1 the upper
+    const float cut = 0.62f + 0.16f * share(own);
+    const float gap = step(0.09f, 0.01f, inside);
+    const float fibres = fractalNoise(at / vec2(columns, rows), {40, 8}, 3, seed + 173u);
+    const float face = step(cut - 0.02f, cut + 0.03f, up) * (1.0f - gap);
+    return {(1.0f - 0.8f * gap) * (0.34f + 0.72f * glm::min(up, cut) - 0.22f * face) + 0.10f * fibres,
+            0.6f * fibres + 0.6f * tintOf(own), 0.6f * face};
 }
 
 RAMURE_WIDE_CLONE BarkSample thornyBark(vec2 p, Seed seed)
@@ -210,7 +237,7 @@ constexpr glm::vec3 rgb(int r, int g, int b)
     return glm::vec3(float(r), float(g), float(b)) / 255.0f;
 }
 
-const std::array<BarkLook, 15> looks{{
+const std::array<BarkLook, 16> looks{{
     {nullptr, {}, {}, {}},
     {smoothBark,
      rgb(98, 96, 90),
@@ -277,10 +304,10 @@ const std::array<BarkLook, 15> looks{{
      0.70f,
      {rgb(128, 118, 92), 0.012f, 0.06f}},
     {palmBark,
-     rgb(78, 66, 54),
-     rgb(150, 134, 112),
-     rgb(92, 76, 60),
-     0.040f,
+     rgb(82, 72, 62),
+     rgb(160, 148, 130),
+     rgb(70, 58, 48),
+     0.030f,
      0.12f,
      0.95f,
      {rgb(118, 142, 70), 0.050f, 0.085f}},
@@ -324,6 +351,14 @@ const std::array<BarkLook, 15> looks{{
      0.10f,
      0.50f,
      {rgb(100, 76, 66), 0.006f, 0.03f}},
+    {bootedBark,
+     rgb(74, 60, 48),
+     rgb(160, 138, 110),
+     rgb(182, 164, 136),
+     0.050f,
+     0.16f,
+     1.00f,
+     {rgb(128, 140, 76), 0.050f, 0.085f}},
 }};
 
 } // namespace

@@ -12,8 +12,6 @@
 namespace ramure {
 namespace {
 
-constexpr glm::u8vec3 stalkColour{0x6B, 0x58, 0x34};
-
 /// Lengths in radii of the body, but for the radius.
 struct FruitRow
 {
@@ -23,6 +21,7 @@ struct FruitRow
     glm::u8vec3 colour;
     double stalk; ///< length
     double stalkRadius = 0.06;
+    glm::u8vec3 stalkColour{0x6B, 0x58, 0x34};
     double topHollow = 0.0; ///< how deep the upper end lies
     double lowHollow = 0.0; ///< and the lower one
     double neck = 0.0;      ///< share by which the upper half is slimmer
@@ -33,6 +32,7 @@ struct FruitRow
     glm::u8vec3 capColour{};
     int cluster = 1;
     int sides = 12, rings = 9; ///< of the body: small ones are many, and need few
+    int strung = 0;            ///< so many along one stalk, each to a side of its own
 };
 
 // clang-format off
@@ -47,6 +47,7 @@ constexpr std::array<FruitRow, fruitKindCount - 1> fruits{{
     {.kind = FruitKind::Acorn, .radius = 0.055, .height = 1.55, .colour = {0x8C, 0x6A, 0x2E}, .stalk = 1.80, .point = 0.12, .cap = 0.30, .capColour = {0x6E, 0x5A, 0x3C}, .cluster = 2, .sides = 6, .rings = 4},
     {.kind = FruitKind::Cone, .radius = 0.13, .height = 2.00, .colour = {0x6A, 0x4A, 0x2C}, .stalk = 0.40, .stalkRadius = 0.10, .neck = -0.35, .scales = 0.16},
     {.kind = FruitKind::Coconut, .radius = 0.55, .height = 1.15, .colour = {0x6F, 0x7A, 0x2E}, .stalk = 0.80, .stalkRadius = 0.12, .cluster = 4},
+    {.kind = FruitKind::Dates, .radius = 0.045, .height = 9.00, .colour = {0xC6, 0x84, 0x2C}, .stalk = 5.00, .stalkRadius = 0.14, .stalkColour = {0xC9, 0x7A, 0x1C}, .cluster = 7, .sides = 6, .rings = 4, .strung = 9},
     {.kind = FruitKind::Berries, .radius = 0.04, .height = 1.00, .colour = {0xC4, 0x35, 0x12}, .stalk = 3.00, .stalkRadius = 0.10, .cluster = 9, .sides = 6, .rings = 4},
     {.kind = FruitKind::Blossom, .radius = 0.14, .height = 0.30, .colour = {0xF3, 0xDD, 0xE2}, .stalk = 0.80, .stalkRadius = 0.05, .lowHollow = 0.42, .petals = 5, .capColour = {0xD8, 0xB0, 0x3A}, .cluster = 3},
 }};
@@ -104,6 +105,24 @@ public:
     TriangleMesh build()
     {
         m_mesh.positions.emplace_back(glm::dvec3(0.0, outline(m_row, -1.0, 0.0).y, 0.0));
+        const double top = m_row.strung > 0 ? string() : body();
+        if (m_stalk > 0.0) {
+            const double foot = outline(m_row, 1.0, 0.0).y;
+            ring(m_row.stalkRadius, foot, false, m_row.cap < 1.0 ? m_row.capColour : m_row.colour);
+            ring(m_row.stalkRadius, m_row.height + m_stalk, false, m_row.stalkColour);
+            close(m_row.height + m_stalk + m_row.stalkRadius, m_row.stalkColour);
+        } else {
+            close(std::max(outline(m_row, 1.0, 0.0).y, top),
+                  m_row.cap < 1.0 ? m_row.capColour : m_row.colour);
+        }
+        computeNormals(m_mesh);
+        return std::move(m_mesh);
+    }
+
+private:
+    /// Returns the height of its last ring.
+    double body()
+    {
         const int rings = m_row.scales > 0.0 ? 21 : m_row.rings;
         double top = 0.0;
         for (int i = 1; i <= rings; ++i) {
@@ -114,20 +133,28 @@ public:
             ring(at.x, at.y, true, colourAt(s));
             top = at.y;
         }
-        if (m_stalk > 0.0) {
-            const double foot = outline(m_row, 1.0, 0.0).y;
-            ring(m_row.stalkRadius, foot, false, m_row.cap < 1.0 ? m_row.capColour : m_row.colour);
-            ring(m_row.stalkRadius, m_row.height + m_stalk, false, stalkColour);
-            close(m_row.height + m_stalk + m_row.stalkRadius, stalkColour);
-        } else {
-            close(std::max(outline(m_row, 1.0, 0.0).y, top),
-                  m_row.cap < 1.0 ? m_row.capColour : m_row.colour);
-        }
-        computeNormals(m_mesh);
-        return std::move(m_mesh);
+        return top;
     }
-
-private:
+    /// Fruit after fruit along the stalk, which shows between them. Returns the height of the last ring.
+    double string()
+    {
+        constexpr double stout = 0.66; // of the string's radius
+        const double half = m_row.height / m_row.strung;
+        double top = 0.0;
+        for (int fruit = 0; fruit < m_row.strung; ++fruit) {
+            const double middle = (2 * fruit + 1) * half - m_row.height;
+            const auto [sine, cosine] = maths::sincos(goldenAngle * fruit);
+            m_aside = (1.0 - stout) * glm::dvec3(sine, 0.0, cosine);
+            for (int i = 1; i <= m_row.rings; ++i) {
+                const auto [s, c] = maths::sincos(pi * (static_cast<double>(i) / (m_row.rings + 1) - 0.5));
+                ring(stout * c, middle + 0.94 * half * s, false, m_row.colour);
+            }
+            m_aside = {};
+            top = middle + 0.97 * half;
+            ring(m_row.stalkRadius, top, false, m_row.stalkColour);
+        }
+        return top;
+    }
     /// Of the band that ends at a height. A flower's middle lies at its lower pole.
     [[nodiscard]] glm::u8vec3 colourAt(double s) const
     {
@@ -144,7 +171,8 @@ private:
                                     ? 0.35 + 0.65 * std::abs(maths::cos(0.5 * m_row.petals * angle))
                                     : 1.0;
             // Petals lie lower where they are wide: the flower is a cup.
-            m_mesh.positions.emplace_back(glm::dvec3(lobe * radius * sine, height, lobe * radius * cosine));
+            m_mesh.positions.emplace_back(m_aside +
+                                          glm::dvec3(lobe * radius * sine, height, lobe * radius * cosine));
         }
         for (Index k = 0; k < sides; ++k) {
             const Index a = first + k, b = first + (k + 1) % sides;
@@ -172,6 +200,7 @@ private:
     const FruitRow& m_row;
     int m_sides;
     double m_stalk;
+    glm::dvec3 m_aside{0.0}; ///< from the axis to the middle of rings
     TriangleMesh m_mesh;
 };
 

@@ -24,7 +24,7 @@ struct LeafMaps
 };
 
 /// Raised when the same leaf gives other pictures than before.
-inline constexpr int leafMapsVersion = 2;
+inline constexpr int leafMapsVersion = 3;
 inline constexpr int leastLeafSize = 16, mostLeafSize = 8192;
 
 /// Errors: Invalid (a size out of range; the faithful leaf, which has no picture).

@@ -29,7 +29,7 @@ Turns turnsOf(LeafArrangement arrangement, int whorl)
     case LeafArrangement::Distichous:
         return {1, pi, true};
     case LeafArrangement::Spiral:
-        return {1, pi * (3.0 - 2.23606797749978969), false}; // the golden angle
+        return {1, goldenAngle, false};
     case LeafArrangement::Opposite:
         return {2, 0.0, true};
     case LeafArrangement::Decussate:

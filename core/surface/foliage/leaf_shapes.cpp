@@ -12,7 +12,6 @@
 namespace ramure {
 namespace {
 
-constexpr double goldenAngle = pi * (3.0 - 2.23606797749978969);
 constexpr glm::u8vec3 bladeShade{255, 255, 255}, stalkShade{255, 226, 158};
 /// Of petioles; and how far they reach into the bark, whose facets lie below its circle.
 constexpr double stalkRadius = 0.016, sunk = 0.03;

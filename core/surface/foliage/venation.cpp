@@ -223,6 +223,19 @@ std::vector<Vein> venation(const FlatBlade& blade, const std::vector<glm::dvec2>
     return growth.veins();
 }
 
+/// A palm's fan is folded along straight ribs, one to each lobe's end and lesser ones beside it: there is no
+/// net.
+static std::vector<Vein> pleats(const FlatBlade& fan)
+{
+    const std::vector<glm::dvec2> ends = lobeEnds(fan);
+    std::vector<Vein> all;
+    for (std::size_t i = 1; i < fan.points.size(); ++i) {
+        const glm::dvec2 end = 0.94 * fan.points[i];
+        all.push_back({glm::dvec2(0.0), end, std::ranges::find(ends, end) != ends.end() ? 4.0 : 1.0});
+    }
+    return all;
+}
+
 VeinedBlade veinedBlade(LeafShape shape)
 {
     constexpr int finest = 3;
@@ -231,6 +244,10 @@ VeinedBlade veinedBlade(LeafShape shape)
     const glm::dvec2 tip(0.0, 0.97);
     if (row.family == LeafFamily::Star) {
         out.blade = starOf(row, 1.0, finest);
+        if (shape == LeafShape::FanPalm) {
+            out.veins = pleats(out.blade);
+            return out;
+        }
         // A fan's veins fork from the foot on; it has no ribs.
         out.veins = venation(out.blade, row.lobes > 0 ? lobeEnds(out.blade) : std::vector<glm::dvec2>{},
                              0.045, static_cast<std::uint64_t>(shape));
