@@ -1,5 +1,7 @@
 #include "app/cli/batch/worker_pool.h"
 #include "core/base/parallel.h"
+#include <QDir>
+#include <QFile>
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
@@ -113,6 +115,23 @@ JobEnd endOf(int status)
     return WTERMSIG(status) == SIGKILL ? JobEnd::Memory : JobEnd::Crash;
 }
 
+#ifdef RAMURE_SANITIZED
+/// AddressSanitizer's allocator keeps its locks across fork(): a child that is forked while another thread
+/// allocates, as those of libraries do when they start, waits for ever.
+bool othersSleep()
+{
+    const QDir tasks(QStringLiteral("/proc/self/task"));
+    for (const QString& task : tasks.entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
+        QFile file(tasks.filePath(task) + QLatin1String("/stat"));
+        const QByteArray stat = file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+        const QByteArray state = stat.mid(stat.lastIndexOf(')') + 2, 1); // nothing: it has ended
+        if (task.toLongLong() != ::gettid() && !state.isEmpty() && state != "S")
+            return false;
+    }
+    return true;
+}
+#endif
+
 class Pool
 {
 public:
@@ -158,6 +177,10 @@ private:
         int orders[2], answers[2];
         if (::pipe(orders) != 0 || ::pipe(answers) != 0)
             throw std::bad_alloc();
+#ifdef RAMURE_SANITIZED
+        while (!othersSleep())
+            ::usleep(1000);
+#endif
         const pid_t process = ::fork();
         if (process < 0)
             throw std::bad_alloc();

@@ -28,8 +28,7 @@ using JobDone = std::function<bool(std::size_t job, JobEnd end, const QByteArray
 /// they end, in any order, with what work returned. Loops of a process keep to one thread. SIGINT and
 /// SIGTERM, or false from done, drop the jobs under way at once; nothing is told of them. \returns 0, or the
 /// number of the signal. \pre no other threads of ours in this process. Those that libraries have started
-/// wait: OpenVDB's log4cplus keeps four. (AddressSanitizer's allocator is not safe across fork() while they
-/// begin: under it a worker may hang.)
+/// wait: OpenVDB's log4cplus keeps four.
 int runJobs(std::size_t count, const PoolOptions& options,
             const std::function<QByteArray(std::size_t job)>& work, const JobDone& done);
 
