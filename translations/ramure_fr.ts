@@ -7803,6 +7803,42 @@
         <source>Dates</source>
         <translation>Dattes</translation>
     </message>
+    <message>
+        <source>Collar</source>
+        <translation>Bourrelet</translation>
+    </message>
+    <message>
+        <source>How much wider than its own radius a side limb is where it leaves a thicker branch. The collar narrows within about a diameter of the limb.</source>
+        <translation>De combien une branche latérale est plus large que son propre rayon là où elle quitte une branche plus épaisse. Le bourrelet se resserre en un diamètre de la branche environ.</translation>
+    </message>
+    <message>
+        <source>Roots</source>
+        <translation>Racines</translation>
+    </message>
+    <message>
+        <source>Main roots into which the foot of a trunk divides, three or more. They run out over the ground and sink. With 0 the trunk stands on the ground like a post.</source>
+        <translation>Racines principales en lesquelles se divise le pied d’un tronc, trois ou plus. Elles courent sur le sol et s’y enfoncent. Avec 0, le tronc se dresse sur le sol comme un poteau.</translation>
+    </message>
+    <message>
+        <source>Root length</source>
+        <translation>Longueur des racines</translation>
+    </message>
+    <message>
+        <source>How far from the trunk the roots sink into the ground, in diameters of the trunk. Each root is longer or shorter than that by its share of chance.</source>
+        <translation>Distance du tronc à laquelle les racines s’enfoncent dans le sol, en diamètres du tronc. Le hasard rend chaque racine un peu plus longue ou plus courte.</translation>
+    </message>
+    <message>
+        <source>Root height</source>
+        <translation>Hauteur des racines</translation>
+    </message>
+    <message>
+        <source>How high above the ground the roots leave the trunk, in diameters of the trunk: 1 gives the foot of an oak, 3 the buttresses of a kapok tree.</source>
+        <translation>Hauteur au-dessus du sol où les racines quittent le tronc, en diamètres du tronc : 1 donne le pied d’un chêne, 3 les contreforts d’un fromager.</translation>
+    </message>
+    <message>
+        <source>Foot</source>
+        <translation>Pied</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>

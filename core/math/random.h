@@ -27,6 +27,7 @@ enum class RandomStream : std::uint64_t {
     Terrain = 21,
     Stems = 30,
     CrownPoints = 31,
+    Roots = 32,
     Test = 1000
 };
 

@@ -140,6 +140,11 @@ inline constexpr std::array modelRows{
                      "diameters of the branch. At 0 they begin with their own width, which leaves a ledge below them where "
                      "they are thinner.")},
         ParamUnit::Factor, {0, 10, 0, 3, 0.1, 2}, Stage::Mesh),
+    row<&NodeParams::mesh, &MeshParams::collar>(
+        {"mesh.collar", forksGroup, RAMURE_NOOP("Collar"),
+         RAMURE_NOOP("How much wider than its own radius a side limb is where it leaves a thicker branch. The collar "
+                     "narrows within about a diameter of the limb.")},
+        ParamUnit::Ratio, {0, 2, 0, 1, 0.05, 2}, Stage::Mesh),
     row<&NodeParams::mesh, &MeshParams::clampOvershoot>(
         {"mesh.clampOvershoot", forksGroup, RAMURE_NOOP("Calm short branches"),
          RAMURE_NOOP("A branch much shorter than its parent swings out in a wide bow before it turns to its own direction. "
@@ -150,6 +155,21 @@ inline constexpr std::array modelRows{
          RAMURE_NOOP("Branches of a fork become one where their ends are closer than this share of their added radii: they "
                      "would lie in each other all along. 0 joins only those in the same place.")},
         ParamUnit::Ratio, {0, 4, 0, 1, 0.05, 3}, Stage::Mesh, paramAdvanced),
+    row<&NodeParams::mesh, &MeshParams::roots>(
+        {"mesh.roots", footGroup, RAMURE_NOOP("Roots"),
+         RAMURE_NOOP("Main roots into which the foot of a trunk divides, three or more. They run out over the ground and "
+                     "sink. With 0 the trunk stands on the ground like a post.")},
+        ParamUnit::Count, {0, 16, 0, 9, 1, 0}, Stage::Mesh),
+    row<&NodeParams::mesh, &MeshParams::rootLength>(
+        {"mesh.rootLength", footGroup, RAMURE_NOOP("Root length"),
+         RAMURE_NOOP("How far from the trunk the roots sink into the ground, in diameters of the trunk. Each root is "
+                     "longer or shorter than that by its share of chance.")},
+        ParamUnit::Factor, {0.1, 10, 0.5, 3, 0.1, 2}, Stage::Mesh, paramNone, treeOnly, hasRoots),
+    row<&NodeParams::mesh, &MeshParams::rootHeight>(
+        {"mesh.rootHeight", footGroup, RAMURE_NOOP("Root height"),
+         RAMURE_NOOP("How high above the ground the roots leave the trunk, in diameters of the trunk: 1 gives the foot of "
+                     "an oak, 3 the buttresses of a kapok tree.")},
+        ParamUnit::Factor, {0.1, 10, 0.3, 3, 0.1, 2}, Stage::Mesh, paramNone, treeOnly, hasRoots),
 };
 // clang-format on
 

@@ -89,6 +89,10 @@ struct MeshParams
     double nearTwinRatio = 0.25;  ///< of the added radii
     double leastRadius = 0.25e-3; ///< m
     double forkLength = 1.0;      ///< diameters, within which branches above a fork come to their own radius
+    double collar = 0.0;          ///< of a side limb's radius: how much wider it leaves the stem
+    std::int64_t roots = 0;       ///< that leave the foot of a trunk; 0: its tube ends flat
+    double rootLength = 2.0;      ///< diameters of the trunk
+    double rootHeight = 1.0;      ///< the same: where roots leave the trunk
     bool operator==(const MeshParams&) const = default;
 };
 
@@ -166,6 +170,13 @@ struct NodeParams
     std::vector<TreeEdit> edits; ///< of a tree, in the order in which they act
     bool operator==(const NodeParams&) const = default;
 };
+
+/// What the chance of a tree goes by; 0 where there is none in it.
+inline std::uint64_t treeSeed(const NodeParams& params)
+{
+    const bool hasChance = params.grammar.stochastic || params.generator.kind != TreeGenerator::Grammar;
+    return hasChance ? static_cast<std::uint64_t>(params.grammar.seed) : 0;
+}
 
 /// m; that of a tree's trunk at the ground before chance varies it, and what its leaves, fruit and motion
 /// take their size from: for a grammar the turtle's step (SPEC A1). A trunk that carries what the points call

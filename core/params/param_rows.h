@@ -135,6 +135,7 @@ inline constexpr Condition* isOfPlant = [](const NodeParams& p) {
     return p.leaf.shape != LeafShape::Faithful;
 };
 inline constexpr Condition* isHung = [](const NodeParams& p) { return p.fruit.kind != FruitKind::Faithful; };
+inline constexpr Condition* hasRoots = [](const NodeParams& p) { return p.mesh.roots > 0; };
 inline constexpr Condition* softensForks = [](const NodeParams& p) { return p.mesh.forkSoftness > 0.0; };
 
 template <auto... Path>
@@ -204,6 +205,7 @@ inline constexpr const char* variationGroup = RAMURE_NOOP("Variation");
 inline constexpr const char* simplifyGroup = RAMURE_NOOP("Simplification");
 inline constexpr const char* sectionsGroup = RAMURE_NOOP("Cross-sections");
 inline constexpr const char* forksGroup = RAMURE_NOOP("Forks");
+inline constexpr const char* footGroup = RAMURE_NOOP("Foot");
 inline constexpr const char* foliageGroup = RAMURE_NOOP("Foliage");
 inline constexpr const char* barkGroup = RAMURE_NOOP("Bark");
 inline constexpr const char* barkPicturesGroup = RAMURE_NOOP("Pictures of the bark");

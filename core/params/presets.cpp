@@ -242,6 +242,9 @@ std::vector<Preset> colonised()
     NodeParams acacia =
         dressed(filling(umbrella), LeafShape::Mimosa, 1.5, FruitKind::Faithful, 0.0, BarkFamily::Corky);
     park.leaf.internode = acacia.leaf.internode = 0.5;
+    park.mesh.collar = acacia.mesh.collar = 0.5;
+    park.mesh.roots = 7;
+    acacia.mesh.roots = 5;
     return {{"ParkTree", RAMURE_NOOP("A round crown that its branches fill"), park, "", group},
             {"UmbrellaAcacia", RAMURE_NOOP("A flat roof of twigs, drawn as a profile"), acacia,
              "Vachellia tortilis", group}};

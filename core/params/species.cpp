@@ -146,6 +146,8 @@ NodeParams speciesParams(const Species& species)
     params.sections = {3, 6};
     params.mesh.targetTriangles = 300'000; // which makes trunks round; twigs do with less than the sections
     params.mesh.clampOvershoot = true;
+    params.mesh.collar = 0.5;
+    params.mesh.roots = species.growth.lobes > 0 ? std::max<std::int64_t>(species.growth.lobes, 4) : 5;
     return params;
 }
 

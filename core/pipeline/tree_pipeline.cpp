@@ -259,7 +259,7 @@ Expected<void> checkBeforeMerging(const Skeleton& skeleton, const NodeParams& pa
 Expected<MeshedBranches> meshBranches(const Skeleton& skeleton, const NodeParams& params,
                                       std::span<const double> rolls, const Progress& progress)
 {
-    const BranchMeshOptions options{params.sections, params.mesh, true, rolls};
+    const BranchMeshOptions options{params.sections, params.mesh, true, rolls, treeSeed(params)};
     auto made = buildCheckedBranchMesh(skeleton, options, progress);
     RAMURE_TRY(made);
     const auto mesh = std::make_shared<const BranchMesh>(std::move(made->mesh));

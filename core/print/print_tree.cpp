@@ -125,6 +125,7 @@ Expected<TriangleMesh> tubesOf(const Skeleton& skeleton, const NodeParams& param
 {
     BranchMeshOptions options{params.sections, params.mesh, false};
     options.targetTriangles = 0;
+    options.roots = 0;             // it stands on a foot of its own
     options.clampOvershoot = true; // where a curve runs back into itself, its tube is pinched
     options.radialDivisions = sides;
     options.lengthDivisions = std::max<std::int64_t>(options.lengthDivisions, 4);

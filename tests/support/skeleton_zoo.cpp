@@ -427,13 +427,20 @@ Specimen specimen(std::uint64_t number)
     s.options.leastRadius = leastRadius[random.below(leastRadius.size())];
     static constexpr std::array<double, 4> forkLength{0.0, 1.0, 1.0, 5.0};
     s.options.forkLength = forkLength[random.below(forkLength.size())];
+    static constexpr std::array<double, 4> collar{0.0, 0.0, 0.5, 2.0};
+    s.options.collar = collar[random.below(collar.size())];
+    static constexpr std::array<int, 5> roots{0, 0, 3, 7, 16};
+    s.options.roots = roots[random.below(roots.size())];
+    s.options.rootLength = random.range(0.1, 4.0);
+    s.options.rootHeight = random.range(0.1, 4.0);
     std::ostringstream name;
     name << "specimen " << number << ": " << zooName(family) << " seed " << seed << ", " << s.skeleton.size()
          << " branches, " << s.options.radialDivisions << " radial x " << s.options.lengthDivisions
          << " length, softness " << s.options.forkSoftness << " over " << s.options.forkReach << ", twins "
          << s.options.nearTwinRatio << ", least radius " << s.options.leastRadius << ", fork length "
-         << s.options.forkLength << (s.options.clampOvershoot ? ", clamped" : "")
-         << (s.rollRad.empty() ? "" : ", rolled");
+         << s.options.forkLength << ", collar " << s.options.collar << ", " << s.options.roots << " roots "
+         << s.options.rootLength << " x " << s.options.rootHeight
+         << (s.options.clampOvershoot ? ", clamped" : "") << (s.rollRad.empty() ? "" : ", rolled");
     s.name = name.str();
     return s;
 }

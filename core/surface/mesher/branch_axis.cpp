@@ -1,5 +1,6 @@
 #include "core/surface/mesher/branch_axis.h"
 
+#include "core/math/reproducible.h"
 #include <algorithm>
 #include <cmath>
 
@@ -8,6 +9,7 @@ namespace ramure {
 namespace {
 
 constexpr double overshootLimit = 1.5;
+constexpr double onCollar = 0.6; ///< of the length within which a collar falls to 1/e
 
 /// The Hermite curve's position alone, as a cubic in powers of t: the tables need many points and no
 /// tangents.
@@ -24,6 +26,18 @@ struct Cubic
     }
     [[nodiscard]] glm::dvec3 at(double t) const { return c0 + t * (c1 + t * (c2 + t * c3)); }
 };
+
+/// Sections are spread evenly, but along a limb with a collar: the first stands on the collar, and each is so
+/// many times as far from the stem as the one before. \param part k of the spans
+double sectionAt(const MeshBranch& branch, double part, int spans)
+{
+    if (branch.spreadStart <= 0.0 || part <= 0.0 || part >= 1.0)
+        return part;
+    const double even = 1.0 / spans, length = 1.0 - branch.spreadStart;
+    const double first = onCollar / std::max(branch.spreadDecay * length, 1e-12);
+    return first >= even ? part
+                         : branch.spreadStart + length * maths::pow(first, (1.0 - part) / (1.0 - even));
+}
 
 } // namespace
 
@@ -81,7 +95,7 @@ void AxisBuilder::build(const BranchCurve& curve, const MeshBranch& branch, cons
         frame = rolled(frame, branch.rollRad);
     for (int k = 0; k <= spans; ++k) {
         AxisSection& section = sections[static_cast<std::size_t>(k)];
-        section.t = static_cast<double>(k) / spans;
+        section.t = sectionAt(branch, static_cast<double>(k) / spans, spans);
         const CurvePoint at = hermite(curve.h0, curve.h1, curve.v0, curve.v1, section.t);
         section.centre = at.point;
         section.frame = frame = transported(frame, at.tangent);
@@ -104,8 +118,9 @@ void AxisBuilder::build(const BranchCurve& curve, const MeshBranch& branch, cons
         m_points[i] = i == count ? curve.h1 : cubic.at(static_cast<double>(i) / static_cast<double>(count));
         m_distances[i] = m_distances[i - 1] + glm::length(m_points[i] - m_points[i - 1]);
     }
-    for (int k = 0; k <= spans; ++k)
-        sections[static_cast<std::size_t>(k)].along = m_distances[static_cast<std::size_t>(k * perSpan)];
+    if (branch.spreadStart <= 0.0) // else it is straight: distances grow as t does
+        for (int k = 0; k <= spans; ++k)
+            sections[static_cast<std::size_t>(k)].along = m_distances[static_cast<std::size_t>(k * perSpan)];
     table->build(m_points, m_distances, branch);
 }
 

@@ -96,7 +96,7 @@ BudgetFit fitOf(double triangles, double wanted, double fineness, double finest)
 /// out, until it fits. The nearest trial is taken.
 Expected<Built> Builder::byBudget(const Progress& progress)
 {
-    const MeshBudget budget(m_normal);
+    const MeshBudget budget(m_normal, m_options);
     const auto wanted = static_cast<double>(m_options.targetTriangles);
     std::optional<Built> best;
     double correction = 1.0, bestMiss = 0.0;

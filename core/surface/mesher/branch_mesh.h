@@ -12,6 +12,7 @@
 #include "core/skeleton/skeleton.h"
 #include "core/surface/mesh/triangle_mesh.h"
 #include "core/surface/proof/validate.h"
+#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
@@ -27,6 +28,8 @@ struct BranchMeshOptions : SectionParams, MeshParams
     bool withNormals = true;
     /// An extra turn of each branch's frames about its tangent, radians, one per branch; empty = none.
     std::span<const double> rollRad{};
+    /// Makes the roots of each tree its own.
+    std::uint64_t seed = 0;
 };
 
 /// What was changed on the mesher's copy of the skeleton so that a mesh exists; the skeleton itself stays as
@@ -72,6 +75,14 @@ struct TubeRange
     bool operator==(const TubeRange&) const = default;
 };
 
+/// The foot of a trunk with roots (trunk_foot.h): its tube begins with a pole, and the rings follow from the
+/// lowest to the highest. The points of a root follow each other on each, the last in the valley after it.
+struct FootSize
+{
+    Index rings = 0, points = 0, roots = 0; ///< points of each ring
+    bool operator==(const FootSize&) const = default;
+};
+
 /// The axis of a tube, after all repairs: what its cross-sections stand on.
 struct TubeAxis
 {
@@ -80,12 +91,15 @@ struct TubeAxis
     /// It begins wider than a0, by this share of it (fork_spread.h). Towards its end the share falls by
     /// exp(-spreadDecay).
     double spread = 0.0, spreadDecay = 0.0;
+    double spreadStart = 0.0; ///< share of the branch from which on it falls
+    FootSize foot{};          ///< of a trunk
 
     /// m; \p t: share of the branch.
     [[nodiscard]] double radiusAt(double t) const
     {
         const double own = a0 + (a1 - a0) * t;
-        return spread > 0.0 ? own * (1.0 + spread * maths::exp(-spreadDecay * t)) : own;
+        return spread > 0.0 ? own * (1.0 + spread * maths::exp(-spreadDecay * std::max(t - spreadStart, 0.0)))
+                            : own;
     }
 };
 

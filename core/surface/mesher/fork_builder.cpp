@@ -172,7 +172,7 @@ void ForkBuilder::startTube(Index child, const Way& way, std::vector<TubeEnd>& e
     const bool isStem = m_context.skeleton.branches[own.parent].isPlate;
     m_context.sink.startTube(
         tube.source, isStem ? noIndex : m_ring.source,
-        {meshCurve(m_context.skeleton, tube.branch, m_context.clampOvershoot), own.a0, own.a1});
+        own.tubeAxis(meshCurve(m_context.skeleton, tube.branch, m_context.clampOvershoot)));
     m_walls.cell(child, m_boundary);
     m_unroller.unroll(m_boundary, tube, child, m_context.skeleton.branches[tube.branch].rollRad, m_front);
     const std::size_t full = firstFullSection(tube);

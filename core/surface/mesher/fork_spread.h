@@ -14,6 +14,13 @@ namespace ramure {
 /// what is left at its end. \param length 0: every branch has its own radius everywhere.
 void spreadAboveForks(NormalSkeleton& skeleton, double length);
 
+/// The same of limbs beside a stem: they have a collar, so much wider than their own radius as \p collar says
+/// within the stem's wood and where they leave it, which falls to 1/e within collarLength times their
+/// diameter. A limb that hardly leaves the wood has none.
+void makeCollars(NormalSkeleton& skeleton, double collar);
+
+inline constexpr double collarLength = 0.75; ///< diameters
+
 inline constexpr double mostSpread = 2.0; ///< of a branch's own radius, beyond it
 
 } // namespace ramure

@@ -1,6 +1,7 @@
 #include "core/surface/mesher/mesh_divisions.h"
 
 #include "core/surface/mesher/stem_limbs.h"
+#include "core/surface/mesher/trunk_foot.h"
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -94,8 +95,9 @@ int MeshDivisions::sections(Index branch) const
         limited(1.0 + m_fineness * shape.spans + shape.spansThreshold, leastSections, mostSections));
 }
 
-MeshBudget::MeshBudget(const NormalSkeleton& skeleton)
+MeshBudget::MeshBudget(const NormalSkeleton& skeleton, const MeshParams& params)
     : m_skeleton(skeleton)
+    , m_params(params)
     , m_shapes(skeleton.branches.size())
 {
     const auto count = static_cast<Index>(m_shapes.size());
@@ -178,8 +180,10 @@ double MeshBudget::triangles(double fineness) const
             sides * std::max(spans * (1.0 - m_shapes[b].hidden), 1.0) + (branch.childCount == 0 ? 1.0 : 0.0);
         if (branch.childCount > 1)
             vertices += wallVertices(branch.childCount, sides * m_shapes[b].wallSides, m_shapes[b].arches);
-        if (branch.parent == noIndex)
-            vertices += sides - 1.0; // its first ring and pole, less the 2 of Euler's formula
+        if (branch.parent == noIndex) { // its first ring and pole, less the 2 of Euler's formula
+            const FootSize foot = footSize(m_params, static_cast<Index>(sides));
+            vertices += foot.rings > 0 ? double(foot.rings) * foot.points - 1.0 : sides - 1.0;
+        }
     }
     return 2.0 * vertices;
 }

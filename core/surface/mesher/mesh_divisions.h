@@ -62,7 +62,7 @@ double sidesAskedFor(double radius, double fineness);
 class MeshBudget
 {
 public:
-    explicit MeshBudget(const NormalSkeleton& skeleton);
+    MeshBudget(const NormalSkeleton& skeleton, const MeshParams& params);
 
     [[nodiscard]] std::span<const BranchShape> shapes() const { return m_shapes; }
     /// About how many triangles a mesh of this fineness has; rises with it.
@@ -77,6 +77,7 @@ private:
     void measureFork(Index parent);
 
     const NormalSkeleton& m_skeleton;
+    const MeshParams& m_params;
     std::vector<BranchShape> m_shapes;
     double m_finest = 1.0;
 };

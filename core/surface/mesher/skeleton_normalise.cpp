@@ -19,6 +19,7 @@ constexpr double tinyRadiusOfScene = 1e-4;
 constexpr double mostLeastRadiusOfScene = 5e-4;
 constexpr double mostGapOfRadius = 0.48;
 constexpr double twinAngle = 1e-3;
+constexpr double footRoom = 1.5; ///< of the height of a foot: the trunk's first branch
 /// Coordinates beyond these are refused: their squares and areas must stay inside the range of floats.
 constexpr double largestCoordinate = 1e12;
 constexpr double smallestScene = 1e-12;
@@ -86,6 +87,7 @@ private:
     bool joinTwins();
     bool joinPair(std::size_t first, std::size_t second);
     void appendChildren(Index from, Index to);
+    [[nodiscard]] Index endOfFoot(Index root) const;
     void makeStub(Index root);
     void linkChildren();
     Sibling sibling(Index id, const glm::dvec3& start) const;
@@ -372,6 +374,19 @@ void Normaliser::makeStub(Index root)
     m_out.repairs.push_back({SkeletonRepair::RootStub, root, noIndex});
 }
 
+/// The branch whose end is far enough above the ground.
+Index Normaliser::endOfFoot(Index root) const
+{
+    Index last = root;
+    while (glm::length(m_in.p1[last] - m_in.p0[root]) < footRoom * 2.0 * m_options.rootHeight * m_a0[last]) {
+        const Index child = m_firstChild[last];
+        if (child == noIndex || m_nextSibling[child] != noIndex)
+            break;
+        last = child;
+    }
+    return last;
+}
+
 void Normaliser::emit(Index branch, Index parentOut, const glm::dvec3& start)
 {
     MeshBranch out;
@@ -549,8 +564,12 @@ Expected<void> Normaliser::run(const Progress& progress)
                                      : m_out.branches[pending.parentOut].p1 + pending.start;
         if (pending.parentOut == noIndex && m_nextMate[pending.id] != noIndex)
             emitPlate(pending.id);
-        else
-            emit(pending.id, pending.parentOut, start);
+        else {
+            const bool hasFoot = pending.parentOut == noIndex && m_options.roots > 0 &&
+                                 std::abs(m_in.p0[pending.id].y) <= m_a0[pending.id];
+            emit(hasFoot ? endOfFoot(pending.id) : pending.id, pending.parentOut, start);
+            m_out.branches[index].hasFoot = hasFoot;
+        }
         m_out.branches[index].isLimb = pending.isLimb;
         putOffChildren(index);
     }
@@ -570,6 +589,7 @@ Expected<NormalSkeleton> normaliseSkeleton(const Skeleton& skeleton, const Branc
     Normaliser normaliser(skeleton, options, result);
     RAMURE_TRY(normaliser.run(progress));
     spreadAboveForks(result, options.forkLength);
+    makeCollars(result, options.collar);
     return result;
 }
 

@@ -12,21 +12,23 @@ namespace ramure {
 struct MeshBranch
 {
     glm::dvec3 p0{0.0}, p1{0.0}; ///< p0 is the parent's p1, but for limbs: those may start higher
-    double a0 = 0.0, a1 = 0.0, spread = 0.0, spreadDecay = 0.0; ///< as TubeAxis has them
-    double rollRad = 0.0;                                       ///< extra turn of this branch's frames
-    Index parent = noIndex;                                     ///< in NormalSkeleton::branches
-    Index source = noIndex;                                     ///< branch of the skeleton it was made from
-    bool isSawn = false;                                        ///< its end is flat
-    bool isLimb = false;  ///< it leaves a sibling to its side, and is straight until its end
-    bool isPlate = false; ///< no branch of the skeleton: what stems stand on that start together
-    Index firstChild = 0; ///< its children are children[firstChild .. firstChild + childCount)
+    double a0 = 0.0, a1 = 0.0, spread = 0.0, spreadDecay = 0.0, spreadStart = 0.0; ///< as TubeAxis has them
+    double rollRad = 0.0;   ///< extra turn of this branch's frames
+    Index parent = noIndex; ///< in NormalSkeleton::branches
+    Index source = noIndex; ///< branch of the skeleton it was made from
+    bool isSawn = false;    ///< its end is flat
+    bool isLimb = false;    ///< it leaves a sibling to its side, and is straight until its end
+    bool hasFoot = false;   ///< a trunk that stands on the ground with roots
+    bool isPlate = false;   ///< no branch of the skeleton: what stems stand on that start together
+    Index firstChild = 0;   ///< its children are children[firstChild .. firstChild + childCount)
     Index childCount = 0;
 
-    /// m; \p t: share of the branch.
-    [[nodiscard]] double radiusAt(double t) const
+    [[nodiscard]] TubeAxis tubeAxis(const BranchCurve& curve) const
     {
-        return TubeAxis{{}, a0, a1, spread, spreadDecay}.radiusAt(t);
+        return {curve, a0, a1, spread, spreadDecay, spreadStart};
     }
+    /// m; \p t: share of the branch.
+    [[nodiscard]] double radiusAt(double t) const { return tubeAxis({}).radiusAt(t); }
 };
 
 /// Branches in depth-first order, parents before children.
@@ -59,7 +61,9 @@ struct NormalSkeleton
 /// - a root without length becomes a stub of half its radius behind its first child;
 /// - roots that start within a radius of each other become the children of one root plate: a stub at the
 ///   first one's start, turned away from all of them;
-/// - limbs start where limbStart() says.
+/// - limbs start where limbStart() says;
+/// - where options.roots asks for them, the first branches of a trunk on the ground become one as long as its
+///   foot needs, as thick as the last of them is: a flare gives way to roots.
 /// Radii are at least 1e-4 of the scene and options.leastRadius, which is taken as 5e-4 of the scene where it
 /// is more: the promise of a least gap holds for trees from half a metre on, and smaller ones keep their
 /// shape. Errors: Invalid (empty, non-finite or negative numbers, nothing with a length or a radius, beyond

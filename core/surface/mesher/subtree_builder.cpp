@@ -1,5 +1,7 @@
 #include "core/surface/mesher/subtree_builder.h"
 
+#include "core/math/random.h"
+#include "core/surface/mesher/trunk_foot.h"
 #include <algorithm>
 #include <utility>
 
@@ -57,12 +59,21 @@ void SubtreeBuilder::buildRoot(Index root)
     const BranchCurve curve = meshCurve(m_skeleton, root, m_context.clampOvershoot);
     const Frame frame = frameFromTangent(hermite(curve.h0, curve.h1, curve.v0, curve.v1, 0.0).tangent);
     m_axes.build(curve, branch, frame, m_context.divisions.sections(root), m_sections, nullptr);
-    m_sink.startTube(branch.source, noIndex,
-                     {curve, branch.a0, branch.a1, branch.spread, branch.spreadDecay});
+    TubeAxis axis = branch.tubeAxis(curve);
     const AxisSection& first = m_sections.front();
     const std::span<const RingPoint> points = m_context.divisions.ring(root, first.radius);
-    const Index ring = m_tubes.startRoot(first, points, branch.p0, branch.source);
-    m_tubes.finish(root, m_sections, 0, {ring, points}, m_ends);
+    const TrunkFoot foot(branch, m_context.options, static_cast<Index>(points.size()),
+                         mixBits(m_context.options.seed) + root);
+    axis.foot = foot.size();
+    m_sink.startTube(branch.source, noIndex, axis);
+    if (foot.isThere()) {
+        const Index top = m_tubes.startFoot(foot, first.frame, branch.source);
+        foot.cutOff(m_sections);
+        m_tubes.finish(root, m_sections, 0, {top, foot.columns(), foot.turned()}, m_ends);
+    } else {
+        const Index ring = m_tubes.startRoot(first, points, branch.p0, branch.source);
+        m_tubes.finish(root, m_sections, 0, {ring, points}, m_ends);
+    }
     inspect();
 }
 
@@ -75,8 +86,7 @@ void SubtreeBuilder::continueChild(const TubeEnd& parent)
     m_axes.build(curve, branch, parent.section.frame, m_context.divisions.sections(child), m_sections,
                  nullptr);
     const MeshBranch& below = m_skeleton.branches[parent.branch];
-    m_sink.startTube(branch.source, below.isPlate ? noIndex : below.source,
-                     {curve, branch.a0, branch.a1, branch.spread, branch.spreadDecay});
+    m_sink.startTube(branch.source, below.isPlate ? noIndex : below.source, branch.tubeAxis(curve));
     const std::span<const RingPoint> points = m_context.divisions.ring(parent.branch, parent.section.radius);
     m_tubes.finish(child, m_sections, 0, {parent.ring, points, -branch.rollRad}, m_ends);
 }

@@ -158,6 +158,49 @@ Index TubeBuilder::startRoot(const AxisSection& section, std::span<const RingPoi
     return ring;
 }
 
+Index TubeBuilder::startFoot(const TrunkFoot& foot, const Frame& frame, Index owner)
+{
+    MeshSink& sink = m_context.sink;
+    const Index pole = sink.addVertex(foot.pole(), owner);
+    const Index rings = foot.size().rings, points = foot.size().points, perRoot = foot.pointsOfRoot();
+    for (Index ring = 0; ring < rings; ++ring) {
+        const Index first = sink.nextVertex();
+        for (Index column = 0; column < points; ++column)
+            sink.addVertex(foot.at(ring, column, frame), owner);
+        for (Index column = 0; ring > 0 && column < points; ++column) {
+            // Diagonals go up from the valleys to the crests: the others would bridge the valleys.
+            const Index next = column + 1 < points ? column + 1 : 0, a = first - points + column;
+            const Index b = first - points + next, c = first + next, d = first + column;
+            const bool toCrest = (column + 1) % perRoot < perRoot / 2;
+            sink.addTriangle(a, b, toCrest ? c : d);
+            sink.addTriangle(toCrest ? a : b, c, d);
+        }
+    }
+    closeFoot(foot, pole);
+    return sink.nextVertex() - points;
+}
+
+/// Each root has a sole of its own, from its crest back to the valleys beside it: roots that turn aside would
+/// fold one fan around the pole.
+void TubeBuilder::closeFoot(const TrunkFoot& foot, Index pole)
+{
+    MeshSink& sink = m_context.sink;
+    const Index first = pole + 1, points = foot.size().points, perRoot = foot.pointsOfRoot();
+    const Index pairs = (perRoot - 2) / 2;
+    for (Index begin = 0; begin < points; begin += perRoot) {
+        const Index crest = first + begin + pairs;
+        sink.addTriangle(crest + 1, crest, crest - 1);
+        for (Index i = 1; i <= pairs; ++i) {
+            const bool atValley = i == pairs && begin == 0;
+            const Index before = atValley ? first + points - 1 : crest - i - 1;
+            sink.addTriangle(crest + i + 1, crest + i, crest - i);
+            sink.addTriangle(crest + i + 1, crest - i, before);
+        }
+        const Index valley = first + begin + perRoot - 1;
+        sink.addTriangle(valley, begin == 0 ? first + points - 1 : first + begin - 1, pole);
+    }
+}
+
 void TubeBuilder::end(Index branch, const AxisSection& section, Index ring, std::size_t points,
                       std::vector<TubeEnd>& ends)
 {

@@ -5,6 +5,7 @@
 #include "core/surface/mesher/branch_axis.h"
 #include "core/surface/mesher/mesh_divisions.h"
 #include "core/surface/mesher/mesh_sink.h"
+#include "core/surface/mesher/trunk_foot.h"
 
 namespace ramure {
 
@@ -46,7 +47,7 @@ void planFork(const MesherContext& context, Index branch, const AxisSection& end
 struct TubeStart
 {
     Index ring;                        ///< first vertex
-    std::span<const RingPoint> points; ///< a regular ring
+    std::span<const RingPoint> points; ///< a regular ring, or a foot's columns
     double turned = 0.0;               ///< of the points against the section's frame, rad
 };
 
@@ -60,6 +61,8 @@ public:
     /// The flat end of a root; returns its ring's first vertex.
     Index startRoot(const AxisSection& section, std::span<const RingPoint> points, const glm::dvec3& pole,
                     Index owner);
+    /// The rings of a trunk's foot, closed below; returns its highest ring's first vertex.
+    Index startFoot(const TrunkFoot& foot, const Frame& frame, Index owner);
     /// Continues a tube from its section \p from, where \p start is its ring, up to its end. Tips are closed;
     /// other ends are appended to \p ends.
     void finish(Index branch, const std::vector<AxisSection>& sections, std::size_t from,
@@ -71,6 +74,7 @@ public:
              std::vector<TubeEnd>& ends);
 
 private:
+    void closeFoot(const TrunkFoot& foot, Index pole);
     void closeCut(const AxisSection& section, Index ring, Index count, Index owner);
     void evenStrip(Index lower, Index upper, Index count);
     void looseStrip(const TubeStart& lower, std::span<const RingPoint> upperPoints, Index upper);

@@ -63,6 +63,7 @@ public:
 private:
     /// \param isLimb it leaves a thicker tube to its side: the bark does not go on from there.
     void gather(const Shared& shared, Index first, Index end, bool isLimb);
+    void gatherFoot(const BranchMesh& mesh, const FootSize& foot, Index first, Index end);
     void write(Shared& shared, std::span<glm::uvec3> corners);
     glm::uvec3 place(const BranchMesh& mesh, const glm::uvec3& triangle);
     Index add(const TubeTextureVertex& vertex, const glm::dvec2& uv);
@@ -71,14 +72,13 @@ private:
     Piece* m_piece = nullptr;
     Index m_begin = 0;                             ///< of the tube's coordinates in the piece
     std::vector<glm::uvec3> m_triangles;           ///< of the tube: places in it
+    std::vector<Index> m_footSlots;                ///< per place on a trunk's foot: its place in the tube
     std::vector<Index> m_slot;                     ///< per vertex: its place in the tube at hand, if any
     std::vector<Index> m_plain, m_shifted, m_flat; ///< per vertex of the tube: its coordinates
 };
 
 void TubeUnroller::gather(const Shared& shared, Index first, Index end, bool isLimb)
 {
-    m_tube.begin();
-    m_triangles.clear();
     for (Index t = first; t < end; ++t) {
         glm::uvec3& corners = m_triangles.emplace_back();
         for (int c = 0; c < 3; ++c) {
@@ -93,6 +93,44 @@ void TubeUnroller::gather(const Shared& shared, Index first, Index end, bool isL
                                         onParent ? shared.uv[vertex] : glm::vec2(0.0f));
             }
             corners[c] = slot;
+        }
+    }
+}
+
+/// A trunk with roots: triangles take the valleys' vertices as those of their own root.
+void TubeUnroller::gatherFoot(const BranchMesh& mesh, const FootSize& foot, Index first, Index end)
+{
+    const std::span<const glm::uvec3> triangles(mesh.mesh.triangles.data() + first, end - first);
+    Index pole = noIndex;
+    for (const glm::uvec3& t : triangles)
+        pole = std::min({pole, t.x, t.y, t.z});
+    const Index points = foot.points, perRoot = points / foot.roots, across = perRoot + 1;
+    const Index count = foot.rings * points, highest = count - points;
+    m_footSlots.assign(std::size_t(foot.rings) * foot.roots * across, noIndex);
+    for (const glm::uvec3& t : triangles) {
+        Index root = noIndex;
+        for (int c = 0; c < 3; ++c)
+            if (const Index number = t[c] - pole - 1; number < count && number % perRoot + 1 < perRoot)
+                root = number % points / perRoot;
+        glm::uvec3& corners = m_triangles.emplace_back();
+        for (int c = 0; c < 3; ++c) {
+            const Index number = t[c] - pole - 1;
+            const glm::vec3& position = mesh.mesh.positions[t[c]];
+            if (number >= count) {
+                const std::span<const TubeTextureVertex> known = m_tube.vertices();
+                Index& slot = m_slot[t[c]];
+                if (slot >= known.size() || known[slot].vertex != t[c])
+                    slot = m_tube.addVertex(t[c], position, false, false, glm::vec2(0.0F));
+                corners[c] = slot;
+                continue;
+            }
+            const Index own = number % points / perRoot;
+            const bool isBefore = number < highest && root != noIndex && root != own; // the valley before it
+            const Index place = (number / points * foot.roots + (isBefore ? root : own)) * across +
+                                (isBefore ? 0 : number % perRoot + 1);
+            if (m_footSlots[place] == noIndex)
+                m_footSlots[place] = m_tube.addFootVertex(t[c], position, place, foot);
+            corners[c] = m_footSlots[place];
         }
     }
 }
@@ -176,7 +214,12 @@ void TubeUnroller::unroll(Shared& shared, Index index, Piece& piece, std::vector
         below.around = 0.0;
         below.bend = glm::dvec3(0.0);
     }
-    gather(shared, first, end, isLimb);
+    m_tube.begin();
+    m_triangles.clear();
+    if (const FootSize& foot = shared.mesh.axes[index].foot; foot.rings > 0)
+        gatherFoot(shared.mesh, foot, first, end);
+    else
+        gather(shared, first, end, isLimb);
     m_tube.unroll(shared.mesh.axes[index], below, m_triangles);
     shared.ends[index] = m_tube.end();
     write(shared, {corners.data() + first, end - first});

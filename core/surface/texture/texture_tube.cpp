@@ -15,8 +15,43 @@ constexpr double sameSection = 1e-3; ///< of the tube: cross-sections closer tha
 constexpr double leastOnRoot = 4.0, leastAround = 2.0; ///< tiles around a branch
 constexpr double wallRoom = 1.05;                      ///< the wall between siblings has some tiles, too
 constexpr double handingLength = 2.0;                  ///< diameters
-constexpr int evenRounds = 12;
+constexpr int evenRounds = 12, stiffRounds = 150;
+constexpr double leastAside = 0.1; ///< of the distance to the column before, where a root cannot be flattened
 constexpr double enoughStretched = 0.06; ///< of a tube's triangles: it is left at that
+
+/// The point at these distances from two others, to the right of the way between them for a \p side of 1, to
+/// the left for -1; as near to that as can be where they are too far apart.
+glm::dvec2 beyond(const glm::dvec2& from, const glm::dvec2& to, double fromDistance, double toDistance,
+                  double side)
+{
+    const glm::dvec2 way = to - from;
+    const double apart = std::max(glm::length(way), 1e-300), square = fromDistance * fromDistance;
+    const double ahead =
+        std::clamp(0.5 * (apart + (square - toDistance * toDistance) / apart), -fromDistance, fromDistance);
+    const double aside =
+        std::max(std::sqrt(std::max(square - ahead * ahead, 0.0)), leastAside * fromDistance);
+    return from + (ahead * way + side * aside * glm::dvec2(way.y, -way.x)) / apart;
+}
+
+/// Adds the places of a triangle's corners where it has its true shape and lies as near as can be to where it
+/// is. \param own its shape around its middle; \param shift of the corners' u against \p uv.
+void layShape(const glm::uvec3& corner, const std::array<glm::dvec2, 3>& own,
+              const std::array<double, 3>& shift, std::span<const glm::dvec2> uv, std::span<glm::dvec2> sums)
+{
+    glm::dvec2 middle(0.0), turned(0.0); // turned: the sum of the places times the conjugates of their own
+    for (std::size_t c = 0; c < 3; ++c) {
+        const glm::dvec2 now = uv[corner[int(c)]] + glm::dvec2(shift[c], 0.0), a = own[c];
+        middle += now / 3.0;
+        turned += glm::dvec2(a.x * now.x + a.y * now.y, a.x * now.y - a.y * now.x);
+    }
+    const double size = glm::length(turned);
+    turned = size > 0.0 ? turned / size : glm::dvec2(1.0, 0.0);
+    for (std::size_t c = 0; c < 3; ++c) {
+        const glm::dvec2 a = own[c];
+        sums[corner[int(c)]] +=
+            middle + glm::dvec2(turned.x * a.x - turned.y * a.y - shift[c], turned.x * a.y + turned.y * a.x);
+    }
+}
 
 } // namespace
 
@@ -40,15 +75,34 @@ Index TubeTexture::addVertex(Index vertex, const glm::vec3& position, bool onPar
     return static_cast<Index>(m_vertices.size() - 1);
 }
 
+Index TubeTexture::addFootVertex(Index vertex, const glm::vec3& position, Index place, const FootSize& foot)
+{
+    const Index slot = addVertex(vertex, position, false, false, glm::vec2(0.0F));
+    const Index across = foot.points / foot.roots + 1, ring = place / (foot.roots * across);
+    m_vertices[slot].foot = place;
+    m_vertices[slot].isSole = ring == 0;
+    m_vertices[slot].isLastValley = ring + 1 < foot.rings && (place + 1) % (foot.roots * across) == 0;
+    return slot;
+}
+
 void TubeTexture::unroll(const TubeAxis& axis, const TubeTextureEnd& parent,
                          std::span<const glm::uvec3> triangles)
 {
     m_axis.build(axis, parent.normal, parent.bend);
     place();
+    m_foot = axis.foot;
+    m_seam = pi;
+    if (m_foot.rings > 0)
+        placeFoot();
     chooseSeam();
     chooseTiles(parent);
-    measureAlong(parent.radius == 0.0);
+    m_flareShare = parent.radius > 0.0 ? 1.0 : m_foot.rings > 0 ? 0.0 : 0.25;
+    measureAlong();
     assign();
+    if (m_foot.rings > 0)
+        layFoot();
+    if (m_foot.rings > 0)
+        stiffenFoot(triangles);
     even(triangles);
     const UnrollAxis::Node& end = m_axis.end();
     m_end = {end.frame.normal, end.bend.x * end.frame.normal + end.bend.y * end.frame.binormal, m_around,
@@ -80,6 +134,129 @@ void TubeTexture::place()
     m_chord = maths::sin(half) / half;
 }
 
+/// The columns of a foot are as far around as where they leave the trunk. The seam lies in the valley before
+/// the first root.
+void TubeTexture::placeFoot()
+{
+    const Index across = m_foot.points / m_foot.roots + 1, top = m_foot.rings - 1;
+    m_footPlaces.assign(std::size_t(m_foot.rings) * m_foot.roots * across, noIndex);
+    for (Index i = 0; i < m_vertices.size(); ++i)
+        if (m_vertices[i].foot != noIndex)
+            m_footPlaces[m_vertices[i].foot] = i;
+    const auto place = [&](Index ring, Index root, Index column) -> Index& {
+        return m_footPlaces[(ring * m_foot.roots + root) * across + column];
+    };
+    for (Index root = 0; root < m_foot.roots;
+         ++root) // one vertex stands for both sides of the highest valleys
+        place(top, root, 0) = place(top, (root + m_foot.roots - 1) % m_foot.roots, across - 1);
+    for (Index ring = 0; ring < top; ++ring)
+        for (Index root = 0; root < m_foot.roots; ++root)
+            for (Index column = 0; column < across; ++column) {
+                TubeTextureVertex& vertex = m_vertices[place(ring, root, column)];
+                const TubeTextureVertex& above = m_vertices[place(top, root, column)];
+                vertex.along = above.along;
+                vertex.azimuth = above.azimuth;
+                vertex.crowding = above.crowding;
+                vertex.radius = above.radius;
+                vertex.isPole = false;
+            }
+    m_seam = m_vertices[place(top, 0, 0)].azimuth;
+}
+
+/// A root is unrolled from its crest to the valleys on both sides: each vertex at its true distances from the
+/// one nearer to the crest and those above. What does not close is left to the valleys.
+void TubeTexture::layFoot()
+{
+    const Index across = m_foot.points / m_foot.roots + 1, top = m_foot.rings - 1;
+    const double tiles = m_around / (turn * radiusBetween(0));
+    for (Index root = 0; root < m_foot.roots; ++root) {
+        const auto place = [&](Index ring, Index column) {
+            return m_footPlaces[(ring * m_foot.roots + root) * across + column];
+        };
+        const auto uvOf = [&](Index i) { return glm::dvec2(m_vertices[i].u, m_vertices[i].v); };
+        const auto put = [&](Index i, const glm::dvec2& uv) {
+            m_vertices[i].u = uv.x;
+            m_vertices[i].v = uv.y;
+        };
+        const Index crest = across / 2;
+        for (Index ring = top; ring-- > 0;) {
+            const Index own = place(ring, crest), above = place(ring + 1, crest);
+            put(own, uvOf(above) - glm::dvec2(0.0, tiles * glm::length(position(own) - position(above))));
+        }
+        const auto unrollColumn = [&](Index column, Index before, double side) {
+            for (Index ring = top - 1; ring > 0; --ring) {
+                const Index own = place(ring, column), beside = place(ring, before);
+                const auto seenFrom = [&](Index above) {
+                    return beyond(uvOf(beside), uvOf(above),
+                                  tiles * glm::length(position(own) - position(beside)),
+                                  tiles * glm::length(position(own) - position(above)), side);
+                };
+                put(own, 0.5 * (seenFrom(place(ring + 1, column)) + seenFrom(place(ring + 1, before))));
+            }
+        };
+        for (Index column = crest; column-- > 0;)
+            unrollColumn(column, column + 1, -1.0);
+        for (Index column = crest + 1; column < across; ++column)
+            unrollColumn(column, column - 1, 1.0);
+        for (Index column = 0; column < across; ++column) { // the wall under the ground hangs from the ring
+            const Index own = place(0, column), above = place(1, column);
+            const glm::dvec2 way = uvOf(place(1, std::min(column + 1, across - 1))) -
+                                   uvOf(place(1, column > 0 ? column - 1 : 0));
+            const double depth = tiles * glm::length(position(own) - position(above));
+            put(own, uvOf(above) + depth * glm::dvec2(way.y, -way.x) / std::max(glm::length(way), 1e-300));
+        }
+    }
+}
+
+/// Lets the triangles of a foot come as near to their true shapes as those around them allow: again and again
+/// each is laid where it stands, and vertices go to the mean of where their triangles have them (Sorkine and
+/// Alexa, "As-rigid-as-possible surface modeling", 2007). The highest ring stays.
+void TubeTexture::stiffenFoot(std::span<const glm::uvec3> triangles)
+{
+    struct Shape
+    {
+        glm::uvec3 corner;
+        std::array<glm::dvec2, 3> own; ///< tiles, from its middle
+        std::array<double, 3> shift;   ///< of the corners' u beyond the seam
+    };
+    const double tiles = m_around / (turn * radiusBetween(0));
+    const Index highest = (m_foot.rings - 1) * m_foot.roots * (m_foot.points / m_foot.roots + 1);
+    const auto moves = [&](Index i) { return m_vertices[i].foot < highest; };
+    std::vector<Shape> shapes;
+    std::vector<double> uses(m_vertices.size(), 0.0);
+    for (const glm::uvec3& t : triangles) {
+        const glm::dvec3 first = position(t.y) - position(t.x), second = position(t.z) - position(t.x);
+        const double length = glm::length(first);
+        if (isCap(t) || !(moves(t.x) || moves(t.y) || moves(t.z)) || !(length > 0.0))
+            continue;
+        const glm::dvec2 b(tiles * length, 0.0),
+            c = tiles / length * glm::dvec2(glm::dot(first, second), glm::length(glm::cross(first, second)));
+        const glm::dvec2 middle = (b + c) / 3.0;
+        const std::array<bool, 3> beyond = beyondSeam(t);
+        shapes.push_back(
+            {t,
+             {-middle, b - middle, c - middle},
+             {beyond[0] ? m_around : 0.0, beyond[1] ? m_around : 0.0, beyond[2] ? m_around : 0.0}});
+        for (int k = 0; k < 3; ++k)
+            uses[t[k]] += 1.0;
+    }
+    std::vector<glm::dvec2> uv(m_vertices.size()), sums(m_vertices.size());
+    for (Index i = 0; i < uv.size(); ++i)
+        uv[i] = {m_vertices[i].u, m_vertices[i].v};
+    for (int round = 0; round < stiffRounds; ++round) {
+        std::ranges::fill(sums, glm::dvec2(0.0));
+        for (const Shape& shape : shapes)
+            layShape(shape.corner, shape.own, shape.shift, uv, sums);
+        for (Index i = 0; i < uv.size(); ++i)
+            if (moves(i) && uses[i] > 0.0)
+                uv[i] = sums[i] / uses[i];
+    }
+    for (Index i = 0; i < uv.size(); ++i) {
+        m_vertices[i].u = uv[i].x;
+        m_vertices[i].v = uv[i].y;
+    }
+}
+
 /// What lies within the edge of a flat end.
 void TubeTexture::markCut()
 {
@@ -101,7 +278,7 @@ void TubeTexture::chooseSeam()
         if (vertex.onParent)
             m_sorted.push_back(shortWay(vertex.azimuth));
     }
-    double seam = pi;
+    double seam = m_seam;
     m_front = pi;
     if (!m_sorted.empty()) {
         std::sort(m_sorted.begin(), m_sorted.end());
@@ -118,6 +295,8 @@ void TubeTexture::chooseSeam()
     for (TubeTextureVertex& vertex : m_vertices) {
         const double behind = vertex.azimuth - seam;
         vertex.azimuth = behind - turn * std::floor(behind / turn) - pi;
+        if (vertex.isLastValley)
+            vertex.azimuth = pi;
     }
 }
 
@@ -145,19 +324,25 @@ void TubeTexture::chooseTiles(const TubeTextureEnd& parent)
     m_handing = std::max(std::min(m_axis.length(), handingLength * 2.0 * foot.radius), 1e-300);
 }
 
-/// Tiles keep their shape, as fast along the tube as they go around it; in the flare of a root, which is
-/// short, not as much.
-void TubeTexture::measureAlong(bool isRoot)
+/// m, as it counts for the tiles between a node and the next: not as much in the flare of a root, which is
+/// short.
+double TubeTexture::radiusBetween(std::size_t node) const
+{
+    const auto& nodes = m_axis.nodes();
+    const double radius = 0.5 * (nodes[node].radius + nodes[node + 1].radius);
+    const double above = nodes[UnrollAxis::steps / 2].radius;
+    return m_chord *
+           (m_flareShare < 1.0 ? std::min(radius, above + m_flareShare * (radius - above)) : radius);
+}
+
+/// Tiles keep their shape, as fast along the tube as they go around it.
+void TubeTexture::measureAlong()
 {
     const auto& nodes = m_axis.nodes();
     m_tilesAt[0] = 0.0;
-    for (std::size_t i = 0; i < UnrollAxis::steps; ++i) {
-        double radius = 0.5 * (nodes[i].radius + nodes[i + 1].radius);
-        if (isRoot)
-            radius = std::min(radius, 0.25 * radius + 0.75 * nodes[UnrollAxis::steps / 2].radius);
-        radius *= m_chord;
-        m_tilesAt[i + 1] = m_tilesAt[i] + (nodes[i + 1].along - nodes[i].along) * m_around / (turn * radius);
-    }
+    for (std::size_t i = 0; i < UnrollAxis::steps; ++i)
+        m_tilesAt[i + 1] =
+            m_tilesAt[i] + (nodes[i + 1].along - nodes[i].along) * m_around / (turn * radiusBetween(i));
 }
 
 double TubeTexture::tilesAlong(double along) const

@@ -46,6 +46,11 @@ struct TubeTextureVertex
     bool onParent = false;   ///< on the parent's last cross-section: u and v are the parent's
     bool onWall = false;     ///< in the valley between siblings
     bool isPole = false;     ///< the middle of a flat end or of a tip
+    /// On a trunk's foot: (ring * roots + root) * columns + column, of which a root has one more than points:
+    /// the valleys on both sides are its own. Else noIndex.
+    Index foot = noIndex;
+    bool isSole = false;       ///< on the lowest ring of a foot
+    bool isLastValley = false; ///< after the last root, below the highest ring
 };
 
 class TubeTexture
@@ -59,6 +64,9 @@ public:
     void begin();
     /// \param uv of a vertex on the parent's last cross-section; else of no meaning.
     Index addVertex(Index vertex, const glm::vec3& position, bool onParent, bool onWall, const glm::vec2& uv);
+    /// The same on the foot of a trunk, where a vertex in a valley is added once for each of the roots
+    /// beside. \param place see TubeTextureVertex::foot
+    Index addFootVertex(Index vertex, const glm::vec3& position, Index place, const FootSize& foot);
     /// \param triangles of its vertices
     void unroll(const TubeAxis& axis, const TubeTextureEnd& parent, std::span<const glm::uvec3> triangles);
 
@@ -78,8 +86,9 @@ public:
     /// Is it part of a flat end or a tip, which are mapped as discs?
     [[nodiscard]] bool isCap(const glm::uvec3& triangle) const
     {
-        return m_vertices[triangle.x].isPole || m_vertices[triangle.y].isPole ||
-               m_vertices[triangle.z].isPole;
+        const TubeTextureVertex &a = m_vertices[triangle.x], &b = m_vertices[triangle.y],
+                                &c = m_vertices[triangle.z];
+        return a.isPole || b.isPole || c.isPole || (a.isSole && b.isSole && c.isSole);
     }
     /// Coordinates of a triangle that would lie the wrong way round: its true shape, on a place of its own.
     [[nodiscard]] std::array<glm::dvec2, 3> apart(const glm::uvec3& triangle) const;
@@ -89,13 +98,17 @@ public:
 private:
     void place();
     void markCut();
+    void placeFoot();
+    void layFoot();
+    void stiffenFoot(std::span<const glm::uvec3> triangles);
     void chooseSeam();
     void chooseTiles(const TubeTextureEnd& parent);
-    void measureAlong(bool isRoot);
+    void measureAlong();
     [[nodiscard]] glm::dvec2 startOf() const;
     void assign();
     void even(std::span<const glm::uvec3> triangles);
     [[nodiscard]] double turnOf(const TubeTextureVertex& vertex) const;
+    [[nodiscard]] double radiusBetween(std::size_t node) const;
     [[nodiscard]] double tilesAlong(double along) const;
     [[nodiscard]] double tileAt(double along) const;
     [[nodiscard]] glm::dvec3 position(Index local) const { return glm::dvec3(m_positions[local]); }
@@ -111,10 +124,14 @@ private:
     std::vector<glm::vec3> m_positions;
     std::vector<glm::vec2> m_given; ///< per vertex: uv on the parent
     std::vector<double> m_sorted;
+    FootSize m_foot;
+    double m_seam = pi;              ///< rad, where there is no parent
+    std::vector<Index> m_footPlaces; ///< in m_vertices, by TubeTextureVertex::foot
     double m_around = 1.0;
-    double m_front = 0.0;   ///< rad: half of what the front shares with the parent
-    double m_excess = 0.0;  ///< tiles around that the parent's have more
-    double m_handing = 1.0; ///< m, within which that is made good
+    double m_front = 0.0;      ///< rad: half of what the front shares with the parent
+    double m_excess = 0.0;     ///< tiles around that the parent's have more
+    double m_flareShare = 1.0; ///< what of a flare counts
+    double m_handing = 1.0;    ///< m, within which that is made good
     std::array<double, UnrollAxis::steps + 1> m_tilesAt{};
     double m_chord = 1.0; ///< circumference of the cross-sections, as a share of the circle's
 };

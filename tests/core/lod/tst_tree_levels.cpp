@@ -102,7 +102,9 @@ private slots:
     /// Too few even for the roots.
     void budgetsThatNoMeshKeeps()
     {
-        const auto few = levelsOf(preset("CommonYew"), {1, {leastBudget}}, {true, false, false, false});
+        NodeParams yew = preset("CommonYew");
+        yew.mesh.roots = 0; // for which the first pieces of its trunk would become one
+        const auto few = levelsOf(yew, {1, {leastBudget}}, {true, false, false, false});
         QVERIFY(!few);
         QCOMPARE(few.error().code, ErrorCode::Limit);
         QVERIFY2(few.error().message().find("the nearest has") != std::string::npos, test::why(few));

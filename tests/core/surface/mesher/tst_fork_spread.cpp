@@ -81,8 +81,9 @@ private slots:
                     const double own = branch.a0 + (branch.a1 - branch.a0) * t;
                     QVERIFY(branch.radiusAt(t) >= own && branch.radiusAt(t) <= own * (1.0 + branch.spread));
                 }
-                QVERIFY(branch.spread == 0.0 || (branch.parent != noIndex && !branch.isLimb));
-                if (branch.spread == 0.0 || branch.spread == mostSpread)
+                QVERIFY(branch.spread == 0.0 || branch.parent != noIndex);
+                QVERIFY(branch.isLimb || branch.spreadStart == 0.0);
+                if (branch.spread == 0.0 || branch.spread == mostSpread || branch.isLimb)
                     continue;
                 double widest = 0.0;
                 for (const Index child : skeleton->childrenOf(branch.parent))
@@ -91,6 +92,55 @@ private slots:
                 QVERIFY2(std::abs(widest - end) <= 1e-9 * end, animal.name.c_str());
             }
         }
+    }
+
+    /// A limb swells where it leaves the stem, and has its own radius two diameters on.
+    void limbsHaveCollars_data()
+    {
+        QTest::addColumn<double>("radius");
+        QTest::addColumn<double>("downAngle");
+        for (const double radius : {0.02, 0.05, 0.08})
+            for (const double downAngle : {0.7, 1.1, 1.5})
+                QTest::addRow("%g m, %g rad", radius, downAngle) << radius << downAngle;
+    }
+    void limbsHaveCollars()
+    {
+        QFETCH(double, radius);
+        QFETCH(double, downAngle);
+        Skeleton skeleton;
+        const Index trunk = skeleton.add(noIndex, {0, 0, 0}, {0, 2, 0}, 0.2, 0.2);
+        skeleton.add(trunk, {0, 2, 0}, {0, 5, 0}, 0.2, 0.2);
+        const glm::dvec3 way(std::sin(downAngle), std::cos(downAngle), 0.0);
+        skeleton.add(trunk, {0, 2, 0}, glm::dvec3(0, 2, 0) + 1.5 * way, radius, radius);
+        BranchMeshOptions options;
+        options.radialDivisions = 24;
+        options.lengthDivisions = 12;
+        options.collar = 0.5;
+        const NormalSkeleton normal = normalised(skeleton, options);
+        const auto limb = std::ranges::find_if(normal.branches, &MeshBranch::isLimb);
+        QVERIFY(limb != normal.branches.end());
+        const double length = glm::length(limb->p1 - limb->p0);
+        const auto at = [&](double diameters) {
+            return limb->radiusAt(limb->spreadStart + diameters * 2.0 * radius / length);
+        };
+        const double swelling = at(0.5) / at(2.0);
+        QVERIFY2(swelling >= 1.15 && swelling <= 1.5, qPrintable(QString::number(swelling)));
+        QVERIFY(at(4.0) < 1.02 * radius);
+        const auto built = buildCheckedBranchMesh(skeleton, options);
+        QVERIFY2(built, why(built));
+        QVERIFY(built->report.valid);
+        // The mesh has it too: its rings stand where the collar narrows.
+        double widest = 0.0;
+        const glm::dvec3 axis = glm::normalize(limb->p1 - limb->p0);
+        for (std::size_t i = 0; i < built->mesh.mesh.positions.size(); ++i) {
+            const glm::dvec3 away = glm::dvec3(built->mesh.mesh.positions[i]) - limb->p0;
+            const double along = glm::dot(away, axis);
+            if (built->mesh.mesh.branch[i] == limb->source &&
+                along > limb->spreadStart * length + 0.5 * 2.0 * radius)
+                widest = std::max(widest, glm::length(away - along * axis));
+        }
+        QVERIFY2(widest > 1.1 * radius && widest < 1.5 * radius,
+                 qPrintable(QString::number(widest / radius)));
     }
 
     /// A short piece hands on what it has not lost.

@@ -1,0 +1,70 @@
+/// \file
+/// The foot of a trunk: its cross-section becomes lobes on the way down, the lobes run out over the ground as
+/// roots, and the roots sink into it.
+#pragma once
+
+#include "core/surface/mesher/branch_axis.h"
+#include "core/surface/mesher/fork_layout.h"
+#include "core/surface/mesher/skeleton_normalise.h"
+#include <span>
+#include <vector>
+
+namespace ramure {
+
+/// None where a trunk has too few sides to show roots. \param sides of the trunk above its foot
+FootSize footSize(const MeshParams& params, Index sides);
+
+/// A foot in place. Its rings follow each other from the lowest, which lies under the ground, to the highest,
+/// which is a circle on the trunk; all have one number of points, and points of one number make a column.
+class TrunkFoot
+{
+public:
+    /// None where the trunk has none, leans too far or has no length. \param trunk stands on the ground at
+    /// its p0; \param sides around it above the foot; \param seed makes the roots of each tree its own.
+    TrunkFoot(const MeshBranch& trunk, const MeshParams& params, Index sides, std::uint64_t seed);
+
+    [[nodiscard]] bool isThere() const { return m_size.rings > 0; }
+    [[nodiscard]] const FootSize& size() const { return m_size; }
+    /// The azimuths of all columns on the highest ring, from the first column on.
+    [[nodiscard]] std::span<const RingPoint> columns() const { return m_columns; }
+    /// rad, of the first column in the frame of the trunk.
+    [[nodiscard]] double turned() const { return m_turned; }
+    /// \param frame of the trunk
+    [[nodiscard]] glm::dvec3 at(Index ring, Index column, const Frame& frame) const;
+    /// Takes the sections of the trunk's tube that are within the foot away; one at its top comes first.
+    void cutOff(std::vector<AxisSection>& sections) const;
+    /// The middle of the lowest ring.
+    [[nodiscard]] glm::dvec3 pole() const;
+    /// Points of each root, the valley after it the last of them.
+    [[nodiscard]] Index pointsOfRoot() const { return m_size.points / m_size.roots; }
+
+private:
+    struct Root
+    {
+        double azimuth;           ///< rad, in the trunk's frame
+        double before, after;     ///< rad, to the valleys on both sides
+        double height;            ///< m, at which it leaves the trunk
+        double decay;             ///< m, within which its crest falls to 1/e
+        double wander, wanderLag; ///< rad, how far it turns to the side, half of it so many m away
+    };
+    struct Column
+    {
+        Index root;
+        double side; ///< -1 and 1 in the valleys, 0 on the crest
+    };
+    void placeRoots(const MeshParams& params, std::uint64_t seed);
+    void placeColumns();
+    [[nodiscard]] double heightOf(Index ring, double beside) const;
+    [[nodiscard]] double crestOf(const Root& root, double height) const;
+
+    FootSize m_size;
+    glm::dvec3 m_start{0.0}, m_way{0.0, 1.0, 0.0}; ///< where the trunk stands, and its unit direction
+    double m_top = 0.0, m_height = 0.0, m_radius = 0.0;
+    double m_turned = 0.0;
+    double m_sunk = 0.0; ///< m, how far the crests sink under the ground on the whole
+    std::vector<Root> m_roots;
+    std::vector<Column> m_columnOf;
+    std::vector<RingPoint> m_columns;
+};
+
+} // namespace ramure
