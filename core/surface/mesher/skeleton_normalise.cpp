@@ -15,6 +15,7 @@ namespace {
 
 constexpr double tinyLengthOfScene = 1e-6;
 constexpr double tinyLengthOfRadius = 1e-3;
+constexpr double discOfRadius = 0.6;
 constexpr double tinyRadiusOfScene = 1e-4;
 constexpr double mostLeastRadiusOfScene = 5e-4;
 constexpr double mostGapOfRadius = 0.48;
@@ -189,8 +190,10 @@ void Normaliser::appendChildren(Index from, Index to)
 
 bool Normaliser::contract(Index branch)
 {
-    const auto tooShort = [this](const Sibling& s) {
-        return s.length <= std::max(m_tinyLength, tinyLengthOfRadius * m_a0[s.id]);
+    const bool forks = m_options.forkLength > 0.0 && m_siblings.size() > 1;
+    const auto tooShort = [this, forks](const Sibling& s) {
+        const bool goesOn = forks && m_firstChild[s.id] != noIndex; // past a disc that would pinch the fork
+        return s.length <= std::max(m_tinyLength, (goesOn ? discOfRadius : tinyLengthOfRadius) * m_a0[s.id]);
     };
     if (std::none_of(m_siblings.begin(), m_siblings.end(), tooShort))
         return false;
