@@ -489,7 +489,9 @@ private slots:
                 const glm::dvec3 p(mesh.positions[v]);
                 const glm::dvec3 to = windPreview(facts.profile, {p, glm::dvec3(mesh.normals[v])},
                                                   vertices[v], known.settings, known.elements, now);
-                most = std::max(most, glm::distance(p, to));
+                // What lies under the ground may turn with the trunk.
+                const double depth = std::max(known.tree.base - double(mesh.positions[v].y), 0.0);
+                most = std::max(most, glm::distance(p, to) - 0.2 * depth);
             }
         }
         qInfo("%s: %d vertices at the foot move by up to %g mm", qPrintable(preset), atFoot, 1000.0 * most);

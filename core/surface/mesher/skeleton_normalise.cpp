@@ -27,27 +27,24 @@ constexpr double smallestScene = 1e-12;
 
 Expected<void> checkNumbers(const Skeleton& skeleton)
 {
+    const auto refuse = [](const char* text, Index i) {
+        return fail(ErrorCode::Invalid, text, {std::to_string(i)});
+    };
     for (Index i = 0; i < skeleton.size(); ++i) {
         if (!isFinite(skeleton.p0[i]) || !isFinite(skeleton.p1[i]) || !std::isfinite(skeleton.a0[i]) ||
             !std::isfinite(skeleton.a1[i]))
-            return fail(ErrorCode::Invalid,
-                        RAMURE_NOOP("Branch %1 has a coordinate or a radius that is not finite"),
-                        {std::to_string(i)});
+            return refuse(RAMURE_NOOP("Branch %1 has a coordinate or a radius that is not finite"), i);
         if (skeleton.a0[i] < 0.0 || skeleton.a1[i] < 0.0)
-            return fail(ErrorCode::Invalid, RAMURE_NOOP("Branch %1 has a negative radius"),
-                        {std::to_string(i)});
+            return refuse(RAMURE_NOOP("Branch %1 has a negative radius"), i);
         if (skeleton.parent[i] != noIndex && skeleton.parent[i] >= i)
-            return fail(ErrorCode::Invalid, RAMURE_NOOP("Branch %1 comes before its parent"),
-                        {std::to_string(i)});
+            return refuse(RAMURE_NOOP("Branch %1 comes before its parent"), i);
         const glm::dvec3 reach = glm::max(glm::abs(skeleton.p0[i]), glm::abs(skeleton.p1[i]));
         if (std::max({reach.x, reach.y, reach.z, skeleton.a0[i], skeleton.a1[i]}) > largestCoordinate)
-            return fail(ErrorCode::Invalid, RAMURE_NOOP("Branch %1 is too large for a mesh"),
-                        {std::to_string(i)});
+            return refuse(RAMURE_NOOP("Branch %1 is too large for a mesh"), i);
     }
     return {};
 }
 
-/// A sibling during the clean-up of one fork.
 struct Sibling
 {
     Index id;
@@ -81,6 +78,12 @@ private:
     [[nodiscard]] StemLimb limb(const Sibling& sibling) const
     {
         return {sibling.direction, sibling.length, m_a0[sibling.id], m_firstChild[sibling.id] != noIndex};
+    }
+    [[nodiscard]] std::vector<StemLimb> limbs() const
+    {
+        std::vector<StemLimb> out;
+        std::ranges::transform(m_siblings, std::back_inserter(out), [this](auto& s) { return limb(s); });
+        return out;
     }
     void putOffChildren(Index parentOut);
     [[nodiscard]] bool canLift(const Sibling& stem) const;
@@ -190,10 +193,10 @@ void Normaliser::appendChildren(Index from, Index to)
 
 bool Normaliser::contract(Index branch)
 {
-    const bool forks = m_options.forkLength > 0.0 && m_siblings.size() > 1;
-    const auto tooShort = [this, forks](const Sibling& s) {
-        const bool goesOn = forks && m_firstChild[s.id] != noIndex; // past a disc that would pinch the fork
-        return s.length <= std::max(m_tinyLength, (goesOn ? discOfRadius : tinyLengthOfRadius) * m_a0[s.id]);
+    const bool twins = m_options.forkLength > 0.0 && stemOf(limbs()) == noIndex;
+    const auto tooShort = [this, twins](const Sibling& s) { // between twins, a disc that would pinch the fork
+        const double share = twins && m_firstChild[s.id] != noIndex ? discOfRadius : tinyLengthOfRadius;
+        return s.length <= std::max(m_tinyLength, share * m_a0[s.id]);
     };
     if (std::none_of(m_siblings.begin(), m_siblings.end(), tooShort))
         return false;
@@ -505,15 +508,13 @@ void Normaliser::emitPlate(Index root)
 /// The first one is the next to come.
 void Normaliser::putOffChildren(Index parentOut)
 {
-    std::vector<StemLimb> limbs;
-    for (const Sibling& sibling : m_siblings)
-        limbs.push_back(limb(sibling));
-    const Index stem = stemOf(limbs);
+    const std::vector<StemLimb> all = limbs();
+    const Index stem = stemOf(all);
     for (std::size_t i = m_siblings.size(); i-- > 0;) {
         const bool isLimb = stem != noIndex && i != stem;
         glm::dvec3 start(0.0);
         if (isLimb)
-            start = limbStart(limbs[i], limbs[stem]) * limbs[stem].direction;
+            start = limbStart(all[i], all[stem]) * all[stem].direction;
         m_stack.push_back({m_siblings[i].id, parentOut, start, isLimb});
     }
 }
@@ -571,7 +572,7 @@ Expected<void> Normaliser::run(const Progress& progress)
             const bool hasFoot = pending.parentOut == noIndex && m_options.roots > 0 &&
                                  std::abs(m_in.p0[pending.id].y) <= m_a0[pending.id];
             emit(hasFoot ? endOfFoot(pending.id) : pending.id, pending.parentOut, start);
-            m_out.branches[index].hasFoot = hasFoot;
+            m_out.branches[index].foot = hasFoot ? pending.id : noIndex;
         }
         m_out.branches[index].isLimb = pending.isLimb;
         putOffChildren(index);

@@ -18,8 +18,8 @@ struct MeshBranch
     Index source = noIndex; ///< branch of the skeleton it was made from
     bool isSawn = false;    ///< its end is flat
     bool isLimb = false;    ///< it leaves a sibling to its side, and is straight until its end
-    bool hasFoot = false;   ///< a trunk that stands on the ground with roots
     bool isPlate = false;   ///< no branch of the skeleton: what stems stand on that start together
+    Index foot = noIndex;   ///< of a trunk with roots: the branch of the skeleton that stands on the ground
     Index firstChild = 0;   ///< its children are children[firstChild .. firstChild + childCount)
     Index childCount = 0;
 

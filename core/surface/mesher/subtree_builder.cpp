@@ -67,7 +67,7 @@ void SubtreeBuilder::buildRoot(Index root)
     axis.foot = foot.size();
     m_sink.startTube(branch.source, noIndex, axis);
     if (foot.isThere()) {
-        const Index top = m_tubes.startFoot(foot, first.frame, branch.source);
+        const Index top = m_tubes.startFoot(foot, first.frame, branch.foot);
         foot.cutOff(m_sections);
         m_tubes.finish(root, m_sections, 0, {top, foot.columns(), foot.turned()}, m_ends);
     } else {

@@ -12,7 +12,7 @@ namespace ramure {
 namespace {
 
 constexpr std::int64_t fewestRoots = 3;
-constexpr Index fewestSides = 6;     ///< of a trunk that shows roots
+constexpr Index fewestSides = 4;     ///< of a trunk that shows roots
 constexpr double mostOfTrunk = 0.7;  ///< the foot's share of the trunk's first branch
 constexpr double steepest = 0.5;     ///< the least rise of a trunk that stands
 constexpr double sunkShare = 0.06;   ///< of the foot's height
@@ -41,7 +41,7 @@ TrunkFoot::TrunkFoot(const MeshBranch& trunk, const MeshParams& params, Index si
 {
     const glm::dvec3 way = trunk.p1 - trunk.p0;
     const double length = glm::length(way);
-    if (!trunk.hasFoot || !(length > 0.0) || way.y < steepest * length)
+    if (trunk.foot == noIndex || !(length > 0.0) || way.y < steepest * length)
         return;
     // The radius at the top of the foot, which is as high as the radius there says.
     double top = 0.0, radius = trunk.radiusAt(0.0);

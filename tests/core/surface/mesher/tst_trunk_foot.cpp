@@ -41,7 +41,7 @@ TrunkFoot footOf(const Skeleton& skeleton, const BranchMeshOptions& options, std
     trunk.p1 = skeleton.p1[0];
     trunk.a0 = skeleton.a0[0];
     trunk.a1 = skeleton.a1[0];
-    trunk.hasFoot = true;
+    trunk.foot = 0;
     return {trunk, options, static_cast<Index>(options.radialDivisions), seed};
 }
 
