@@ -16,6 +16,8 @@ namespace {
 constexpr double tinyLengthOfScene = 1e-6;
 constexpr double tinyLengthOfRadius = 1e-3;
 constexpr double discOfRadius = 0.6;
+constexpr std::size_t smallFork =
+    6; ///< children: heads of palms, whose pieces of trunk carry fronds, are larger
 constexpr double tinyRadiusOfScene = 1e-4;
 constexpr double mostLeastRadiusOfScene = 5e-4;
 constexpr double mostGapOfRadius = 0.48;
@@ -78,12 +80,6 @@ private:
     [[nodiscard]] StemLimb limb(const Sibling& sibling) const
     {
         return {sibling.direction, sibling.length, m_a0[sibling.id], m_firstChild[sibling.id] != noIndex};
-    }
-    [[nodiscard]] std::vector<StemLimb> limbs() const
-    {
-        std::vector<StemLimb> out;
-        std::ranges::transform(m_siblings, std::back_inserter(out), [this](auto& s) { return limb(s); });
-        return out;
     }
     void putOffChildren(Index parentOut);
     [[nodiscard]] bool canLift(const Sibling& stem) const;
@@ -193,9 +189,10 @@ void Normaliser::appendChildren(Index from, Index to)
 
 bool Normaliser::contract(Index branch)
 {
-    const bool twins = m_options.forkLength > 0.0 && stemOf(limbs()) == noIndex;
-    const auto tooShort = [this, twins](const Sibling& s) { // between twins, a disc that would pinch the fork
-        const double share = twins && m_firstChild[s.id] != noIndex ? discOfRadius : tinyLengthOfRadius;
+    const bool isSmallFork =
+        m_options.forkLength > 0.0 && m_siblings.size() > 1 && m_siblings.size() < smallFork;
+    const auto tooShort = [this, isSmallFork](const Sibling& s) { // a disc would pinch the fork
+        const double share = isSmallFork && m_firstChild[s.id] != noIndex ? discOfRadius : tinyLengthOfRadius;
         return s.length <= std::max(m_tinyLength, share * m_a0[s.id]);
     };
     if (std::none_of(m_siblings.begin(), m_siblings.end(), tooShort))
@@ -508,7 +505,9 @@ void Normaliser::emitPlate(Index root)
 /// The first one is the next to come.
 void Normaliser::putOffChildren(Index parentOut)
 {
-    const std::vector<StemLimb> all = limbs();
+    std::vector<StemLimb> all;
+    for (const Sibling& sibling : m_siblings)
+        all.push_back(limb(sibling));
     const Index stem = stemOf(all);
     for (std::size_t i = m_siblings.size(); i-- > 0;) {
         const bool isLimb = stem != noIndex && i != stem;

@@ -12,7 +12,7 @@ namespace ramure {
 namespace {
 
 constexpr std::int64_t fewestRoots = 3;
-constexpr Index fewestSides = 4;     ///< of a trunk that shows roots
+constexpr Index fewestSides = 3;     ///< of a trunk that shows roots
 constexpr double mostOfTrunk = 0.7;  ///< the foot's share of the trunk's first branch
 constexpr double steepest = 0.5;     ///< the least rise of a trunk that stands
 constexpr double sunkShare = 0.06;   ///< of the foot's height
@@ -33,7 +33,7 @@ FootSize footSize(const MeshParams& params, Index sides)
     if (params.roots <= 0 || sides < fewestSides)
         return {};
     const auto roots = static_cast<Index>(std::max(params.roots, fewestRoots));
-    const Index pairs = std::clamp<Index>((4 * sides / (5 * roots)), 1, 12);
+    const Index pairs = std::clamp<Index>((4 * sides / (5 * roots)), 0, 12);
     return {std::clamp<Index>(sides / 2, 4, 16), roots * (2 * pairs + 2), roots};
 }
 

@@ -189,7 +189,7 @@ void TubeBuilder::closeFoot(const TrunkFoot& foot, Index pole)
     const Index pairs = (perRoot - 2) / 2;
     for (Index begin = 0; begin < points; begin += perRoot) {
         const Index crest = first + begin + pairs;
-        sink.addTriangle(crest + 1, crest, crest - 1);
+        sink.addTriangle(crest + 1, crest, begin == 0 && pairs == 0 ? first + points - 1 : crest - 1);
         for (Index i = 1; i <= pairs; ++i) {
             const bool atValley = i == pairs && begin == 0;
             const Index before = atValley ? first + points - 1 : crest - i - 1;
