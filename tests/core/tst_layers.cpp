@@ -306,8 +306,8 @@ constexpr Rule rules[] = {
     {"work on another thread is a Job's",
      R"((core/(?!qt/session/jobs/job\.|base/parallel)|widgets/|app/(?!cli/work\.)).*)",
      R"(std::(jthread|async|thread(?!::))\b)"},
-    {"only the document makes, undoes and redoes steps",
-     R"((core/(?!qt/document/undo_steps\.)|widgets/|app/).*)",
+    {"only the history of the document makes, undoes and redoes steps",
+     R"((core/(?!qt/document/undo_history\.)|widgets/|app/).*)",
      R"(\bQUndo(View|Group)\b|\bnew (QUndo\w+|UndoStep)\b|\b(begin|end)Macro\b|)"
      R"([uU]ndo[sS]tack(\(\))?\s*(\.|->)\s*(push|undo|redo|setIndex)\b|QUndoStack::(push|undo|redo|setIndex)\b)"},
     {"tests wait for what is to happen, not for a time", R"(tests/(?!support/waits\.h).*)",

@@ -205,9 +205,9 @@ void TestBranchPlaces::randomEditsUndoToTheSameBytes()
             QVERIFY(f.params().branches.contains(edit.name) && !names.contains(edit.name));
     }
     const QByteArray after = writeProject(document.project());
-    document.goToStep(1); // the first one made the tree
+    document.history().goToStep(1); // the first one made the tree
     QCOMPARE(writeProject(document.project()), before);
-    document.goToStep(document.undoStack()->count());
+    document.history().goToStep(document.undoStack()->count());
     QCOMPARE(writeProject(document.project()), after);
 }
 

@@ -56,7 +56,7 @@ private:
     {
         const auto copies = edit::duplicateNodes(f.document, {4});
         const GestureId gesture = hold(f.document);
-        f.document.joinToLastStep(gesture);
+        f.document.history().joinToLast(gesture);
         for (const double x : {1.0, 2.5})
             (void)place(f.document, copies->front(), x, gesture);
         return gesture;
@@ -194,13 +194,13 @@ void TestUndoSteps::somebodyElsesCommandKeepsTheGesture()
     Fixture f;
     QVERIFY(place(f.document, 2, 1.0));
     f.document.markSaved();
-    const QSignalSpy ended(&f.document, &Document::gestureEnded);
+    const QSignalSpy ended(&f.document.history(), &UndoHistory::gestureEnded);
     const GestureId gesture = hold(f.document);
     QVERIFY(place(f.document, 2, 2.0, gesture));
     QVERIFY(f.document.isModified());
     QVERIFY(place(f.document, 2, 3.0));
     QCOMPARE(ended.count(), 1);
-    QVERIFY(!f.document.isHeld(gesture));
+    QVERIFY(!f.document.history().isHeld(gesture));
     f.document.keepGesture(gesture);
     QCOMPARE(f.stack.count(), 3);
     f.document.undo();
@@ -231,7 +231,7 @@ void TestUndoSteps::undoGivesUpTheGesture()
 {
     Fixture f;
     QVERIFY(place(f.document, 2, 1.0));
-    const QSignalSpy ended(&f.document, &Document::gestureEnded);
+    const QSignalSpy ended(&f.document.history(), &UndoHistory::gestureEnded);
     const GestureId gesture = hold(f.document);
     QVERIFY(place(f.document, 2, 2.0, gesture));
     f.document.undo();
@@ -241,11 +241,11 @@ void TestUndoSteps::undoGivesUpTheGesture()
     QVERIFY(!f.document.giveUpGesture(gesture));
     // One that has changed nothing yet is no step that could be taken back.
     hold(f.document);
-    QVERIFY(f.document.canUndo());
+    QVERIFY(f.document.history().canUndo());
     f.document.undo();
-    QVERIFY(!f.document.isHolding());
+    QVERIFY(!f.document.history().isHolding());
     QCOMPARE(placeOf(f.document, 2), 0.0);
-    QVERIFY(!f.document.canUndo());
+    QVERIFY(!f.document.history().canUndo());
 }
 
 void TestUndoSteps::redoGivesUpTheGesture()
@@ -259,7 +259,7 @@ void TestUndoSteps::redoGivesUpTheGesture()
     QCOMPARE(placeOf(f.document, 2), 1.0);
     QCOMPARE(placeOf(f.document, 3), 0.0);
     QVERIFY(place(f.document, 3, 2.0, hold(f.document)));
-    f.document.goToStep(0);
+    f.document.history().goToStep(0);
     QCOMPARE(placeOf(f.document, 2), 0.0);
     QCOMPARE(placeOf(f.document, 3), 0.0);
     QVERIFY(f.stack.canRedo());
@@ -270,7 +270,7 @@ void TestUndoSteps::savingKeepsTheGesture()
     Fixture f;
     const GestureId gesture = hold(f.document);
     QVERIFY(place(f.document, 2, 2.0, gesture));
-    f.document.settleGesture();
+    f.document.history().settle();
     const QByteArray saved = fileOf(f.document);
     f.document.markSaved();
     QVERIFY(place(f.document, 2, 3.0, gesture)); // whoever does not listen goes on
@@ -347,7 +347,7 @@ void TestUndoSteps::tenThousandInterleavings()
             } else if (what == 10) {
                 document.redo();
             } else if (random.below(2) == 0) {
-                document.settleGesture();
+                document.history().settle();
                 document.markSaved();
             } else {
                 const OneStep step(document, QStringLiteral("several"));
@@ -358,13 +358,13 @@ void TestUndoSteps::tenThousandInterleavings()
             if (!document.undoStack()->canRedo())
                 states.resize(std::min(before, index) + 1);
             states.resize(std::max(states.size(), index + 1));
-            if (document.isHolding())
+            if (document.history().isHolding())
                 continue;
             if (what >= 8 && what <= 10 && states[index])
                 QVERIFY(document.scene() == *states[index]);
             states[index] = document.scene();
         }
-        document.settleGesture();
+        document.history().settle();
         undoAndRedoAll(document, first);
         if (QTest::currentTestFailed()) {
             qInfo("in round %d", round);
@@ -376,14 +376,14 @@ void TestUndoSteps::tenThousandInterleavings()
 void TestUndoSteps::theOldestStepsGo()
 {
     Fixture f;
-    const QSignalSpy forgotten(&f.document, &Document::stepsForgotten);
+    const QSignalSpy forgotten(&f.document.history(), &UndoHistory::stepsForgotten);
     const auto rename = [&f](int i) {
         return edit::setParam(f.document, {2}, *findParam("grammar.axiom"),
                               std::string(100'000, char('A' + i)));
     };
     QVERIFY(rename(0));
     f.document.markSaved();
-    f.document.setUndoMemory(1'000'000);
+    f.document.history().setMemory(1'000'000);
     for (int i = 1; i < 20; ++i)
         QVERIFY(rename(i));
     QCOMPARE(forgotten.count(), 1);
@@ -408,7 +408,7 @@ void TestUndoSteps::theOldestStepsGo()
         f.document.undo();
     QVERIFY(!f.document.isModified());
     // The last step always stays.
-    f.document.setUndoMemory(1);
+    f.document.history().setMemory(1);
     QVERIFY(rename(5));
     QCOMPARE(f.stack.count(), 1);
     f.document.undo();
@@ -424,8 +424,8 @@ void TestUndoSteps::sharedDataCountsOnce()
     mesh.triangles.assign(1, {0, 1, 2});
     node.mesh = SharedValue<TriangleMesh>(mesh);
     document.reset(*Scene::fromNodes({node}), {});
-    document.setUndoMemory(2'000'000); // one such mesh, not two
-    const QSignalSpy forgotten(&document, &Document::stepsForgotten);
+    document.history().setMemory(2'000'000); // one such mesh, not two
+    const QSignalSpy forgotten(&document.history(), &UndoHistory::stepsForgotten);
     for (int i = 0; i < 10; ++i) { // the scene has the mesh, too
         const auto copy = edit::duplicateNodes(document, {1});
         QVERIFY(copy && edit::removeNodes(document, *copy));

@@ -153,7 +153,7 @@ void TestArmBaker::keysMoveWithTheirJoints()
     QVERIFY(edit::removeJoint(desk.document, 1, 0));
     QCOMPARE(desk.arm().animation.find(angleOf(0, false)), second);
     QVERIFY(!desk.arm().animation.find(angleOf(2, false)));
-    desk.document.goToStep(1);
+    desk.document.history().goToStep(1);
     QVERIFY(desk.document.scene() == baked);
     for (int i = 0; i < 100; ++i)
         (void)edit::addJoint(desk.document, 1, 0);

@@ -138,7 +138,7 @@ void TestArmReach::anArmThatArrivesWaitsForTheHand()
     desk.document.holdGesture(drag);
     QVERIFY(edit::setParam(desk.document, {2}, *findParam("tree.translation"), glm::dvec3(1.0), drag));
     desk.reach.finish();
-    QVERIFY(desk.document.isHeld(drag));
+    QVERIFY(desk.document.history().isHeld(drag));
     desk.document.keepGesture(drag);
     QCOMPARE(desk.document.undoStack()->count(), 2);
     desk.reach.step();

@@ -115,7 +115,7 @@ QList<QAction*> EditActions::nodeActions() const
 
 void EditActions::follow(const Change& change)
 {
-    m_set->find("edit.undo")->setEnabled(m_document->canUndo()); // also what a hand is doing now
+    m_set->find("edit.undo")->setEnabled(m_document->history().canUndo()); // also what a hand is doing now
     const bool isVaried = change.has(changeParams) && change.firstStale <= Stage::Skeleton;
     if (isVaried || change.has(changeSelection | changeStructure | changeReset | changeNodeState |
                                changeBranches | changeResults))
@@ -181,7 +181,7 @@ void EditActions::updateUndoTexts()
 {
     const QUndoStack* stack = m_document->undoStack();
     QAction *undo = m_set->find("edit.undo"), *redo = m_set->find("edit.redo");
-    undo->setEnabled(m_document->canUndo());
+    undo->setEnabled(m_document->history().canUndo());
     redo->setEnabled(stack->canRedo());
     const auto name = [](const QString& base, const QString& what) {
         return what.isEmpty() ? base : QStringLiteral("%1: %2").arg(base, what);

@@ -146,7 +146,7 @@ void FileActions::reportError(const QString& what, const Error& error)
 
 bool FileActions::mayDiscard()
 {
-    m_document->settleGesture();
+    m_document->history().settle();
     if (!m_document->isModified())
         return true;
     switch (m_chooser->unsavedChanges(documentName())) {
@@ -327,7 +327,7 @@ bool FileActions::saveAs()
 
 bool FileActions::saveTo(const QString& path)
 {
-    m_document->settleGesture();
+    m_document->history().settle();
     if (const auto done = saveProjectFile(m_document->project(), path); !done) {
         reportError(tr("“%1” could not be saved. Nothing is lost: the file on disk is as it was, and your "
                        "changes are "

@@ -125,7 +125,7 @@ void Viewport::beginMovingCopies()
 {
     beginTransform(TransformTool::Move);
     if (isTransforming())
-        d->document->joinToLastStep(d->tools.tool<GizmoTool>().gesture());
+        d->document->history().joinToLast(d->tools.tool<GizmoTool>().gesture());
 }
 
 /// Only what the mouse does not say: the same event follows as that of a mouse.

@@ -159,11 +159,11 @@ void MainWindow::connectPanels()
                           tr("The preferences cannot be stored. They hold until the program ends.") + u'\n' +
                               errorTextWithPlace(error));
     });
-    connect(m_document, &Document::stepsForgotten, this, [this] {
+    connect(&m_document->history(), &UndoHistory::stepsForgotten, this, [this] {
         m_chooser->report(Severity::Info,
                           tr("The oldest steps can no longer be undone: all steps together held more than "
                              "%1 of memory.")
-                              .arg(locale().formattedDataSize(qint64(Document::usualUndoMemory), 0)));
+                              .arg(locale().formattedDataSize(qint64(UndoHistory::usualMemory), 0)));
     });
     applyUnits();
     m_scene->setTime([this] { return m_player->timeSeconds(); });

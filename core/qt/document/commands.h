@@ -12,11 +12,6 @@
 
 namespace ramure {
 
-/// A gesture: commands with the same id merge. 0 = never merge.
-using GestureId = quint64;
-/// Another one than ever before; from any thread.
-GestureId newGesture();
-
 /// All commands that are pushed while it lives are one step of undo; where there are none, no step. What a
 /// hand holds is kept before.
 class OneStep
@@ -25,9 +20,9 @@ public:
     OneStep(Document& document, const QString& text)
         : m_document(document)
     {
-        m_document.beginStep(text);
+        m_document.history().beginStep(text);
     }
-    ~OneStep() { m_document.endStep(); }
+    ~OneStep() { m_document.history().endStep(); }
     OneStep(const OneStep&) = delete;
     OneStep& operator=(const OneStep&) = delete;
 

@@ -12,8 +12,9 @@ namespace ramure {
 
 Document::Document(QObject* parent)
     : QObject(parent)
+    , m_history(m_scene)
 {
-    connect(&m_undoStack, &QUndoStack::cleanChanged, this, [this] {
+    connect(m_history.stack(), &QUndoStack::cleanChanged, this, [this] {
         Change change;
         change.kinds = changeFile;
         tell(change, [] {});
@@ -22,7 +23,13 @@ Document::Document(QObject* parent)
 
 Document::~Document()
 {
-    m_undoStack.disconnect(this); // it tells of its own end, when the rest of the document is gone
+    disconnect(m_history.stack(), nullptr, this,
+               nullptr); // it tells of its own end, when the rest of the document is gone
+}
+
+void Document::push(std::unique_ptr<DocumentCommand> command)
+{
+    m_history.push(std::move(command));
 }
 
 const NodeResult* Document::result(NodeId id) const
@@ -70,9 +77,7 @@ void Document::setFilePath(const QString& path)
 
 void Document::reset(Scene scene, const QString& path, std::string extras)
 {
-    m_heldGesture = 0; // what it changed goes with the scene
-    m_held.clear();
-    emit gestureEnded();
+    m_history.drop();
     Change change;
     change.kinds = changeReset | changeStructure | changeSelection | changeFile;
     change.firstStale = Stage::Symbols;
@@ -89,8 +94,7 @@ void Document::reset(Scene scene, const QString& path, std::string extras)
     m_extras = std::move(extras);
     {
         const QSignalBlocker quiet(this); // the stack may become clean; one news is enough
-        m_undoStack.clear();
-        m_hasForgotten = false;
+        m_history.clear();
     }
     settle(change);
     emit changed(change);

@@ -1,5 +1,5 @@
 /// \file
-/// What stands on the undo stack. For the document only.
+/// What stands on the undo stack. For UndoHistory only.
 #pragma once
 
 #include "core/qt/document/document_command.h"
@@ -23,7 +23,7 @@ public:
     void redo() override;
     bool mergeWith(const QUndoCommand* other) override;
 
-    /// What this gesture does, once it is kept, becomes part of this step, see Document::joinToLastStep.
+    /// What this gesture does, once it is kept, becomes part of this step, see UndoHistory::joinToLast.
     void awaitGesture(GestureId gesture) { m_awaited = gesture; }
     [[nodiscard]] bool awaits(GestureId gesture) const { return gesture != 0 && gesture == m_awaited; }
     /// \pre the scene is as after both

@@ -191,7 +191,7 @@ private:
         show(whole, "arm-panel");
         whole.resize(whole.minimumSizeHint().width(), 760);
         look(&whole, "arm-panel-narrow");
-        m_document->goToStep(0);
+        m_document->history().goToStep(0);
         m_document->setSelection({});
     }
     /// All groups unfolded, advanced rows too, a wrong grammar with its message: as long as the panel gets.

@@ -19,7 +19,7 @@ KeyCurves::KeyCurves(KeyModel* model, KeyCommands* commands, TimelineRuler* rule
     setAccessibleName(tr("Curves"));
     connect(model, &KeyModel::rowsChanged, this, &KeyCurves::followModel);
     connect(model, &KeyModel::selectionChanged, this, qOverload<>(&QWidget::update));
-    connect(model->document(), &Document::gestureEnded, this, &KeyCurves::giveUp);
+    connect(&model->document()->history(), &UndoHistory::gestureEnded, this, &KeyCurves::giveUp);
     connect(ruler, &TimelineRuler::viewChanged, this, qOverload<>(&QWidget::update));
     takeCurves();
 }

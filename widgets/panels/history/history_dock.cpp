@@ -123,7 +123,7 @@ HistoryDock::HistoryDock(Document* document, QWidget* parent)
     connect(m_view->selectionModel(), &QItemSelectionModel::currentChanged, this,
             [document, stack](const QModelIndex& current) {
                 if (current.isValid() && current.row() != stack->index())
-                    document->goToStep(current.row());
+                    document->history().goToStep(current.row());
             });
     follow();
     drawCleanIcon();

@@ -18,7 +18,7 @@ ToolManager::ToolManager(ToolContext& context)
         for (const auto& tool : m_tools)
             tool->documentChanged(change);
     });
-    QObject::connect(&context.document, &Document::gestureEnded, &m_picks, [this] { cancel(); });
+    QObject::connect(&context.document.history(), &UndoHistory::gestureEnded, &m_picks, [this] { cancel(); });
 }
 
 ToolManager::~ToolManager()

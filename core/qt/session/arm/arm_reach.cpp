@@ -168,7 +168,8 @@ void ArmReach::advance(int ticks)
         report();
     }
     // An arm that arrives while a hand drags something else waits: it does not end that drag.
-    if (m_way->motion.isStill() && (!m_document->isHolding() || m_document->isHeld(m_way->gesture)))
+    if (m_way->motion.isStill() &&
+        (!m_document->history().isHolding() || m_document->history().isHeld(m_way->gesture)))
         land();
     emit moved();
 }

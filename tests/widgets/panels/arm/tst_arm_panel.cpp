@@ -88,7 +88,7 @@ void TestArmPanel::jointsAreAddedAndRemoved()
     for (int i = 0; i < 100; ++i)
         desk.panel.removeJoint();
     QCOMPARE(desk.joints().size(), leastArmJoints);
-    desk.document.goToStep(0);
+    desk.document.history().goToStep(0);
     QVERIFY(desk.joints()[2].length == 1.2);
     QCOMPARE(desk.panel.findChild<QListWidget*>()->count(), 3);
 }

@@ -453,17 +453,17 @@ void TestGizmoDrag::cancellingLeavesWhatCanBeRedone()
             drag(true);
         std::vector<QByteArray> states(std::size_t(stack.count()) + 1);
         for (int i = 0; i <= stack.count(); ++i) {
-            desk.document.goToStep(i);
+            desk.document.history().goToStep(i);
             states[std::size_t(i)] = writeProject(desk.document.project());
         }
         const int count = stack.count(), index = int(random.below(std::uint32_t(count + 1)));
-        desk.document.goToStep(index);
+        desk.document.history().goToStep(index);
         for (int i = 0; i < 3; ++i)
             drag(false);
         QCOMPARE(stack.count(), count);
         QCOMPARE(stack.index(), index);
         for (const int i : {index, count, 0, index}) {
-            desk.document.goToStep(i);
+            desk.document.history().goToStep(i);
             QCOMPARE(writeProject(desk.document.project()), states[std::size_t(i)]);
         }
     }
@@ -484,9 +484,9 @@ void TestGizmoDrag::whoeverEditsMeanwhileIsNotMixedUp()
     const QByteArray after = writeProject(desk.document.project());
     desk.drag->cancel();
     QCOMPARE(writeProject(desk.document.project()), after);
-    desk.document.goToStep(0);
+    desk.document.history().goToStep(0);
     QCOMPARE(writeProject(desk.document.project()), desk.before);
-    desk.document.goToStep(2);
+    desk.document.history().goToStep(2);
     QCOMPARE(writeProject(desk.document.project()), after);
     // Another document is opened under the hand.
     desk.begin(TransformTool::Move, std::nullopt);

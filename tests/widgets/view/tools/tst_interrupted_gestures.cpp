@@ -44,7 +44,7 @@ void TestInterruptedGestures::undoGivesUpTheStroke()
     for (int i = 1; i <= 8; ++i)
         bench.move(from + QPointF(12.0 * i, -4.0 * i));
     QVERIFY(!bench.edits().empty());
-    QVERIFY(bench.document.canUndo());
+    QVERIFY(bench.document.history().canUndo());
     bench.document.undo();
     QVERIFY(!bench.tools.current());
     QCOMPARE(bytesOf(bench), before);
@@ -117,7 +117,7 @@ void TestInterruptedGestures::anythingMeanwhileCanBeUndone()
         case 1:
             return document.redo();
         case 2:
-            document.settleGesture();
+            document.history().settle();
             return document.markSaved();
         case 3:
             return (void)edit::setParam(document, {1}, *findParam("physics.windStrength"), double(below(9)));
@@ -138,7 +138,7 @@ void TestInterruptedGestures::anythingMeanwhileCanBeUndone()
         if (bench.tools.current())
             bench.key(Qt::Key_Return);
         QVERIFY(!bench.tools.current());
-        QVERIFY(!document.isHolding());
+        QVERIFY(!document.history().isHolding());
         bench.grow();
     }
     while (document.undoStack()->canRedo()) // some may have been undone before

@@ -47,7 +47,7 @@ public:
     /// destroyed is kept, too.
     void keep();
     /// Brings everything back to the last bit; the undo stack is as it was before the drag, redo included.
-    /// Does nothing where the document has ended the gesture (Document::gestureEnded).
+    /// Does nothing where the document has ended the gesture (UndoHistory::gestureEnded).
     void cancel();
 
     [[nodiscard]] TransformTool tool() const { return m_tool; }
