@@ -9650,14 +9650,6 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
         <translation>Annulé. Aucun fichier n’a été modifié.</translation>
     </message>
     <message>
-        <source>Branches</source>
-        <translation>Branches</translation>
-    </message>
-    <message>
-        <source>Leaves</source>
-        <translation>Feuilles</translation>
-    </message>
-    <message>
         <source>Only what is selected</source>
         <translation>Seulement la sélection</translation>
     </message>
@@ -9783,64 +9775,12 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
         <translation>Usage de l’export</translation>
     </message>
     <message>
-        <source>Keep</source>
-        <translation>Garder</translation>
-    </message>
-    <message>
-        <source>Forget</source>
-        <translation>Oublier</translation>
-    </message>
-    <message>
-        <source>kept settings, or a name for these</source>
-        <translation>nom de réglages à garder</translation>
-    </message>
-    <message>
-        <source>Settings of this page that were kept under a name, or those of its last export. Where files go is not part of them.</source>
-        <translation>Réglages de cette page gardés sous un nom, ou ceux de son dernier export. L’emplacement des fichiers n’en fait pas partie.</translation>
-    </message>
-    <message>
         <source>Settings</source>
         <translation>Réglages</translation>
     </message>
     <message>
         <source>Levels</source>
         <translation>Niveaux</translation>
-    </message>
-    <message>
-        <source>As the last time</source>
-        <translation>Comme la dernière fois</translation>
-    </message>
-    <message>
-        <source>Keeps the choices of this page under this name</source>
-        <translation>Garde les choix de cette page sous ce nom</translation>
-    </message>
-    <message>
-        <source>Type a name first; the choices of this page are kept under it</source>
-        <translation>Tapez d’abord un nom ; les choix de cette page seront gardés sous celui-ci</translation>
-    </message>
-    <message>
-        <source>Forgets the settings of this name</source>
-        <translation>Oublie les réglages de ce nom</translation>
-    </message>
-    <message>
-        <source>No kept settings are chosen</source>
-        <translation>Aucun réglage gardé n’est choisi</translation>
-    </message>
-    <message>
-        <source>Nothing was exported from this page yet.</source>
-        <translation>Rien n’a encore été exporté depuis cette page.</translation>
-    </message>
-    <message>
-        <source>Kept as “%1”.</source>
-        <translation>Gardé sous « %1 ».</translation>
-    </message>
-    <message>
-        <source>%1 has no objects: leaves and fruit would be mixed into the one closed mesh of the branches. Tick them to write them all the same.</source>
-        <translation>%1 n’a pas d’objets : feuilles et fruits seraient mêlés à l’unique maillage fermé des branches. Cochez-les pour les écrire quand même.</translation>
-    </message>
-    <message>
-        <source>Fruit</source>
-        <translation>Fruits</translation>
     </message>
     <message>
         <source>In the view behind this dialog, trees move as they will in that engine</source>
@@ -9916,6 +9856,13 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
     <message>
         <source>Click: type an angle</source>
         <translation>Clic : taper un angle</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::FaultsLine</name>
+    <message>
+        <source>Show</source>
+        <translation>Afficher</translation>
     </message>
 </context>
 <context>
@@ -10501,6 +10448,57 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
     <message>
         <source>Release: all goes but this limb · Esc: all stays</source>
         <translation>Lâcher : tout s’en va sauf cette branche · Échap : tout reste</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::KeptForm</name>
+    <message>
+        <source>Keep</source>
+        <translation>Garder</translation>
+    </message>
+    <message>
+        <source>Forget</source>
+        <translation>Oublier</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Réglages</translation>
+    </message>
+    <message>
+        <source>kept settings, or a name for these</source>
+        <translation>nom de réglages à garder</translation>
+    </message>
+    <message>
+        <source>Settings of this page that were kept under a name, or those of its last export. Where files go is not part of them.</source>
+        <translation>Réglages de cette page gardés sous un nom, ou ceux de son dernier export. L’emplacement des fichiers n’en fait pas partie.</translation>
+    </message>
+    <message>
+        <source>As the last time</source>
+        <translation>Comme la dernière fois</translation>
+    </message>
+    <message>
+        <source>Keeps the choices of this page under this name</source>
+        <translation>Garde les choix de cette page sous ce nom</translation>
+    </message>
+    <message>
+        <source>Type a name first; the choices of this page are kept under it</source>
+        <translation>Tapez d’abord un nom ; les choix de cette page seront gardés sous celui-ci</translation>
+    </message>
+    <message>
+        <source>Forgets the settings of this name</source>
+        <translation>Oublie les réglages de ce nom</translation>
+    </message>
+    <message>
+        <source>No kept settings are chosen</source>
+        <translation>Aucun réglage gardé n’est choisi</translation>
+    </message>
+    <message>
+        <source>Nothing was exported from this page yet.</source>
+        <translation>Rien n’a encore été exporté depuis cette page.</translation>
+    </message>
+    <message>
+        <source>Kept as “%1”.</source>
+        <translation>Gardé sous « %1 ».</translation>
     </message>
 </context>
 <context>
@@ -11703,6 +11701,25 @@ restantes</translation>
     <message>
         <source>It has no effect while “%1” is off.</source>
         <translation>Sans effet tant que « %1 » est désactivé.</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::PartsForm</name>
+    <message>
+        <source>Branches</source>
+        <translation>Branches</translation>
+    </message>
+    <message>
+        <source>Leaves</source>
+        <translation>Feuilles</translation>
+    </message>
+    <message>
+        <source>Fruit</source>
+        <translation>Fruit</translation>
+    </message>
+    <message>
+        <source>%1 has no objects: leaves and fruit would be mixed into the one closed mesh of the branches. Tick them to write them all the same.</source>
+        <translation>%1 n’a pas d’objets : feuilles et fruits seraient mêlés à l’unique maillage fermé des branches. Cochez-les pour les écrire quand même.</translation>
     </message>
 </context>
 <context>

@@ -9,17 +9,18 @@
 #include "widgets/base/texts/core_text.h"
 #include "widgets/base/theme/preferences.h"
 #include "widgets/dialogs/export/export_task.h"
-#include "widgets/dialogs/export/mesh_faults.h"
+#include "widgets/dialogs/export/faults_line.h"
+#include "widgets/dialogs/export/kept_form.h"
 #include "widgets/dialogs/export/moment_form.h"
 #include "widgets/dialogs/export/option_fields.h"
+#include "widgets/dialogs/export/parts_form.h"
 #include "widgets/dialogs/export/print_form.h"
+#include "widgets/dialogs/export/print_preparer.h"
 #include "widgets/dialogs/picture_form.h"
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDialogButtonBox>
 #include <QDir>
 #include <QFileInfo>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QProgressBar>
@@ -29,7 +30,6 @@
 #include <QSignalBlocker>
 #include <QStyle>
 #include <QTabBar>
-#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -63,38 +63,12 @@ ExportDialog::ExportDialog(Document* document, Recompute* recompute, Preferences
     , m_chooser(chooser)
     , m_task(new ExportTask(this))
     , m_fields(new OptionFields(this))
-    , m_preparer(new Job(this, Job::Manner::Polite))
-    , m_printRest(new QTimer(this))
     , m_shownFrame(shownFrame)
 {
     setObjectName(QStringLiteral("exportDialog"));
     buildForm();
-    connect(m_format, &QComboBox::currentIndexChanged, this, &ExportDialog::takeFormat);
-    for (QCheckBox* box : {m_branches, m_leaves, m_apples})
-        connect(box, &QCheckBox::toggled, this, &ExportDialog::updateWidgets);
-    connect(m_fields, &OptionFields::changed, this, &ExportDialog::updateWidgets);
-    connect(m_fields->of<QComboBox>("instances"), &QComboBox::currentIndexChanged, this, [this](int row) {
-        // Nothing is mixed into the one mesh of a format without objects.
-        if (format() && !holds(holdsObjects))
-            for (QCheckBox* box : {m_leaves, m_apples})
-                box->setChecked(row == 1);
-    });
-    connect(m_path, &QLineEdit::textChanged, this, &ExportDialog::updateWidgets);
-    connect(m_moments, &MomentForm::changed, this, &ExportDialog::updateWidgets);
-    connect(m_pictures, &PictureForm::changed, this, &ExportDialog::updateSummary);
-    for (QCheckBox* box : {m_selection, m_hidden})
-        connect(box, &QCheckBox::toggled, this, &ExportDialog::updateSummary);
-    connectMessage();
-    connect(m_levels, &LevelForm::changed, this, &ExportDialog::updateSummary);
-    m_uses->setUsesScrollButtons(false); // on a small screen, too, all of them are seen
-    connect(m_uses, &QTabBar::currentChanged, this, &ExportDialog::takeUse);
-    buildPrint();
-    connect(m_browse, &QPushButton::clicked, this, &ExportDialog::browse);
-    connect(m_export, &QPushButton::clicked, this, &ExportDialog::startExport);
-    connect(m_cancel, &QPushButton::clicked, this, &ExportDialog::reject);
-    connect(m_task, &ExportTask::progress, this, [this](double fraction) {
-        m_progress->setValue(static_cast<int>(fraction * m_progress->maximum()));
-    });
+    connectForms();
+    connect(m_task, &ExportTask::progress, this, &ExportDialog::setProgress);
     connect(m_task, &ExportTask::finished, this, &ExportDialog::finish);
     connect(m_recompute, &Recompute::busyChanged, this, [this](bool busy) {
         if (m_waiting && !busy)
@@ -108,13 +82,41 @@ ExportDialog::ExportDialog(Document* document, Recompute* recompute, Preferences
     m_path->setText(
         QDir::toNativeSeparators(QDir(preferences->lastFolder()).filePath(name + QStringLiteral(".obj"))));
     setPicturesEnabled(false);
-    setTexts();
     takeFormat();
     m_usual = settings();
     turnPage(m_use);
 }
 
 ExportDialog::~ExportDialog() = default;
+
+void ExportDialog::connectForms()
+{
+    connect(m_format, &QComboBox::currentIndexChanged, this, &ExportDialog::takeFormat);
+    connect(m_parts, &PartsForm::changed, this, &ExportDialog::updateWidgets);
+    connect(m_fields, &OptionFields::changed, this, &ExportDialog::updateWidgets);
+    connect(m_fields->of<QComboBox>("instances"), &QComboBox::currentIndexChanged, this, [this](int row) {
+        // Nothing is mixed into the one mesh of a format without objects.
+        if (format() && !holds(holdsObjects))
+            m_parts->setFoliage(row == 1);
+    });
+    connect(m_path, &QLineEdit::textChanged, this, &ExportDialog::updateWidgets);
+    connect(m_moments, &MomentForm::changed, this, &ExportDialog::updateWidgets);
+    connect(m_pictures, &PictureForm::changed, this, &ExportDialog::updateSummary);
+    for (QCheckBox* box : {m_selection, m_hidden})
+        connect(box, &QCheckBox::toggled, this, &ExportDialog::updateSummary);
+    connectMessage();
+    connect(m_levels, &LevelForm::changed, this, &ExportDialog::updateSummary);
+    connect(m_uses, &QTabBar::currentChanged, this, &ExportDialog::takeUse);
+    connectPrint();
+    connect(m_browse, &QPushButton::clicked, this, &ExportDialog::browse);
+    connect(m_export, &QPushButton::clicked, this, &ExportDialog::startExport);
+    connect(m_kept, &KeptForm::chosen, this, &ExportDialog::setSettings);
+    connect(m_kept, &KeptForm::told, this, [this](const QString& text) { setMessage(text, false); });
+    connect(m_faults, &FaultsLine::showRequested, this, [this](NodeId tree) {
+        reject();
+        emit showRequested(tree);
+    });
+}
 
 /// What was wrong with the last attempt says nothing about the next one.
 void ExportDialog::connectMessage()
@@ -123,7 +125,8 @@ void ExportDialog::connectMessage()
     connect(m_format, &QComboBox::currentIndexChanged, this, forget);
     connect(m_fields, &OptionFields::changed, this, forget);
     connect(m_levels, &LevelForm::changed, this, forget);
-    for (QCheckBox* box : {m_branches, m_leaves, m_apples, m_selection, m_hidden})
+    connect(m_parts, &PartsForm::changed, this, forget);
+    for (QCheckBox* box : {m_selection, m_hidden})
         connect(box, &QCheckBox::toggled, this, forget);
     connect(m_path, &QLineEdit::textChanged, this, forget);
     connect(m_moments, &MomentForm::changed, this, forget);
@@ -131,59 +134,26 @@ void ExportDialog::connectMessage()
     connect(m_printing, &PrintForm::changed, this, forget);
 }
 
-/// What is not clean about the mesh, and the way to it.
-void ExportDialog::buildFaults(QVBoxLayout* layout)
-{
-    auto* row = new QHBoxLayout;
-    row->setSpacing(8);
-    m_faults = new QLabel(this);
-    m_faults->setObjectName(QStringLiteral("meshFaults"));
-    m_faults->setTextFormat(Qt::PlainText);
-    m_faults->setWordWrap(true);
-    m_show = new QPushButton(this);
-    m_show->setObjectName(QStringLiteral("showFaults"));
-    m_show->setAutoDefault(false);
-    row->addWidget(m_faults, 1);
-    row->addWidget(m_show, 0, Qt::AlignTop);
-    layout->addLayout(row);
-    connect(m_show, &QPushButton::clicked, this, [this] {
-        const NodeId tree = meshFaults(*m_document, m_analysis, options()).tree;
-        reject();
-        emit showRequested(tree);
-    });
-}
-
 void ExportDialog::setAnalysis(const Analysis* analysis)
 {
-    m_analysis = analysis;
-    if (m_analysis)
-        connect(m_analysis, &Analysis::changed, this, &ExportDialog::showFaults);
+    m_faults->setAnalysis(analysis);
+    if (analysis)
+        connect(analysis, &Analysis::changed, this, &ExportDialog::showFaults);
     showFaults();
 }
 
 void ExportDialog::showFaults()
 {
-    const MeshFaults found =
-        format() && !isPrint() ? meshFaults(*m_document, m_analysis, options()) : MeshFaults();
-    const QString& text = found.text;
-    m_faults->setText(text);
-    m_faults->setProperty("broken", found.mustAsk());
-    m_faults->style()->unpolish(m_faults);
-    m_faults->style()->polish(m_faults);
-    m_faults->setVisible(!text.isEmpty());
-    m_show->setVisible(!text.isEmpty());
-    const bool accepted = !text.isEmpty() && text == m_acceptedFaults;
-    m_export->setText(accepted ? tr("Export anyway") : tr("Export"));
+    m_faults->look(format() && !isPrint() ? std::optional(options()) : std::nullopt);
+    m_export->setText(m_faults->isAccepted() ? tr("Export anyway") : tr("Export"));
 }
 
 /// A broken mesh is written when the button is pressed a second time.
 bool ExportDialog::mayExportFaults()
 {
-    const MeshFaults found =
-        format() && !isPrint() ? meshFaults(*m_document, m_analysis, options()) : MeshFaults();
-    if (!found.mustAsk() || found.text == m_acceptedFaults)
+    showFaults();
+    if (m_faults->mayExport())
         return true;
-    m_acceptedFaults = found.text;
     showFaults();
     setMessage(tr("Export it all the same?"), false);
     return false;
@@ -223,7 +193,10 @@ void ExportDialog::setFormat(const QString& id)
 
 void ExportDialog::setPicturesEnabled(bool enabled)
 {
-    m_uses->setTabEnabled(static_cast<int>(ExportUse::Pictures), enabled);
+    const int tab = static_cast<int>(ExportUse::Pictures);
+    m_uses->setTabEnabled(tab, enabled);
+    m_uses->setTabToolTip(tab, enabled ? tipOf(ExportUse::Pictures)
+                                       : tr("Pictures need a view, which this machine cannot draw"));
 }
 
 void ExportDialog::setPath(const QString& path)
@@ -245,9 +218,7 @@ ExportOptions ExportDialog::options() const
 {
     const ExportPage shown = page();
     ExportOptions options = m_fields->options(&shown);
-    options.parts = static_cast<std::uint8_t>((m_branches->isChecked() ? exportBranches : 0) |
-                                              (m_leaves->isChecked() ? exportLeaves : 0) |
-                                              (m_apples->isChecked() ? exportApples : 0));
+    options.parts = m_parts->parts();
     if (m_selection->isChecked())
         options.nodes = m_document->selection().nodes;
     options.hidden = m_hidden->isChecked();
@@ -260,9 +231,7 @@ ExportOptions ExportDialog::options() const
 
 void ExportDialog::takeFormat()
 {
-    const bool all = !format() || usualParts(*format(), options().instances) == exportAll;
-    m_leaves->setChecked(all);
-    m_apples->setChecked(all);
+    m_parts->setFoliage(!format() || usualParts(*format(), options().instances) == exportAll);
     const QFileInfo info(path());
     if (info.suffix().toLower() == pictureFormat || findFormat(path().toStdString(), FormatUse::Write))
         setPath(info.path() + u'/' + info.completeBaseName() + u'.' + suffix());
@@ -349,15 +318,10 @@ void ExportDialog::updateWidgets()
           static_cast<QWidget*>(m_moments), static_cast<QWidget*>(m_pictures)})
         widget->setEnabled(!running);
     m_fields->setEnabled(!running);
-    for (QCheckBox* box : {m_branches, m_leaves, m_apples})
-        box->setEnabled(!running && !lines);
+    m_parts->setBoxesEnabled(!running && !lines);
     m_fields->of<QComboBox>("instances")->setEnabled(!running && !lines);
-    if (format())
-        m_partsNote->setText(tr("%1 has no objects: leaves and fruit would be mixed into the one closed "
-                                "mesh of the branches. Tick them to write them all the same.")
-                                 .arg(coreText(format()->name)));
-    m_partsNote->setVisible(format() && !isPrint() && !holds(holdsObjects) && !lines &&
-                            !options().instances && !(m_leaves->isChecked() && m_apples->isChecked()));
+    const bool mixes = format() && !isPrint() && !holds(holdsObjects) && !lines && !options().instances;
+    m_parts->setMixing(mixes ? format() : nullptr);
     m_fields->of<QCheckBox>("texture")->setEnabled(!running && holds(holdsTexture) &&
                                                    options().model == ExportModel::Mesh);
     m_fields->of<QComboBox>("maps")->setEnabled(!running && options().texture);
@@ -407,7 +371,7 @@ void ExportDialog::run()
         return updateWidgets();
     setMessage({}, false);
     if (isPrint())
-        return writePreparedPrint();
+        return writePrint();
     if (isInBackground())
         return startSequence();
     ExportOptions what = options();
@@ -419,6 +383,54 @@ void ExportDialog::run()
             what.clip.push_back(frames.timeOf(frames.frame(i)));
     }
     m_task->startExport(*m_document, what, path(), seconds, m_moments->loop());
+    updateWidgets();
+}
+
+bool ExportDialog::isPrint() const
+{
+    return format() && m_printing->isWanted();
+}
+
+void ExportDialog::connectPrint()
+{
+    m_preparer = new PrintPreparer(
+        m_document, m_printing, [this] { return options(); }, this);
+    connect(m_printing, &PrintForm::changed, this, &ExportDialog::takeFormat);
+    for (QCheckBox* box : {m_selection, m_hidden})
+        connect(box, &QCheckBox::toggled, m_preparer, &PrintPreparer::forget);
+    connect(m_preparer, &PrintPreparer::began, this, [this] { setMessage({}, false); });
+    connect(m_preparer, &PrintPreparer::progress, this, &ExportDialog::setProgress);
+    connect(m_preparer, &PrintPreparer::finished, this, &ExportDialog::takePrint);
+    connect(m_recompute, &Recompute::busyChanged, this,
+            [this](bool busy) { m_printing->setMayPrepare(!busy); });
+}
+
+void ExportDialog::takePrint(const std::optional<Error>& error)
+{
+    const bool writes = std::exchange(m_writesPrint, false);
+    if (error) {
+        const bool isCancelled = error->code == ErrorCode::Cancelled;
+        setMessage(isCancelled ? tr("Cancelled. No file was changed.") : errorText(*error), !isCancelled);
+        return updateWidgets();
+    }
+    if (writes)
+        return writePrint();
+    updateWidgets();
+    makeRoom(pageHint());
+}
+
+/// As it was prepared; what was not, or is being prepared, is waited for.
+void ExportDialog::writePrint()
+{
+    if (m_task->isRunning())
+        return;
+    if (m_preparer->print()) {
+        m_task->startPrint(m_preparer->print(), options().write, path());
+    } else {
+        m_writesPrint = true;
+        if (!m_preparer->isRunning())
+            m_preparer->prepare();
+    }
     updateWidgets();
 }
 
@@ -446,7 +458,12 @@ void ExportDialog::keepChoices()
 {
     m_preferences->setLastFolder(QFileInfo(path()).absolutePath());
     m_preferences->setExportSpace(m_fields->options().space);
-    storeKept(QStringLiteral("last"), settings());
+    m_kept->storeExport(settings());
+}
+
+void ExportDialog::setProgress(double fraction)
+{
+    m_progress->setValue(static_cast<int>(fraction * m_progress->maximum()));
 }
 
 void ExportDialog::setMessage(const QString& text, bool isError)
@@ -466,8 +483,8 @@ void ExportDialog::reject()
         updateWidgets();
     } else if (m_task->isRunning()) {
         m_task->cancel();
-    } else if (isPreparing()) {
-        cancelPrint();
+    } else if (m_preparer->isRunning()) {
+        m_preparer->cancel();
     } else {
         QDialog::reject();
     }

@@ -9,13 +9,11 @@
 #include <QVariantMap>
 #include <functional>
 #include <map>
-#include <memory>
 #include <optional>
 #include <vector>
 
 class QCheckBox;
 class QComboBox;
-class QDialogButtonBox;
 class QGridLayout;
 class QLabel;
 class QLayout;
@@ -24,7 +22,6 @@ class QProgressBar;
 class QPushButton;
 class QScrollArea;
 class QTabBar;
-class QTimer;
 class QVBoxLayout;
 
 namespace ramure {
@@ -33,15 +30,17 @@ class Analysis;
 class Chooser;
 class Document;
 class ExportTask;
-class Job;
+class FaultsLine;
+class KeptForm;
 class LevelForm;
 class MomentForm;
 class OptionFields;
+class PartsForm;
 class PictureForm;
 class Preferences;
 class PrintForm;
+class PrintPreparer;
 class Recompute;
-struct ScenePrint;
 
 class ExportDialog : public QDialog
 {
@@ -101,8 +100,8 @@ protected:
     void showEvent(QShowEvent* event) override;
 
 private:
-    /// Adds a row below the others. \param text a QT_TR_NOOP
-    void addRow(const char* text, QWidget* field, std::function<bool(const ExportPage&)> isShown = {});
+    /// Adds a row below the others.
+    void addRow(const QString& text, QWidget* field, std::function<bool(const ExportPage&)> isShown = {});
     void addRow(const ExportOption& option, QWidget* field); ///< shown where the option is offered
     void buildForm();
     void addRows();
@@ -112,10 +111,9 @@ private:
     void takeUse(int tab);
     [[nodiscard]] QLayout* buildSpace();
     [[nodiscard]] QLayout* buildScope();
-    [[nodiscard]] QLayout* buildParts();
     [[nodiscard]] QLayout* buildTarget();
     void buildProgress(QVBoxLayout* layout);
-    void buildFaults(QVBoxLayout* layout);
+    void connectForms();
     void showFaults();
     [[nodiscard]] bool mayExportFaults();
     void browse();
@@ -139,29 +137,15 @@ private:
     [[nodiscard]] bool mayReplaceFiles();
     void startSequence();
     // export_kept.cpp
-    [[nodiscard]] QLayout* buildKept();
-    [[nodiscard]] QVariantMap keptOf(const QString& group) const;
-    void storeKept(const QString& group, const QVariantMap& settings);
-    void fillKept();
-    void updateKept();
-    void takeKept(int row);
     void turnPage(ExportUse use);
     void keepPages();
-    void keep();
-    void forgetKept();
-    // export_print.cpp
     [[nodiscard]] bool isPrint() const;
-    void takePrint();
-    void forgetPrint();
-    void buildPrint();
-    void preparePrint();
-    void takePrepared(const Expected<std::shared_ptr<const ScenePrint>>& made);
-    void cancelPrint();
-    void writePreparedPrint();
-    [[nodiscard]] bool isPreparing() const;
+    void connectPrint();
+    void takePrint(const std::optional<Error>& error);
+    void writePrint();
     void finish(const std::optional<Error>& error);
+    void setProgress(double fraction);
     void setMessage(const QString& text, bool isError);
-    void setTexts();
     /// Null: pictures.
     [[nodiscard]] const FileFormat* format() const;
     [[nodiscard]] bool holds(int what) const; ///< bits of FormatHolds
@@ -173,11 +157,8 @@ private:
     Preferences* m_preferences;
     Chooser* m_chooser;
     ExportTask* m_task;
-    const Analysis* m_analysis = nullptr;
     bool m_waiting = false;
-    QString m_acceptedFaults; ///< the text about a mesh that is not clean which the user has read
-    QLabel* m_faults = nullptr;
-    QPushButton* m_show = nullptr;
+    FaultsLine* m_faults = nullptr;
     QString m_mayReplace; ///< the path (and frames) whose existing files the user has agreed to overwrite
     bool m_mayReplaceAll = false; ///< it is done again
     ExportUse m_use = ExportUse::Blender;
@@ -188,29 +169,21 @@ private:
     QWidget* m_page = nullptr; ///< the form, which is scrolled
     struct FormRow
     {
-        const char* text;
-        const ExportOption* option; ///< whose label takes the place of the text; null: none's
         QLabel* label;
         QWidget* field;
         std::function<bool(const ExportPage&)> isShown; ///< empty: always
     };
     QGridLayout* m_form = nullptr;
     std::vector<FormRow> m_rows;
-    OptionFields* m_fields;      ///< of the table of options
-    QComboBox* m_kept = nullptr; ///< settings under names
-    QPushButton* m_keep = nullptr;
-    QPushButton* m_forget = nullptr;
+    OptionFields* m_fields; ///< of the table of options
+    KeptForm* m_kept = nullptr;
     LevelForm* m_levels = nullptr;
     std::optional<LevelOptions> m_offered;
     QPushButton* m_showWind = nullptr; ///< while it is down
     QComboBox* m_format = nullptr;
-    QCheckBox* m_branches = nullptr;
-    QCheckBox* m_leaves = nullptr;
-    QCheckBox* m_apples = nullptr;
-    QLabel* m_partsNote = nullptr; ///< why a format leaves some out
+    PartsForm* m_parts = nullptr;
     QCheckBox* m_selection = nullptr;
     QCheckBox* m_hidden = nullptr;
-    QLabel* m_scaleLabel = nullptr;
     QLineEdit* m_path = nullptr;
     QPushButton* m_browse = nullptr;
     SequenceTask* m_sequences = nullptr;
@@ -218,16 +191,13 @@ private:
     MomentForm* m_moments = nullptr;
     PictureForm* m_pictures = nullptr;
     PrintForm* m_printing = nullptr;
-    std::shared_ptr<const ScenePrint> m_print; ///< prepared, as the form has it; else null
-    Job* m_preparer;                           ///< makes it
-    QTimer* m_printRest;                       ///< after a change while it is being made
-    bool m_writesPrint = false;                ///< as soon as it is there
+    PrintPreparer* m_preparer = nullptr;
+    bool m_writesPrint = false; ///< as soon as it is there
     QLabel* m_summary = nullptr;
     std::int64_t m_shownFrame;
     QProgressBar* m_progress = nullptr;
     QLabel* m_message = nullptr;
     QPushButton* m_export = nullptr;
-    QPushButton* m_cancel = nullptr;
 };
 
 } // namespace ramure

@@ -2,127 +2,24 @@
 #include "core/io/formats/file_format.h"
 #include "core/qt/document/document.h"
 #include "widgets/base/fields/level_form.h"
-#include "widgets/base/theme/preferences.h"
 #include "widgets/dialogs/export/export_dialog.h"
+#include "widgets/dialogs/export/kept_form.h"
 #include "widgets/dialogs/export/moment_form.h"
 #include "widgets/dialogs/export/option_fields.h"
+#include "widgets/dialogs/export/parts_form.h"
 #include "widgets/dialogs/export/print_form.h"
 #include "widgets/dialogs/picture_form.h"
 #include <QCheckBox>
 #include <QComboBox>
-#include <QHBoxLayout>
-#include <QLineEdit>
-#include <QPushButton>
-#include <QSignalBlocker>
-#include <QTabBar>
 #include <algorithm>
 
 namespace ramure {
 
-/// Before the names that users gave: nothing chosen, and the last export of this use.
-enum KeptEntry { OwnRow, LastRow };
-
-static const QString lastKey = QStringLiteral("last"), namedKey = QStringLiteral("named"),
-                     pageKey = QStringLiteral("page");
 static constexpr const char* ofDocument[] = {"selection", "first", "last", "step"};
 
 static bool hasTree(const Scene& scene)
 {
     return std::ranges::any_of(scene.nodes(), [](const Node& node) { return node.kind == NodeKind::Tree; });
-}
-
-QLayout* ExportDialog::buildKept()
-{
-    m_kept = new QComboBox(this);
-    m_kept->setObjectName(QStringLiteral("exportKept"));
-    m_kept->setEditable(true);
-    m_kept->setInsertPolicy(QComboBox::NoInsert);
-    m_kept->lineEdit()->setMaxLength(60);
-    m_keep = new QPushButton(this);
-    m_keep->setObjectName(QStringLiteral("exportKeep"));
-    m_forget = new QPushButton(this);
-    m_forget->setObjectName(QStringLiteral("exportForget"));
-    for (QPushButton* button : {m_keep, m_forget})
-        button->setAutoDefault(false);
-    auto* row = new QHBoxLayout;
-    row->setSpacing(8);
-    row->addWidget(m_kept, 1);
-    row->addWidget(m_keep);
-    row->addWidget(m_forget);
-    connect(m_kept, &QComboBox::activated, this, &ExportDialog::takeKept);
-    connect(m_kept->lineEdit(), &QLineEdit::textEdited, this, &ExportDialog::updateKept);
-    connect(m_keep, &QPushButton::clicked, this, &ExportDialog::keep);
-    connect(m_forget, &QPushButton::clicked, this, &ExportDialog::forgetKept);
-    return row;
-}
-
-/// Of the page on show.
-QVariantMap ExportDialog::keptOf(const QString& group) const
-{
-    return m_preferences->exportSettings().value(group + u'/' + keyOf(m_use)).toMap();
-}
-
-void ExportDialog::storeKept(const QString& group, const QVariantMap& settings)
-{
-    QVariantMap all = m_preferences->exportSettings();
-    all.insert(group + u'/' + keyOf(m_use), settings);
-    m_preferences->setExportSettings(all);
-}
-
-void ExportDialog::fillKept()
-{
-    const QSignalBlocker quiet(m_kept);
-    m_kept->clear();
-    m_kept->addItem(QString());
-    m_kept->addItem(tr("As the last time"));
-    m_kept->addItems(keptOf(namedKey).keys());
-    m_kept->setCurrentIndex(OwnRow);
-    updateKept();
-}
-
-void ExportDialog::updateKept()
-{
-    const QString name = m_kept->currentText().trimmed();
-    const bool isNamed = keptOf(namedKey).contains(name);
-    m_keep->setEnabled(!name.isEmpty() && name != m_kept->itemText(LastRow));
-    m_forget->setEnabled(isNamed);
-    m_keep->setToolTip(m_keep->isEnabled()
-                           ? tr("Keeps the choices of this page under this name")
-                           : tr("Type a name first; the choices of this page are kept under it"));
-    m_forget->setToolTip(isNamed ? tr("Forgets the settings of this name")
-                                 : tr("No kept settings are chosen"));
-}
-
-void ExportDialog::takeKept(int row)
-{
-    const QString name = m_kept->itemText(row);
-    const QVariantMap settings = row == LastRow ? keptOf(lastKey) : keptOf(namedKey).value(name).toMap();
-    if (row == LastRow && settings.isEmpty())
-        setMessage(tr("Nothing was exported from this page yet."), false);
-    else if (row != OwnRow)
-        setSettings(settings);
-    m_kept->setCurrentIndex(row);
-    updateKept();
-}
-
-void ExportDialog::keep()
-{
-    const QString name = m_kept->currentText().trimmed();
-    QVariantMap named = keptOf(namedKey);
-    named.insert(name, settings());
-    storeKept(namedKey, named);
-    fillKept();
-    m_kept->setCurrentText(name);
-    updateKept();
-    setMessage(tr("Kept as “%1”.").arg(name), false);
-}
-
-void ExportDialog::forgetKept()
-{
-    QVariantMap named = keptOf(namedKey);
-    named.remove(m_kept->currentText().trimmed());
-    storeKept(namedKey, named);
-    fillKept();
 }
 
 /// All that was chosen, but not where to.
@@ -133,9 +30,9 @@ QVariantMap ExportDialog::settings() const
     m_fields->store(kept);
     kept.insert({{"use", keyOf(m_use)},
                  {"format", m_format->currentData()},
-                 {"branches", m_branches->isChecked()},
-                 {"leaves", m_leaves->isChecked()},
-                 {"apples", m_apples->isChecked()},
+                 {"branches", (m_parts->parts() & exportBranches) != 0},
+                 {"leaves", (m_parts->parts() & exportLeaves) != 0},
+                 {"apples", (m_parts->parts() & exportApples) != 0},
                  {"selection", m_selection->isChecked()},
                  {"hidden", m_hidden->isChecked()},
                  {"moment", static_cast<int>(m_moments->moment())},
@@ -163,13 +60,11 @@ void ExportDialog::setSettings(const QVariantMap& kept)
     if (const QString id = kept.value(QStringLiteral("format")).toString(); m_format->findData(id) >= 0)
         setFormat(id);
     m_fields->take(kept);
-    const std::pair<QCheckBox*, const char*> boxes[] = {{m_branches, "branches"},
-                                                        {m_leaves, "leaves"},
-                                                        {m_apples, "apples"},
-                                                        {m_selection, "selection"},
-                                                        {m_hidden, "hidden"}};
-    for (const auto& [box, key] : boxes)
-        box->setChecked(is(key) && (box != m_selection || !m_document->selection().nodes.empty()));
+    m_parts->setParts(static_cast<std::uint8_t>((is("branches") ? exportBranches : 0) |
+                                                (is("leaves") ? exportLeaves : 0) |
+                                                (is("apples") ? exportApples : 0)));
+    m_selection->setChecked(is("selection") && !m_document->selection().nodes.empty());
+    m_hidden->setChecked(is("hidden"));
     m_levels->setOptions(LevelForm::optionsIn(kept));
     if (kept.contains(QStringLiteral("space"))) { // Version 0.1 kept one text.
         ExportOptions before;
@@ -192,7 +87,7 @@ void ExportDialog::turnPage(ExportUse use)
 {
     if (const auto left = m_pages.find(use); left != m_pages.end())
         return setSettings(left->second);
-    const QVariantMap kept = keptOf(pageKey);
+    const QVariantMap kept = m_kept->leftPage();
     const bool isNew = kept.isEmpty();
     QVariantMap page = m_usual;
     page.remove(QStringLiteral("format"));
@@ -217,11 +112,8 @@ void ExportDialog::turnPage(ExportUse use)
 void ExportDialog::keepPages()
 {
     m_pages[m_use] = settings();
-    for (const auto& [use, page] : m_pages) {
-        QVariantMap all = m_preferences->exportSettings();
-        all.insert(pageKey + u'/' + keyOf(use), page);
-        m_preferences->setExportSettings(all);
-    }
+    for (const auto& [use, page] : m_pages)
+        m_kept->storePage(use, page);
 }
 
 /// As it was, over what it wrote.
