@@ -165,8 +165,7 @@ void MainWindow::resetLayout()
 
 void MainWindow::restoreLayout()
 {
-    const int high = screen()->availableSize().height() * 19 / 20;
-    resize(1280, std::clamp(high, 800, 948));
+    resize(1280, std::min(screen()->availableSize().height() * 19 / 20, 948));
     resetLayout();
     restoreGeometry(m_preferences->windowGeometry());
     restoreState(m_preferences->windowState(), layoutVersion);

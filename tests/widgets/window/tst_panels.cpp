@@ -4,14 +4,17 @@
 #include "widgets/window/panels.cpp"
 #undef panels
 
+#include "core/qt/session/jobs/analysis.h"
 #include "core/qt/session/jobs/recompute.h"
 #include "tests/widgets/base/fixture.h"
 #include "widgets/base/action_set.h"
 #include "widgets/base/theme/preferences.h"
+#include "widgets/base/theme/theme.h"
 #include "widgets/help/help_places.h"
 #include "widgets/window/main_window.h"
 #include <QDockWidget>
 #include <QLabel>
+#include <QScreen>
 #include <vector>
 
 namespace ramure {
@@ -81,11 +84,33 @@ private slots:
     {
         m_window.show();
         QVERIFY(QTest::qWaitForWindowExposed(&m_window));
-        QCOMPARE(m_window.height(), 800);
+        const int high = m_window.screen()->availableSize().height() * 19 / 20; // with room for a title bar
+        QCOMPARE(m_window.height(), high);
         m_window.resetLayout();
         QCoreApplication::processEvents();
-        QCOMPARE(m_window.height(), 800);
+        QCOMPARE(m_window.height(), high);
         m_window.hide();
+    }
+    /// 1366 x 768, less a taskbar of 40 pixels and a title bar of 28.
+    void theWindowFitsALaptopWhateverIsInFront()
+    {
+        const Theme theme(qApp, &m_preferences); // its style sheet has the margins
+        Node tree = test::treeNode(1, "oak");
+        tree.params.grammar.iterations = 8; // its limbs cross: the validation panel has much to tell
+        test::openNodes(m_document, {tree});
+        m_window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&m_window));
+        QVERIFY(m_recompute.waitForFull(20'000));
+        QTRY_COMPARE_WITH_TIMEOUT(m_window.findChild<Analysis*>()->state(1), Analysis::State::Done, 20'000);
+        for (const PanelRow& row : panels()) {
+            dock(row.dock)->raise();
+            QTRY_VERIFY(dock(row.dock)->x() >= 0);
+            QCoreApplication::processEvents();
+            m_window.resize(1366, 700);
+            QVERIFY2(m_window.size() == QSize(1366, 700), row.dock);
+        }
+        m_window.hide();
+        qApp->setStyleSheet({});
     }
     void theLayoutBringsItBack()
     {

@@ -26,6 +26,7 @@
 namespace ramure {
 namespace {
 
+constexpr int leastPanel = 160;
 constexpr quint32 meshNews =
     changeSelection | changeResults | changeReset | changeNodeState | changeStructure;
 
@@ -88,6 +89,7 @@ struct ValidationPanel::Private
     AnalysisStrip* strip = nullptr;
     QStackedWidget* pages = nullptr;
     EmptyPage* empty = nullptr;
+    QWidget* content = nullptr; ///< is scrolled
     StatusBadge* badge = nullptr;
     QLabel* name = nullptr;
     QLabel* headline = nullptr;
@@ -138,7 +140,13 @@ void ValidationPanel::Private::build()
     empty = new EmptyPage(pages);
     pages->addWidget(empty);
 
-    auto* content = new QWidget(pages);
+    auto* scroll = new QScrollArea(pages); // on a low screen
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    content = new QWidget(scroll);
+    scroll->setWidget(content);
     auto* layout = new QVBoxLayout(content);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
@@ -158,7 +166,7 @@ void ValidationPanel::Private::build()
     splitter->setStretchFactor(0, 1);
     splitter->setSizes({300, 130});
     layout->addWidget(splitter, 1);
-    pages->addWidget(content);
+    pages->addWidget(scroll);
 
     QObject::connect(view, &ReportView::chosen, q, [this](const QModelIndex& index) { activate(index); });
     QObject::connect(view, &ReportView::left, q, [this] { leave(); });
@@ -379,6 +387,13 @@ void ValidationPanel::Private::leave()
         return;
     highlighted = false;
     emit q->defectLeft();
+}
+
+QSize ValidationPanel::minimumSizeHint() const
+{
+    // What scrolls only up and down must not be cut at the side.
+    const int bar = style()->pixelMetric(QStyle::PM_ScrollBarExtent, nullptr, this);
+    return {d->content->minimumSizeHint().width() + bar, leastPanel};
 }
 
 QSize ValidationPanel::sizeHint() const

@@ -24,6 +24,7 @@ public:
     ValidationPanel(Document* document, Analysis* analysis, QWidget* parent = nullptr);
     ~ValidationPanel() override;
 
+    [[nodiscard]] QSize minimumSizeHint() const override;
     [[nodiscard]] QSize sizeHint() const override;
 
 public slots:
