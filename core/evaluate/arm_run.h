@@ -13,10 +13,10 @@ namespace ramure {
 class ArmRun final : public NodeRun
 {
 public:
-    /// What moves from now on; the run goes on where its joints, target and tracks are the same as before.
-    /// \pre checkArm
+    /// Sets the arm that moves from now on. The run goes on if joints, target and tracks are the same as
+    /// before. \pre checkArm(params) has no error
     void set(const NodeParams& params, const NodeAnimation& animation);
-    /// \pre set() was called; likewise of the next.
+    /// Returns the state of the arm at a time. \pre set() was called; this holds for the next function too.
     Expected<ArmMoment> momentAt(double seconds, const TimelineSettings& timeline, const Progress& progress);
     Expected<NodeMotion> motionAt(double seconds, const TimelineSettings& timeline,
                                   const Progress& progress) override;
@@ -27,10 +27,10 @@ private:
     std::optional<ArmDriver> m_driver;
 };
 
-/// Which of \p angles lie on a limit of their joints.
+/// Tells which of \p angles lie on a limit of their joints.
 std::vector<ArmLimit> armLimits(std::span<const ArmJoint> joints, std::span<const double> angles);
 
-/// An arm with these joints.
+/// Returns the meshes of an arm with these joints.
 NodeMotion armMotion(const NodeParams& params, std::span<const ArmJoint> joints);
 
 } // namespace ramure

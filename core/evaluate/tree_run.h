@@ -15,18 +15,20 @@ namespace ramure {
 class TreeRun final : public NodeRun
 {
 public:
-    /// The tree at rest, up to its foliage, and its parameters. True: it is another one than before, and its
-    /// run begins anew with the physics of \p params. Errors: those of bindBranches and bindFoliage.
+    /// Takes the tree at rest, up to its foliage, and its parameters. Returns true if it is another tree than
+    /// before; its run begins anew with the physics of \p params. Errors: those of bindBranches and
+    /// bindFoliage.
     Expected<bool> setTree(const TreeResult& rest, const NodeParams& params);
-    /// What the physics is told, with the tracks that change it, up to a time. \p live: other values act from
-    /// the present step on and what lies behind stays; otherwise the whole run is theirs. True: it is another
-    /// run than before. \pre setTree() gave a tree; likewise of the next.
+    /// Sets the parameters of the physics, with the tracks that change them, up to a time. If \p live, other
+    /// values act from the present step on and the past stays; otherwise the whole run is made with them.
+    /// Returns true if it is another run than before. \pre setTree() gave a tree; this holds for the next
+    /// function too.
     bool setPhysics(const PhysicsParams& params, const NodeAnimation& animation, double seconds,
                     bool live = false);
     Expected<NodeMotion> motionAt(double seconds, const TimelineSettings& timeline,
                                   const Progress& progress) override;
 
-    /// Of the states that are kept. A run without a tree has none.
+    /// Limits the memory of the states that the run keeps. A run without a tree keeps none.
     void setMemoryLimit(std::size_t bytes)
     {
         if (m_cache)
@@ -36,7 +38,7 @@ public:
     [[nodiscard]] PhysicsCache& cache() { return *m_cache; }
     [[nodiscard]] const PhysicsCache& cache() const { return *m_cache; }
     [[nodiscard]] const PhysicsParams& params() const { return m_params; }
-    /// Parameters changed within the run.
+    /// Returns true if parameters changed within the run.
     [[nodiscard]] bool isMixed() const { return m_mixed; }
 
 private:
@@ -71,9 +73,8 @@ private:
     Stand m_now, m_earlier;
 };
 
-/// The tree as it stands in a motion: skeletons, sections, meshes and foliage in their place of then, the
-/// report that of the moved mesh. \pre \p tree is at rest, and the motion its.
-/// Errors: Cancelled.
+/// Returns the tree as it stands in a motion: skeletons, sections, meshes and foliage are moved, and the
+/// report is that of the moved mesh. \pre \p tree is at rest, and the motion is its own. Errors: Cancelled.
 Expected<TreeResult> movedTree(TreeResult tree, const NodeMotion& motion, const Progress& progress);
 
 } // namespace ramure

@@ -41,15 +41,15 @@ struct PivotMotion
     double worldScale = 1024.0;        ///< cm: the texture comes again
     double shelterBias = -1.25, shelterScale = -0.444;
 };
-/// \param leaves all that any mesh has, with their farthest vertex from their place, m, and where that is.
+/// A leaf of any mesh: the place where it stands and its vertex that is farthest from there, m.
 struct WindLeaf
 {
     Index branch = noIndex;
     glm::dvec3 foot{0.0}, tip{0.0};
 };
-/// Error: Limit (more trunks than pieces).
+/// Cuts the tree into pieces. \param leaves those of all meshes. Error: Limit (more trunks than pieces).
 Expected<WindElements> windElements(const WindTree& tree, std::span<const WindLeaf> leaves);
-/// Of leaves as meshes have them: see windOfItems().
+/// Measures the leaves of a mesh. See windOfItems() for what the mesh must hold.
 std::vector<WindLeaf> windLeaves(const TriangleMesh& mesh, std::span<const FoliageItem> items);
 
 /// Two textures of the same size, a texel for each element, row by row from the top: where it turns with the

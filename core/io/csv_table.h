@@ -31,7 +31,7 @@ struct CsvTable
 Expected<CsvTable> parseCsv(std::string_view text, const std::string& file);
 /// Errors: Io, those of parseCsv.
 Expected<CsvTable> readCsv(const std::string& path);
-/// In quotes where it has to be.
+/// Returns the text as a cell of a CSV file, in quotes if it needs them.
 std::string csvCell(std::string_view text);
 
 } // namespace ramure

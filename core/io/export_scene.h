@@ -13,7 +13,7 @@
 
 namespace ramure {
 
-/// Of a node whose meshes have skins: for formats that do with fewer bones.
+/// A bone of a node whose meshes have skins. Some formats write fewer bones than the skin has.
 struct ExportBone
 {
     Index parent = noIndex;         ///< stands before it
@@ -75,7 +75,7 @@ struct ExportPivots
     PivotTextures textures;
 };
 
-/// Where everything is at a time.
+/// The places of all nodes at one time.
 struct ExportFrame
 {
     double seconds = 0.0;

@@ -42,10 +42,11 @@ struct MadeMap
 /// The same pictures in memory, those of \p kinds in their order. Errors: Invalid, Limit, Cancelled.
 Expected<std::vector<MadeMap>> makeMaps(const BarkParams& bark, int size, std::span<const MaterialMap> kinds,
                                         const Progress& progress = {});
-/// Of a leaf in summer. \pre all are of leafMapKinds.
+/// Makes the maps of a leaf in summer. \pre all kinds are of leafMapKinds.
 Expected<std::vector<MadeMap>> makeMaps(LeafShape leaf, int size, std::span<const MaterialMap> kinds);
 
-/// Of a copy of an image file: its own name with a number for where it came from, "oak_1f3a9c04.jpg".
+/// Returns the name for a copy of an image file: its own name with a number made from its folder,
+/// "oak_1f3a9c04.jpg".
 std::string pictureFileName(const std::string& picture);
 /// The bytes of an image file. Error: Io (missing, no file, unreadable), with the file.
 Expected<std::string> pictureBytes(const std::string& path);
@@ -53,7 +54,7 @@ Expected<std::string> pictureBytes(const std::string& path);
 /// file, unreadable; not written).
 Expected<void> copyPictures(const std::string& folder, const PictureParams& pictures);
 
-/// Likewise of a leaf. Errors: Invalid (the faithful leaf, the size), Io.
+/// Writes those of a leaf in the same way. Errors: Invalid (the faithful leaf, the size), Io.
 Expected<std::vector<std::string>> writeMaps(const std::string& folder, LeafShape leaf, int size,
                                              double season = 0.0);
 

@@ -18,7 +18,7 @@ class Bounds
 {
 public:
     void take(std::span<const glm::vec3> positions);
-    /// Where to move them from, see farOrigin.
+    /// The point that becomes the origin of the moved positions, see farOrigin.
     [[nodiscard]] glm::dvec3 origin() const;
 
 private:
@@ -35,12 +35,13 @@ private:
     }
 };
 
-/// Where a mesh of these bounds is to be moved from so that single precision holds its shape: a round place
-/// near its middle. 0 where it lies near the origin, for its size, or \p low is above \p high.
+/// Returns the point that must become the origin of a mesh with these bounds so that single precision holds
+/// its shape: a round place near its middle. It is 0 if the mesh lies near the origin, for its size, or \p
+/// low is above \p high.
 glm::dvec3 farOrigin(const glm::dvec3& low, const glm::dvec3& high);
 glm::dvec3 farOrigin(std::span<const glm::vec3> positions);
 glm::dvec3 farOrigin(std::span<const glm::dvec3> positions);
-/// As floats, from \p origin on.
+/// Returns the positions relative to \p origin, as floats.
 std::vector<glm::vec3> movedFrom(const glm::dvec3& origin, std::span<const glm::dvec3> positions);
 /// What became of the coordinates.
 std::string farNote(const glm::dvec3& origin);

@@ -13,8 +13,8 @@ struct PivotPaths
 };
 PivotPaths pivotPaths(const std::string& path, const ExportPivots& pivots);
 
-/// Of all trees of the scene that have some, with floats of 32 bits: halves would put the pivots of a tall
-/// tree up to 4 mm elsewhere. Errors: those of writeExr.
+/// Writes the pivots of all trees of the scene that have some, with floats of 32 bits: with halves, the
+/// pivots of a tall tree would be wrong by up to 4 mm. Errors: those of writeExr.
 Expected<void> writePivots(const std::string& path, const ExportScene& scene);
 
 } // namespace ramure

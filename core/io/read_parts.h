@@ -9,7 +9,7 @@
 
 namespace ramure::reading {
 
-/// Of triangles whose material says none, where others have one.
+/// The colour of triangles whose material names none, in a mesh where others have one.
 inline constexpr glm::u8vec3 plainColour{184, 184, 184};
 
 /// Elements or lines between two looks at the stop token.
@@ -74,7 +74,7 @@ public:
     /// not have. Lone carriage returns have become line feeds. Error: Io.
     Expected<std::string_view> next();
     [[nodiscard]] bool isLast() const { return m_isAtEnd; }
-    /// Of zeros and end marks behind the text, which are left out; known with the last block.
+    /// Counts the zeros and end marks behind the text, which are left out. It is known with the last block.
     [[nodiscard]] std::size_t padding() const { return m_padding; }
 
 private:

@@ -42,14 +42,14 @@ glm::dvec3 atlasDirection(AtlasCell cell, int views);
 /// row by row; three or more, but of small atlases.
 std::vector<AtlasCell> viewsAround(const glm::dvec3& direction, int views);
 
-/// In metres, in a plane: x to the right, y up.
+/// A rectangle in a plane, in metres: x to the right, y up.
 struct PlaneRect
 {
     glm::dvec2 low{0.0}, high{0.0};
     [[nodiscard]] glm::dvec2 size() const { return high - low; }
     [[nodiscard]] glm::dvec2 centre() const { return 0.5 * (low + high); }
 };
-/// In pixels: x from the left, y from the top.
+/// A rectangle of a picture, in pixels: x from the left, y from the top.
 struct PixelRect
 {
     int x = 0, y = 0, width = 0, height = 0;

@@ -9,7 +9,7 @@ namespace ramure {
 
 /// How much of each pixel is covered, 0..1; rows from the top.
 using Coverage = std::vector<float>;
-/// Of a picture's alpha.
+/// Measures the alpha of a picture.
 Coverage coverageOf(const BillboardPicture& picture);
 
 /// An atlas seen straight from a direction, as large as one of its views. Every pixel of the views

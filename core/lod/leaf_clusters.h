@@ -27,7 +27,7 @@ std::vector<LeafCluster> joinedClusters(std::span<const FoliageItem> items, std:
                                         std::span<const Index> branchOf, const glm::dvec3& middle,
                                         std::size_t count);
 
-/// Where the surface of leaves is.
+/// The mean place of the surface of leaves, and how far it spreads from there.
 struct LeafSpread
 {
     double squares = 0.0; ///< the sum of their sizes' squares

@@ -26,8 +26,8 @@ FoliageModel simplestLeaf(const PictureParams& pictures);
 std::vector<LeafShapeOfLevel> leafShapesOfLevels(const LeafForm& form, const PictureParams& pictures,
                                                  double alpha);
 
-/// As wide as covers \p growth times the area, as far as that leaves it longer than wide: leaves that stand
-/// for others grow broad first, so that they end where those did.
+/// Widens a leaf so that it covers \p growth times the area, but leaves it longer than wide. Leaves that
+/// stand for others grow broad first, so that they end where the others did.
 LeafShapeOfLevel broadened(const LeafShapeOfLevel& shape, double growth, double alpha);
 
 /// m²: of all triangles.

@@ -13,14 +13,15 @@ namespace ramure {
 inline constexpr std::int64_t mostLevels = 8, leastBudget = 50, mostBudget = 20'000'000;
 /// How far a level is from its budget at most, as a share of it.
 inline constexpr double levelSlack = 0.02;
-/// Of a level without a budget, of the triangles of the one before it.
+/// A level without a budget has this share of the triangles of the level before it.
 inline constexpr double levelStep = 0.25;
 /// And of the bark's alone, at most.
 inline constexpr double levelBarkStep = 0.5;
-/// Of the picture's height, what the tree has where the second level takes over and nobody said when, as in
-/// the groups of levels of game engines; and what of that remains for each further level.
+/// If nobody says when the second level takes over, it does where the tree has this share of the picture's
+/// height, as in the groups of levels of game engines. Each further level takes over at usualShareStep times
+/// the share of the level before.
 inline constexpr double usualShare = 0.6, usualShareStep = 0.5;
-/// Of the picture's height, at most: nearer than that nobody sees the tree as a whole.
+/// A level takes over at no larger share of the picture's height: nobody nearer sees the tree as a whole.
 inline constexpr double mostShare = 10.0;
 /// rad: the vertical angle of view for which distances are told, that of the view.
 inline constexpr double levelFovRad = 0.69;

@@ -6,16 +6,17 @@
 
 namespace ramure {
 
-/// Of what engines take for a screen, pixels.
+/// The screen that engines assume, in pixels.
 inline constexpr double levelScreenWidth = 1920.0, levelScreenHeight = 1080.0;
 
-/// By level, the finest first.
+/// When each level is shown, the finest first.
 struct LevelSwitches
 {
     /// m in the scene, from the eye to the tree: where the level takes the place of the one before, seen with
     /// levelFovRad. Rises; 0: the first one.
     std::vector<double> distances;
-    /// Of the picture's height that the tree has there; infinite: the first one.
+    /// The share of the picture's height that the tree has where the level takes over; infinite for the
+    /// first.
     std::vector<double> shares;
     /// Share of that screen's area that the tree covers (its box seen from the front) down to which the level
     /// is needed. Never rises; 0: the last one.
@@ -25,8 +26,8 @@ struct LevelSwitches
     std::vector<double> unseen;
 };
 
-/// As the options have it, or the usual. \param scale of the node, m of the scene for one of the tree.
-/// \pre checkLevels(options); levels are not empty
+/// Returns the switches that the options ask for, or the usual ones. \param scale of the node: m of the scene
+/// for 1 m of the tree. \pre checkLevels(options); levels are not empty
 LevelSwitches switchesOf(const std::vector<TreeLevel>& levels, const LevelOptions& options, double scale);
 
 } // namespace ramure

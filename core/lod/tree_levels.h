@@ -19,8 +19,8 @@ struct LevelParts
 
 struct TreeLevel
 {
-    /// In tree space, at rest; null where there is nothing. The bark's numbers of branches are those of the
-    /// level's own skeleton, those of leaves and fruit the tree's.
+    /// The mesh in tree space, at rest; null if there is none. The bark's numbers of branches are those of
+    /// the level's own skeleton, those of leaves and fruit the tree's.
     std::shared_ptr<const BranchMesh> branches;
     std::shared_ptr<const TriangleMesh>
         bark; ///< the mesh of the branches, with its texture and the tree's numbers

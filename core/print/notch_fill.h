@@ -9,7 +9,7 @@
 
 namespace ramure {
 
-/// Where a ball rolls, and how large it is.
+/// A ball that rolls along a notch: its place and its size.
 struct NotchBall
 {
     glm::dvec3 centre{0.0}; ///< m

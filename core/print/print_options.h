@@ -21,7 +21,7 @@ struct PrintProcessFacts
     const char* title; ///< English, context "core"
     double thinnest;   ///< m, the smallest diameter that comes out whole
 };
-/// In the order of the enum.
+/// Returns the facts of all processes, in the order of the enum.
 std::span<const PrintProcessFacts> printProcesses();
 
 enum class PrintLeaves : std::uint8_t {

@@ -8,8 +8,8 @@
 
 namespace ramure {
 
-/// Of the trees whose link is no longer that of the scene: as it is now, at rest, tracks aside. Hidden solids
-/// count too. A tree that grows otherwise has no link.
+/// Returns a new link for each tree whose stored link is out of date. Links ignore animation; hidden solids
+/// count. A tree that grows in another way has no link.
 std::map<NodeId, GrowthSpaceLink> staleGrowthSpaces(const Scene& scene);
 /// Gives them to the trees. To call after a scene was read; the document does it after every change.
 void linkGrowthSpaces(Scene& scene);

@@ -13,9 +13,9 @@ struct LoopBlend
     double earlierSeconds = 0.0;
 };
 
-/// Of a seamless Loop, over the last second before the first frame comes again, or over the second half of a
-/// shorter loop: the motion goes over into that of one round earlier, so that the frame behind the last one
-/// is the first one. Weight 0 for all other settings and times.
+/// Tells how a seamless loop blends. Over the last second before the first frame comes again, or over the
+/// second half of a shorter loop, the motion goes over into that of one round earlier, so that the frame
+/// behind the last one is the first one. The weight is 0 for all other settings and times.
 LoopBlend loopBlend(const TimelineSettings& settings, double timeSeconds);
 
 } // namespace ramure

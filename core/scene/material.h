@@ -39,9 +39,9 @@ Material leavesMaterial(LeafShape shape = LeafShape::Faithful, bool turn = false
                         const PictureParams& pictures = {});
 /// Fruit and flowers bring colours of their own.
 Material applesMaterial(FruitKind kind = FruitKind::Faithful, const PictureParams& pictures = {});
-/// Of what a cut lays open; the colours of its mesh are tones.
+/// Returns the material of wood that a cut lays open. The colours of its mesh are tones.
 Material woodMaterial();
-/// Of a node that is no tree. \param params those of the time (paramsAt).
+/// Returns the material of a node that is no tree. \param params those of the time (paramsAt).
 Material nodeMaterial(const Node& node, const NodeParams& params);
 
 } // namespace ramure

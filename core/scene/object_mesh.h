@@ -12,12 +12,13 @@ namespace ramure {
 /// Is this node's geometry an open surface by its nature, a terrain or a plane? Then a boundary is no fault.
 bool isOpenSurface(const Node& node);
 
-/// To look at, with normals: primitives, imported meshes, terrains. \p params those of the time (paramsAt).
-/// Null for other nodes, for meshes without triangles and for terrains that cannot be made.
+/// Makes the mesh of a primitive, imported mesh or terrain to look at, with normals. \p params are those of
+/// the time (paramsAt). It is null for other nodes, for meshes without triangles and for terrains that cannot
+/// be made.
 std::shared_ptr<const TriangleMesh> objectMesh(const Node& node, const NodeParams& params);
-/// For files and checks: primitives closed and without normals, imported meshes as they were read, terrains,
-/// arms in the pose of their joints (core/evaluate/evaluator.h turns them for a time). Null where there is
-/// nothing. Errors: those of buildTerrain, armCylinder and checkArmMesh.
+/// Makes the mesh of a node for files and checks. Primitives are closed and without normals, imported meshes
+/// are as they were read, and arms have the pose of their joints (core/evaluate/evaluator.h turns them for a
+/// time). It is null if there is nothing. Errors: those of buildTerrain, armCylinder and checkArmMesh.
 Expected<std::shared_ptr<const TriangleMesh>> objectSolid(const Node& node, const NodeParams& params);
 
 } // namespace ramure

@@ -28,7 +28,7 @@ Expected<ShapeCheck> checkMesh(std::shared_ptr<const TriangleMesh> mesh, bool cr
 Expected<ShapeCheck> checkShape(const Node& node, const NodeParams& params, bool crossings,
                                 const Progress& progress = {});
 
-/// As it is at 0 s, an arm before it turns.
+/// Checks the shape as it is at 0 s, an arm before it turns.
 Expected<ShapeCheck> checkShapeAtRest(const Node& node, bool crossings, const Progress& progress = {});
 
 /// Nothing but a boundary keeps it from being valid: what an open surface has to be.

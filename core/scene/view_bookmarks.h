@@ -23,7 +23,7 @@ struct ViewBookmark
 };
 
 inline constexpr std::size_t viewBookmarkCount = 9;
-/// By their digit less one.
+/// The bookmarks; the index is their digit less one.
 using ViewBookmarks = std::array<std::optional<ViewBookmark>, viewBookmarkCount>;
 
 /// Errors: Invalid, path = the field ("distance").

@@ -20,9 +20,9 @@ struct ListedAction
 
 /// Adds the actions of the menus that have a name to the set, with those of submenus.
 void adoptMenuActions(ActionSet& set, const QList<QMenu*>& menus);
-/// In the order of the menus; only actions of the set.
+/// Lists the actions of the set in the order of the menus.
 QList<ListedAction> listedActions(const ActionSet& set, const QList<QMenu*>& menus);
-/// Without mnemonics and dots.
+/// Returns the text without mnemonics and dots.
 QString plainText(QString text);
 
 } // namespace ramure

@@ -13,7 +13,7 @@ class HintSource : public QObject
 public:
     using QObject::QObject;
 
-    /// In the present language; empty: nothing to say.
+    /// Shows this hint, in the present language. An empty one says nothing.
     void say(const QString& hint);
     /// While a gesture goes on the hint is shown wherever the cursor is.
     void setGesture(bool goesOn);

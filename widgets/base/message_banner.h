@@ -23,7 +23,7 @@ public:
     void lieOver(QWidget* place);
 
     void showMessage(Severity severity, const QString& text);
-    /// With a button that does something about it.
+    /// Shows a message with a button that does something about it.
     void showMessage(Severity severity, const QString& text, const QString& button,
                      std::function<void()> action);
     [[nodiscard]] QString text() const;

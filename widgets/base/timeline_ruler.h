@@ -26,7 +26,7 @@ public:
     void setFrame(qint64 frame);
     void setBand(std::vector<FrameRange> band);
     void setDisplay(TimeDisplay display);
-    /// Where diamonds stand, in frames, ascending; between whole ones, too.
+    /// Sets the places of the diamonds, in frames, ascending; they may lie between whole frames.
     void setKeys(std::vector<double> frames);
     [[nodiscard]] const std::vector<double>& keys() const { return m_keys; }
 

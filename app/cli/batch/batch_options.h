@@ -9,16 +9,17 @@
 
 namespace ramure::cli {
 
-/// "1280x800". Error: Invalid.
+/// Reads a size like "1280x800". Error: Invalid.
 Expected<QSize> pictureSizeFrom(const QString& value);
-/// --file, --size and, of the table of export options, those of a batch.
+/// Adds --file, --size and those of the table of export options that a batch has.
 void addFileOptions(CommandLine& line);
-/// Of the table that the line names. Errors: those of readPlan and of the options.
+/// Reads the table that the line names and plans its rows. Errors: those of readPlan and of the options.
 Expected<BatchPlan> planOf(const CommandLine& line, const Shard& shard);
-QStringList templatesOf(const CommandLine& line); ///< of files
-/// --jobs and --memory.
+/// Returns the names of files that the line asks for, with their placeholders.
+QStringList templatesOf(const CommandLine& line);
+/// Adds --jobs and --memory.
 void addPoolOptions(CommandLine& line);
-/// Errors: Invalid.
+/// Reads --jobs and --memory. Errors: Invalid.
 Expected<PoolOptions> poolOptionsOf(const CommandLine& line);
 
 } // namespace ramure::cli

@@ -1,5 +1,5 @@
 /// \file
-/// How far a batch is, on the standard error, in the words of whoever listens.
+/// Reports the progress of a batch on the standard error, for people or in one of two formats for programs.
 #pragma once
 
 #include <QString>
@@ -8,8 +8,8 @@
 namespace ramure::cli {
 
 enum class ProgressDialect {
-    Text,   ///< for people: what failed, and a percentage where there is a terminal
-    Json,   ///< an object a line
+    Text,   ///< for people: it names the rows that fail, and shows a percentage if there is a terminal
+    Json,   ///< one object per line
     OpenJd, ///< openjd_progress, openjd_status, openjd_fail: Open Job Description
 };
 
@@ -18,9 +18,9 @@ class BatchProgress
 public:
     BatchProgress(ProgressDialect dialect, std::size_t count);
 
-    /// \param problem of a row that failed; empty: it went well
+    /// Counts a row. \param problem why it failed; empty if it went well
     void rowEnded(const QString& problem);
-    /// The last words. \param problem why all of it failed; empty: it did not
+    /// Prints the last line. \param problem why the whole batch failed; empty if it did not
     void ended(const QString& problem);
     [[nodiscard]] std::size_t failed() const { return m_failed; }
 

@@ -62,7 +62,8 @@ private:
 const char* rowErrorOf(const Error& error);
 /// The line of a row that could not be done. \param kind of row_error
 QJsonObject failedLine(const BatchPlan& plan, const BatchRow& row, const char* kind, const QString& text);
-/// Where a row is made: beside the places of its files, so that they can be renamed.
+/// Returns the folder in which a row is made. It lies beside the final places of the files, so that they can
+/// be renamed.
 QString stagingFolder(const BatchPlan& plan, const BatchRow& row);
 /// Removes what rows of the plan that were stopped have left there.
 void clearStaging(const BatchPlan& plan);

@@ -7,7 +7,7 @@
 
 namespace ramure::cli {
 
-/// In hex; empty where the file cannot be read.
+/// Returns the hash in hex, or nothing if the file cannot be read.
 QByteArray sha256Of(const QString& path);
 
 } // namespace ramure::cli

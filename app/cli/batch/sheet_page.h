@@ -9,7 +9,7 @@
 
 namespace ramure::cli {
 
-/// What one can tell rows by, in the order of a card.
+/// A number by which rows can be told apart. A card shows them in the order of sheetFigures.
 struct SheetFigure
 {
     const char* key;  ///< of "counts" or "measures"
@@ -19,14 +19,16 @@ inline constexpr SheetFigure sheetFigures[] = {{"faces", ""},   {"branches", ""}
                                                {"height", "m"}, {"crownWidth", "m"}, {"stemDiameter", "m"},
                                                {"volume", "m³"}};
 
-/// What a row says of it; nothing where it failed.
+/// Returns the number of this row, or nothing if the row failed.
 std::optional<double> figureOf(const QJsonObject& line, const SheetFigure& figure);
 
-/// Which figures of a row stand apart from those of the other rows of its input: by more than five times the
-/// median deviation from their median, and a tenth of that. Inputs of fewer than eight rows have none.
+/// Finds the figures of each row that lie far from those of the other rows of its input: they differ from the
+/// median by more than five times the median deviation, and by more than a tenth of the median. Inputs of
+/// fewer than eight rows have no outliers.
 std::map<std::int64_t, QStringList> outliersOf(const ManifestLines& lines);
 
-/// \param pictures bytes of JPEG files by row; a row without one has a card without a picture
+/// Makes the page. \param pictures the bytes of JPEG files, by row; a row without one has a card without a
+/// picture
 QByteArray sheetPage(const ManifestLines& lines, const std::map<std::int64_t, QByteArray>& pictures);
 
 } // namespace ramure::cli

@@ -42,7 +42,7 @@ struct FileFormat
     const char* beside = ""; ///< the ending of a second file with the materials
     /// All as meshes; null: nothing can be read so. \see readMeshFile
     Expected<ReadMesh> (*read)(const std::string& path, const Progress& progress) = nullptr;
-    /// As nodes of a scene. \see importObjects
+    /// Reads the file as nodes of a scene. \see importObjects
     Expected<BlenderImport> (*import)(const std::string& path, const ImportOptions& options,
                                       const Progress& progress) = nullptr;
     /// Takes of the scene what the format holds.
@@ -57,7 +57,8 @@ std::span<const FileFormat* const> fileFormats();
 
 enum class FormatUse : std::uint8_t { Read, Import, Write };
 bool isFor(const FileFormat& format, FormatUse use);
-/// By the ending of the path; of two the one of the options. Error: Unknown, with the endings there are.
+/// Finds a format by the ending of the path. If two formats share the ending, \p asText decides. Error:
+/// Unknown, with all known endings.
 Expected<const FileFormat*> findFormat(const std::string& path, FormatUse use, bool asText = false);
 /// "tree.OBJ": "obj".
 std::string endingOf(const std::string& path);

@@ -35,7 +35,7 @@ public:
     [[nodiscard]] std::span<const double> anglesBefore() const { return m_before; }
     /// Between the last two ticks, \p part from 0 to 1.
     [[nodiscard]] std::vector<double> anglesBetween(double part) const;
-    /// Of the solver; with LeastSquares it is ahead of the arm.
+    /// Returns the solver. With LeastSquares it is ahead of the arm.
     [[nodiscard]] const ArmSolver& solver() const { return m_solver; }
     /// Neither the solver nor the arm has anything more to do for this target.
     [[nodiscard]] bool isStill() const { return m_still; }

@@ -9,7 +9,7 @@
 
 namespace ramure {
 
-/// To look at, with normals. \p jointRadius in metres, 0 or less: nothing.
+/// Makes the rods to look at, with normals. If \p jointRadius, in metres, is 0 or less, the mesh is empty.
 TriangleMesh armRods(std::span<const ArmJoint> joints, double jointRadius);
 /// The same as closed solids without normals, for files and checks: every sphere and every rod is one.
 TriangleMesh armRodSolids(std::span<const ArmJoint> joints, double jointRadius);

@@ -34,10 +34,11 @@ Expected<void> checkArmMesh(const TriangleMesh& mesh);
 TriangleMesh fittedToArm(TriangleMesh mesh, std::span<const ArmJoint> joints,
                          MeshAxis axis = MeshAxis::Longest);
 
-/// To look at, with normals. \param bound null: the cylinder. Errors: those of armCylinder and checkArmMesh.
+/// Makes the shape to look at, with normals. \param bound null for the cylinder. Errors: those of armCylinder
+/// and checkArmMesh.
 Expected<ArmShape> armShape(const NodeParams& params, const TriangleMesh* bound, ArmPart part);
-/// For files and checks: cylinder and rods closed, every position once, without normals; a bound mesh as it
-/// was read. Errors as above.
+/// Makes the shape for files and checks: cylinder and rods are closed, with every position once and without
+/// normals; a bound mesh is as it was read. It has the errors of armShape.
 Expected<ArmShape> armSolid(const NodeParams& params, const TriangleMesh* bound, ArmPart part);
 
 /// From the arm's own space (Z up) into that of its node (Y up).

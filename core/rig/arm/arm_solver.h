@@ -22,7 +22,7 @@ enum class ArmStatus : std::uint8_t {
 
 enum class ArmLimit : std::int8_t { Lower = -1, Free = 0, Upper = 1 };
 
-/// That ArmFigures keeps.
+/// ArmFigures keeps no more residuals than this.
 inline constexpr std::size_t mostResiduals = 4096;
 
 /// What happened since the target was set.
@@ -53,7 +53,8 @@ public:
     void setAngles(std::span<const double> angles);
     /// Goes on from these angles without counting anew: something slowed the step down. \pre as above
     void continueFrom(std::span<const double> angles);
-    /// In the arm's own space; starts counting anew. A target that is not finite is none.
+    /// Sets the target in the arm's own space and starts counting anew. A target that is not finite counts as
+    /// none.
     void setTarget(const glm::dvec3& target);
     /// One iteration, or one whole further start. \return whether there is more to do
     bool step();

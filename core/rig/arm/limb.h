@@ -31,7 +31,7 @@ public:
     /// have none. \param branch that the hand holds at its end. \pre it exists
     Limb(const Skeleton& skeleton, const Bends& bendRad, Index branch, const LimbOptions& options);
 
-    /// Where the end of the grabbed branch is, tree space.
+    /// Returns the place of the end of the grabbed branch, in tree space.
     [[nodiscard]] glm::dvec3 tip() const;
     /// Turns the limb so that its tip comes to \p target, or as near as it gets. The result depends on the
     /// target alone, not on the targets before. Not finite: nothing changes. Tree space.
@@ -51,7 +51,8 @@ private:
     };
     using Chain = std::vector<Link>; ///< from the root towards the tip
 
-    /// Where each link starts and, last, the tip; and what the links before each turn it by.
+    /// Computes where each link starts and, last, where the tip is, and how the links before each one turn
+    /// it.
     void place(const Chain& chain);
     [[nodiscard]] bool turned(const Chain& from, const glm::dvec3& error, double damping, Chain& to) const;
     [[nodiscard]] std::vector<glm::dvec3> turnsFor(const Chain& from, const std::vector<glm::dvec3>& stops,

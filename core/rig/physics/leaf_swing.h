@@ -15,7 +15,7 @@
 
 namespace ramure {
 
-/// Of each leaf tan(angle / 2) times the axis that it swings about, in tree space at rest.
+/// The swing of each leaf: tan(angle / 2) times the axis about which it swings, in tree space at rest.
 struct LeafBends
 {
     std::vector<float> x, y, z;

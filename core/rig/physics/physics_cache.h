@@ -54,7 +54,7 @@ public:
     [[nodiscard]] const TreePhysics& physics() const { return m_physics; }
     [[nodiscard]] const PhysicsState& state() const { return m_state; } ///< at the present step
     [[nodiscard]] std::int64_t step() const { return m_state.step; }
-    /// In force from the present step on.
+    /// Returns the parameters that act from the present step on.
     [[nodiscard]] const PhysicsParams& params() const { return m_script.paramsAt(step()); }
     [[nodiscard]] const PhysicsScript& script() const { return m_script; }
 

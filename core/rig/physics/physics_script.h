@@ -27,7 +27,7 @@ public:
     /// Only the parameters at the beginning remain.
     void clear();
 
-    /// In force from state \p step to the next.
+    /// Returns the parameters that act between state \p step and the next one.
     [[nodiscard]] const PhysicsParams& paramsAt(std::int64_t step) const;
     [[nodiscard]] const std::optional<Pull>& pullAt(std::int64_t step) const;
     /// Apples let go at a state, in the order in which they were asked for.

@@ -62,7 +62,7 @@ struct HeldWeight
     double gravity = 0.0, restitution = 0.0, appleMass = 0.0;
     bool operator==(const HeldWeight&) const = default;
 };
-/// Of a run that begins with \p params.
+/// Returns the weight that a run holds which begins with \p params.
 HeldWeight heldWeight(const PhysicsParams& params);
 
 /// One channel per column, all slots of a channel side by side.
@@ -115,7 +115,7 @@ struct PhysicsState
     bool operator==(const PhysicsState&) const = default;
 };
 
-/// For the plot, the command line and the tests.
+/// What the plot, the command line and the tests show of a run.
 struct PhysicsFigures
 {
     double lengthError = 0.0;    ///< worst | |p1 - p0| / rest length - 1 |

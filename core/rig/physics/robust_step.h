@@ -25,7 +25,7 @@ namespace ramure {
 /// The constants for one set of parameters, body and masses.
 Springs springsOf(const TreeBody& body, const PhysicsParams& params, const Masses& masses);
 
-/// By slot: the load that the weight \p held puts on each branch while all apples hang.
+/// Returns, by slot, the load that the weight \p held puts on each branch while all apples hang.
 std::vector<double> heldLoads(const TreeBody& body, const HeldWeight& held);
 
 /// One substep from \p timeSeconds on. Leaves time and step of the state alone.

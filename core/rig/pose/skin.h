@@ -50,7 +50,7 @@ struct Skin
 /// Linear and DualQuaternion. Errors: Invalid where mesh and skeleton do not belong together.
 Expected<Skin> bindBranches(const BranchMesh& mesh, const Skeleton& skeleton, bool smooth);
 
-/// Where the leaves of a plant hang: each on the triangle of the bark that is nearest to its foot.
+/// The places where the leaves of a plant hang: each hangs on the triangle of the bark nearest to its foot.
 struct BarkAnchors
 {
     Skin leaves; ///< each like a vertex of its own: what its triangle follows at that place

@@ -16,7 +16,7 @@ namespace ramure {
 /// A track of either kind.
 using AnyTrack = std::variant<Track, OrientationTrack>;
 
-/// In the order in which timelines show them.
+/// The parts of channels, in the order in which timelines show them.
 enum class ChannelPart : std::uint8_t {
     GlobalTranslation, ///< handed on to the children (SPEC B2)
     GlobalOrientation,
@@ -59,7 +59,8 @@ struct Channel
 std::vector<Channel> channelsOf(NodeKind kind);
 /// All numbers of one joint.
 std::vector<Channel> jointChannels(std::size_t joint);
-/// Of an arm: up to mostArmJoints joints, as many as it may get.
+/// Returns true if nodes of this kind have the channel. An arm has mostArmJoints joints, as many as it may
+/// get.
 bool hasChannel(NodeKind kind, const Channel& channel);
 /// "global.translation.x", "local.orientation", "physics.windStrength", "primitive.size.y",
 /// "joints[2].phi.angle": unique, used by files.

@@ -8,14 +8,14 @@
 
 namespace ramure {
 
-/// Of all angles that give this orientation those nearest to \p near.
+/// Returns, of all angles that give this orientation, those nearest to \p near.
 glm::dvec3 anglesOf(const glm::dquat& orientation, const glm::dvec3& near);
 /// The same of a rotation matrix.
 glm::dvec3 anglesOf(const glm::dmat3& rotation, const glm::dvec3& near);
 /// A unit quaternion.
 glm::dquat orientationOf(const glm::dvec3& angles);
-/// Of every key, followed along the way between them: as far as the orientation turns, so far the angles go,
-/// beyond half a turn too. (Of tracks with thousands of keys the ways between are not looked at.)
+/// Returns the angles of every key. They follow the orientation on its way between the keys, beyond half a
+/// turn too. (On tracks with thousands of keys the ways between are not looked at.)
 std::vector<glm::dvec3> anglesOfKeys(const OrientationTrack& track);
 
 } // namespace ramure

@@ -34,7 +34,7 @@ inline constexpr KeyMode firstEasingMode = KeyMode::Sine;
 enum class Easing : std::uint8_t { Auto, In, Out, InOut };
 inline constexpr int easingCount = 4;
 
-/// Where a Bezier handle stands.
+/// How a Bezier handle is placed.
 enum class HandleType : std::uint8_t {
     Free,        ///< where it was put
     Aligned,     ///< where it was put, on one line with the other

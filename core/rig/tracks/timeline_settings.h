@@ -35,7 +35,7 @@ inline constexpr std::int64_t leastFrame = -1'000'000, mostFrame = 1'000'000;
 /// Errors: Invalid, path = "framesPerSecond", "firstFrame" or "lastFrame".
 Expected<void> checkTimeline(const TimelineSettings& settings);
 
-/// Where playing has got to.
+/// The place that playing has reached.
 struct PlayPlace
 {
     std::int64_t frame = 0;

@@ -71,8 +71,8 @@ public:
     /// Errors as above, Unknown (an index); the track is unchanged then.
     Expected<void> replace(std::span<const std::size_t> indices, std::span<const KeyType> keys);
 
-    /// To be called after a change of one of these: handles at the ends of a track that goes round follow
-    /// those on the other side.
+    /// Must be called after each change of these: if the track goes round, handles at its ends follow those
+    /// on the other side.
     void settleEnds();
     Extrapolation before = Extrapolation::Hold;
     Extrapolation behind = Extrapolation::Hold;

@@ -27,22 +27,22 @@ struct NodeKindRow
     const char* tip = "";   ///< "Terrain: %1", with the node's name
     const char* label = ""; ///< what one is called that the action below has added
     const char* many = "";  ///< heads their count; empty: they have no shape, or parts that are counted
-    /// Of the action that adds one; empty: it is added in another way (by a preset, a shape, an import).
+    /// The action that adds a node of this kind. Empty if it is added by a preset, a shape or an import.
     const char *addId = "", *addText = "", *addTip = nullptr;
     void (*begin)(NodeParams& params) = nullptr; ///< how a new one differs from the defaults
-    /// To look at, with normals. \param own the mesh that the node keeps, may be null; \param params those of
-    /// the time, as below. The result is null where there is nothing.
+    /// Makes the mesh to look at, with normals. \param own the mesh that the node keeps, may be null; \param
+    /// params those of the time. The result is null if there is nothing to show.
     SharedMesh (*look)(const NodeParams& params, const SharedMesh& own) = nullptr;
-    /// For files and checks, closed where it may be.
+    /// Makes the mesh for files and checks, closed where it can be, from the same two.
     Expected<SharedMesh> (*solid)(const NodeParams& params, const SharedMesh& own) = nullptr;
     /// Is it an open surface by its nature? Then a boundary is no fault.
     bool (*isOpen)(const NodeParams& params) = nullptr;
 };
 
-/// In the order of menus and counts.
+/// Returns all kinds in the order of menus and counts.
 std::span<const NodeKindRow* const> nodeKinds();
 
-/// Of NodeKind::Unknown: a row that is not in the table.
+/// Returns the row of a kind. NodeKind::Unknown has a row that is not in the table.
 const NodeKindRow& kindRow(NodeKind kind);
 /// Null where there is none of this name.
 const NodeKindRow* findKind(std::string_view name);

@@ -22,13 +22,13 @@ public:
     /// budget: the tree as it is.
     [[nodiscard]] LevelOptions options() const;
     void setOptions(const LevelOptions& options);
-    /// For a panel: what stands in the empty field is shorter.
+    /// Makes the form fit a panel: the hints in its empty fields are shorter.
     void setNarrow();
     /// A text that holds no numbers is no budget. Errors: Invalid, with what is expected; those of
     /// readSwitches and of checkLevels.
     [[nodiscard]] Expected<void> check() const;
 
-    /// For files of settings; what is no number there is left out.
+    /// Convert to files of settings and back. Entries that are no numbers are left out.
     static QVariantMap settingsOf(const LevelOptions& options);
     static LevelOptions optionsIn(const QVariantMap& settings);
 

@@ -24,15 +24,16 @@ public:
         double factor = 1.0;            ///< shown = value * factor: what is shown gets round
         double x = 0.0;                 ///< of the mouse, pixels
         double length = pixels;
-        /// Of a handle, that stays under the mouse: where on the scale it is held. As far as the mouse goes
-        /// beyond an end it comes back before the number changes again.
+        /// Where on the scale a handle is held that stays under the mouse. If the mouse goes beyond an end,
+        /// it must come back as far before the number changes again.
         std::optional<double> held{};
     };
     /// \param before what Esc brings back; without one, as where several nodes had several values, it only
     /// ends the drag.
     void begin(const NumberScale& scale, const Start& start, std::optional<double> before);
     [[nodiscard]] bool isOn() const { return m_on; }
-    /// With Shift ten times as fine, with Ctrl ten times as coarse; a key pressed on the way makes no jump.
+    /// Moves the drag. Shift makes it ten times as fine, Ctrl ten times as coarse; a key pressed on the way
+    /// makes no jump.
     void moveTo(double x, Qt::KeyboardModifiers modifiers);
     void end();
 

@@ -11,7 +11,7 @@ namespace ramure {
 QString coreText(const char* english);
 /// The error's template in the interface's language with its arguments, without the place.
 QString errorText(const Error& error);
-/// With the place in front: "tree.ramure, line 3, column 7: ...".
+/// Returns the text of the error with its place in front: "tree.ramure, line 3, column 7: ...".
 QString errorTextWithPlace(const Error& error);
 
 /// The name of a preset as it is read: "SilverBirch", "Silver Birch".

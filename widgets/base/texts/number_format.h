@@ -19,9 +19,9 @@ struct NumberFormat
     bool whole = false;  ///< an integer
     QString atZero{};    ///< shown in the place of 0, where that is no number but a wish; empty: 0
 
-    /// With the locale's decimal sign and without group separators. Small values get the decimals they need
-    /// to show three digits, but only down to where the unit has no use any more: a rest of arithmetic is
-    /// shown as 0, never as -0 nor with an exponent.
+    /// Writes the value with the locale's decimal sign and without group separators. Small values get the
+    /// decimals they need to show three digits, but only down to where the unit has no use any more: a rest
+    /// of arithmetic is shown as 0, never as -0 nor with an exponent.
     [[nodiscard]] QString text(double value) const;
     /// Arithmetic and units (core/generators/parametric/quantity.h); integers are rounded.
     [[nodiscard]] Expected<double> parse(const QString& text) const;

@@ -109,7 +109,7 @@ public:
 
     /// The keys that the user gave to actions, by the action's id; an empty sequence: no key.
     [[nodiscard]] QMap<QString, QKeySequence> shortcuts() const;
-    /// Without a value the action has its default again.
+    /// Sets the keys of an action. Without a value it has its default again.
     void setShortcut(const QString& action, const std::optional<QKeySequence>& keys);
     void clearShortcuts();
 
@@ -137,7 +137,7 @@ public:
     void addRecentFind(const QString& name);
     /// Whether the tour has begun once.
     Value<bool> tourSeen{this, "window/tourSeen", false, false};
-    /// Of the gallery, as namedTree takes them, in the order in which they became that.
+    /// The favourites of the gallery, as namedTree takes them, in the order in which they were chosen.
     Value<QStringList> favouritePresets{this, "gallery/favourites"};
     Value<QStringList> foldedGroups{this, "properties/folded"};
     /// Columns of the scene panel that are shown besides the nodes' names. In a narrow panel names matter

@@ -13,7 +13,7 @@ namespace ramure {
 
 /// Is this palette's text lighter than its window?
 bool isDark(const QPalette& palette);
-/// For messages about errors and for marks on them, readable on the palette's window.
+/// Returns the colour of messages about errors and of marks on them. It is readable on the palette's window.
 QColor errorColour(const QPalette& palette);
 QColor goodColour(const QPalette& palette);
 QColor warningColour(const QPalette& palette);

@@ -19,7 +19,7 @@ struct Chain
 struct ChainArm
 {
     std::vector<ArmJoint> joints; ///< in the pose that the chain has now
-    /// Of each segment its axes, the direction along Z, in the space of its joint.
+    /// The axes of each segment in the space of its joint; Z is its direction.
     std::vector<glm::dmat3> axes;
     double window = 0.0;     ///< m, how far from a joint vertices follow two segments
     glm::dmat3 upright{1.0}; ///< from the arm's own space, Z up, into that of the transforms

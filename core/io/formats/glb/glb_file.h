@@ -31,7 +31,8 @@ const Json* member(const Json& object, const char* name); ///< null where there 
 std::string textOf(const Json& object, const char* name); ///< empty where it is no text
 /// A whole number from 0 on, or nothing.
 std::optional<std::size_t> numberOf(const Json& object, const char* name);
-/// As many finite numbers; \p out stays as it is where there is no such member. Error: Invalid.
+/// Reads as many finite numbers as \p out has places. If there is no such member, \p out stays as it is.
+/// Error: Invalid.
 Expected<void> numbersOf(const Json& object, const char* name, std::span<double> out,
                          const std::string& place);
 /// \}

@@ -46,7 +46,7 @@ Expected<void> applySkin(ReadGlbMesh& mesh, std::span<const glm::dmat4> joints, 
 TriangleMesh joinedMesh(const ReadGlbMesh& mesh, std::size_t first, std::size_t count,
                         std::span<const glm::vec3> colours);
 
-/// Of a linear colour, from 0 to 1 (IEC 61966-2-1).
+/// Encodes a linear colour, each part from 0 to 1 (IEC 61966-2-1).
 glm::u8vec3 srgb(const glm::vec3& linear);
 
 } // namespace ramure::glb

@@ -61,8 +61,8 @@ public:
         return addAccessor(addRounded(numbers, V::length(), bits, target), Number::Float, type,
                            values.size());
     }
-    /// Of unit length. \param isFine compressed they are right within a hundredth of a degree, not within
-    /// one. \return the number of the accessor.
+    /// Adds directions of unit length. \param isFine if compressed, they are right within a hundredth of a
+    /// degree instead of one degree. \return the number of the accessor.
     std::size_t addDirections(const std::vector<glm::vec3>& directions, bool isFine = false);
     std::size_t addTangents(const std::vector<glm::vec4>& tangents);
     std::size_t addTurns(const std::vector<glm::vec4>& quaternions);
@@ -124,7 +124,7 @@ public:
 
     /// Whether it has pictures, which need texture coordinates.
     [[nodiscard]] bool isPictured(const Material& material) const;
-    /// Of what was added: does it have a picture of normals?
+    /// Returns true if the material, which was added before, has a picture of normals.
     [[nodiscard]] bool hasNormals(std::size_t material) const;
     /// \param textured \param coloured what the mesh has. \return its number. Errors: those of the maps; Io
     /// and Invalid of image files (with file), of which PNG and JPEG can stand in a GLB.

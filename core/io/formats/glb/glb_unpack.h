@@ -10,10 +10,10 @@
 
 namespace ramure::glb {
 
-/// Of "data:...;base64,...". Nothing where it is no such URI or broken.
+/// Decodes "data:...;base64,...". Returns nothing if the URI is of another kind or broken.
 std::optional<std::string> bytesOfUri(std::string_view uri);
 
-/// As the extension names them.
+/// The fields of EXT_meshopt_compression, with the names that the extension gives them.
 struct PackedView
 {
     std::string_view bytes;

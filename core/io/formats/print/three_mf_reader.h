@@ -7,11 +7,11 @@
 
 namespace ramure {
 
-/// Of other programs' files, which have Z up and a unit, the meshes come in the program's space; of our own
-/// as their numbers are (see fileSpaceOf). Triangles have the colours that base materials and groups of
-/// colours give them; other properties are skipped. Errors: Io; Syntax (no archive, broken XML); Invalid (no
-/// mesh, an index out of range, objects in other files); Limit (an archive, or components in components, that
-/// would unpack to more than a mesh can be); Cancelled.
+/// Reads all meshes. Those of other programs, which have Z up and a unit, are turned into the program's
+/// space; those of Ramure keep their numbers (see fileSpaceOf). Triangles have the colours that base
+/// materials and groups of colours give them; other properties are skipped. Errors: Io; Syntax (no archive,
+/// broken XML); Invalid (no mesh, an index out of range, objects in other files); Limit (an archive, or
+/// components in components, that would unpack to more than a mesh can be); Cancelled.
 Expected<ReadMesh> readThreeMf(const std::string& path, const Progress& progress);
 
 } // namespace ramure

@@ -23,7 +23,7 @@ public:
     NodeParams
         params; ///< at first a tree as the presets of species have it, with the paper's aspen's numbers
 
-    /// Where the next values and notes are from.
+    /// Sets the place in the file from which the next values and notes come.
     void standAt(std::string_view path, int line = 0);
     void note(const char* text, std::vector<std::string> args = {});
     [[nodiscard]] tl::unexpected<Error> refuse(ErrorCode code, const char* text,
