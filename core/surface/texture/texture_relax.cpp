@@ -16,10 +16,10 @@ constexpr double leastRoom = 0.02;
 constexpr double leastSize = 0.01; ///< |a|² of triangles that have collapsed
 constexpr double farK = 0.5;       ///< stretched by 3: what is worse is drawn back, hopeless or not
 // Excess of k at which a triangle pulls a quarter as much, in the first and in the last round.
-constexpr double firstScale = 0.1, lastScale = 0.02;
-constexpr double mostMomentum = 0.95; ///< of a round's moves, carried into the next
-constexpr double warmUpShare = 0.015; ///< of the rounds: until momentum is half
-constexpr double inertia = 0.1;       ///< of triangles without excess
+constexpr double firstScale = 0.07, lastScale = 0.02;
+constexpr double momentum = 0.8; ///< of a round's moves, carried into the next
+constexpr int patience = 4;      ///< rounds without gain, after which no more is hoped for
+constexpr double inertia = 0.1;  ///< of triangles without excess
 
 } // namespace
 
@@ -27,6 +27,7 @@ void TextureRelaxer::clear()
 {
     m_z.clear();
     m_free.clear();
+    m_awake.clear();
     m_triangles.clear();
 }
 
@@ -87,14 +88,16 @@ inline void TextureRelaxer::measure(Triangle& t) const
     t.value = times(r, t.inverse);
 }
 
-/// Which triangles are bad, and who is to move for them.
+/// Which triangles are bad, and who is to move for them. Those that have not moved are as they were.
 void TextureRelaxer::measure()
 {
+    for (Triangle& t : m_triangles)
+        if (m_awake.empty() || isAwake(t))
+            measure(t);
     m_awake.assign(m_z.size(), 0);
     m_folded = false;
     m_bad = 0;
-    for (Triangle& t : m_triangles) {
-        measure(t);
+    for (const Triangle& t : m_triangles) {
         m_folded = m_folded || !(t.stretch <= foldedK * foldedK); // or no number
         m_bad += t.stretch >= goodK * goodK ? 1 : 0;
         if (t.stretch > boundK * boundK)
@@ -118,7 +121,7 @@ inline void TextureRelaxer::differentiate(Triangle& t)
 void TextureRelaxer::weigh(double scale)
 {
     for (Triangle& t : m_triangles) {
-        if ((m_awake[t.corner[0]] | m_awake[t.corner[1]] | m_awake[t.corner[2]]) == 0)
+        if (!isAwake(t))
             continue;
         differentiate(t);
         t.weight = t.barrier = 1.0;
@@ -214,17 +217,18 @@ bool TextureRelaxer::run(int rounds, double enough)
     const Index first = m_bad;
     Index fewest = first;
     const double shrink = maths::pow(lastScale / firstScale, 1.0 / std::max(rounds - 1, 1));
-    const double warmUp = warmUpShare * double(rounds);
     double scale = firstScale;
-    for (int round = 0; round < rounds && fewest > most; ++round, scale *= shrink) {
+    for (int round = 0, last = 0; round < rounds && round - last < patience && fewest > most;
+         ++round, scale *= shrink) {
         weigh(scale);
         sweep();
         sweep();
-        goOn(std::min(mostMomentum, double(round) / (double(round) + warmUp)));
+        goOn(round > 0 ? momentum : 0.0);
         measure();
         if (m_folded || m_bad >= fewest)
             continue;
         fewest = m_bad;
+        last = round + 1;
         m_best = m_z;
     }
     m_z.swap(m_best);

@@ -69,6 +69,10 @@ private:
     {
         return {m_uses.data() + m_first[vertex], m_first[vertex + 1] - m_first[vertex]};
     }
+    [[nodiscard]] bool isAwake(const Triangle& t) const
+    {
+        return (m_awake[t.corner[0]] | m_awake[t.corner[1]] | m_awake[t.corner[2]]) != 0;
+    }
     void link();
     void measure();
     inline void measure(Triangle& triangle) const;

@@ -3,6 +3,7 @@
 #include "core/math/reproducible.h"
 #include <algorithm>
 #include <glm/common.hpp>
+#include <utility>
 
 namespace ramure {
 
@@ -15,23 +16,10 @@ constexpr double sameSection = 1e-3; ///< of the tube: cross-sections closer tha
 constexpr double leastOnRoot = 4.0, leastAround = 2.0; ///< tiles around a branch
 constexpr double wallRoom = 1.05;                      ///< the wall between siblings has some tiles, too
 constexpr double handingLength = 2.0;                  ///< diameters
-constexpr int evenRounds = 12, stiffRounds = 150;
-constexpr double leastAside = 0.1; ///< of the distance to the column before, where a root cannot be flattened
-constexpr double enoughStretched = 0.06; ///< of a tube's triangles: it is left at that
-
-/// The point at these distances from two others, to the right of the way between them for a \p side of 1, to
-/// the left for -1; as near to that as can be where they are too far apart.
-glm::dvec2 beyond(const glm::dvec2& from, const glm::dvec2& to, double fromDistance, double toDistance,
-                  double side)
-{
-    const glm::dvec2 way = to - from;
-    const double apart = std::max(glm::length(way), 1e-300), square = fromDistance * fromDistance;
-    const double ahead =
-        std::clamp(0.5 * (apart + (square - toDistance * toDistance) / apart), -fromDistance, fromDistance);
-    const double aside =
-        std::max(std::sqrt(std::max(square - ahead * ahead, 0.0)), leastAside * fromDistance);
-    return from + (ahead * way + side * aside * glm::dvec2(way.y, -way.x)) / apart;
-}
+constexpr double mostWide = 1.25; ///< of a start over its own radius: what is wider counts for its tiles
+constexpr int evenRounds = 10, stiffRounds = 80, plainRounds = 10;
+constexpr double stiffConvergence = 0.995; ///< of a plain round: what is left of the slowest error
+constexpr double enoughStretched = 0.06;   ///< of a tube's triangles: it is left at that
 
 /// Adds the places of a triangle's corners where it has its true shape and lies as near as can be to where it
 /// is. \param own its shape around its middle; \param shift of the corners' u against \p uv.
@@ -163,54 +151,25 @@ void TubeTexture::placeFoot()
     m_seam = m_vertices[place(top, 0, 0)].azimuth;
 }
 
-/// A root is unrolled from its crest to the valleys on both sides: each vertex at its true distances from the
-/// one nearer to the crest and those above. What does not close is left to the valleys.
+/// To begin with, the columns of a foot hang straight down from where they leave the trunk, as long as they
+/// are.
 void TubeTexture::layFoot()
 {
-    const Index across = m_foot.points / m_foot.roots + 1, top = m_foot.rings - 1;
+    const Index row = m_foot.roots * (m_foot.points / m_foot.roots + 1);
     const double tiles = m_around / (turn * radiusBetween(0));
-    for (Index root = 0; root < m_foot.roots; ++root) {
-        const auto place = [&](Index ring, Index column) {
-            return m_footPlaces[(ring * m_foot.roots + root) * across + column];
-        };
-        const auto uvOf = [&](Index i) { return glm::dvec2(m_vertices[i].u, m_vertices[i].v); };
-        const auto put = [&](Index i, const glm::dvec2& uv) {
-            m_vertices[i].u = uv.x;
-            m_vertices[i].v = uv.y;
-        };
-        const Index crest = across / 2;
-        for (Index ring = top; ring-- > 0;) {
-            const Index own = place(ring, crest), above = place(ring + 1, crest);
-            put(own, uvOf(above) - glm::dvec2(0.0, tiles * glm::length(position(own) - position(above))));
-        }
-        const auto unrollColumn = [&](Index column, Index before, double side) {
-            for (Index ring = top - 1; ring > 0; --ring) {
-                const Index own = place(ring, column), beside = place(ring, before);
-                const auto seenFrom = [&](Index above) {
-                    return beyond(uvOf(beside), uvOf(above),
-                                  tiles * glm::length(position(own) - position(beside)),
-                                  tiles * glm::length(position(own) - position(above)), side);
-                };
-                put(own, 0.5 * (seenFrom(place(ring + 1, column)) + seenFrom(place(ring + 1, before))));
-            }
-        };
-        for (Index column = crest; column-- > 0;)
-            unrollColumn(column, column + 1, -1.0);
-        for (Index column = crest + 1; column < across; ++column)
-            unrollColumn(column, column - 1, 1.0);
-        for (Index column = 0; column < across; ++column) { // the wall under the ground hangs from the ring
-            const Index own = place(0, column), above = place(1, column);
-            const glm::dvec2 way = uvOf(place(1, std::min(column + 1, across - 1))) -
-                                   uvOf(place(1, column > 0 ? column - 1 : 0));
-            const double depth = tiles * glm::length(position(own) - position(above));
-            put(own, uvOf(above) + depth * glm::dvec2(way.y, -way.x) / std::max(glm::length(way), 1e-300));
-        }
+    for (Index i = (m_foot.rings - 1) * row; i-- > 0;) {
+        const Index above = m_footPlaces[i + row];
+        TubeTextureVertex& vertex = m_vertices[m_footPlaces[i]];
+        vertex.u = m_vertices[above].u;
+        vertex.v = m_vertices[above].v - tiles * glm::length(position(m_footPlaces[i]) - position(above));
     }
 }
 
 /// Lets the triangles of a foot come as near to their true shapes as those around them allow: again and again
 /// each is laid where it stands, and vertices go to the mean of where their triangles have them (Sorkine and
-/// Alexa, "As-rigid-as-possible surface modeling", 2007). The highest ring stays.
+/// Alexa, "As-rigid-as-possible surface modeling", 2007), further by Chebyshev's weights (Wang, "A Chebyshev
+/// semi-iterative approach for accelerating projective and position-based dynamics", 2015). The highest ring
+/// stays.
 void TubeTexture::stiffenFoot(std::span<const glm::uvec3> triangles)
 {
     struct Shape
@@ -243,13 +202,20 @@ void TubeTexture::stiffenFoot(std::span<const glm::uvec3> triangles)
     std::vector<glm::dvec2> uv(m_vertices.size()), sums(m_vertices.size());
     for (Index i = 0; i < uv.size(); ++i)
         uv[i] = {m_vertices[i].u, m_vertices[i].v};
+    std::vector<glm::dvec2> before = uv;
+    double weight = 1.0;
     for (int round = 0; round < stiffRounds; ++round) {
         std::ranges::fill(sums, glm::dvec2(0.0));
         for (const Shape& shape : shapes)
             layShape(shape.corner, shape.own, shape.shift, uv, sums);
-        for (Index i = 0; i < uv.size(); ++i)
-            if (moves(i) && uses[i] > 0.0)
-                uv[i] = sums[i] / uses[i];
+        if (round >= plainRounds)
+            weight = 4.0 / (4.0 - stiffConvergence * stiffConvergence * (round > plainRounds ? weight : 2.0));
+        for (Index i = 0; i < uv.size(); ++i) {
+            if (!moves(i) || uses[i] == 0.0)
+                continue;
+            const glm::dvec2 next = before[i] + weight * (sums[i] / uses[i] - before[i]);
+            before[i] = std::exchange(uv[i], next);
+        }
     }
     for (Index i = 0; i < uv.size(); ++i) {
         m_vertices[i].u = uv[i].x;
@@ -316,7 +282,8 @@ void TubeTexture::chooseTiles(const TubeTextureEnd& parent)
     m_around = parent.around;
     if (m_front >= pi || !(parent.radius > 0.0))
         return;
-    const double same = parent.around * foot.own / parent.radius, below = std::floor(same);
+    const double radius = std::max(foot.own, foot.radius / mostWide);
+    const double same = parent.around * radius / parent.radius, below = std::floor(same);
     const double fits = same * same > below * (below + 1.0) ? below + 1.0 : below;
     const double least = std::max(leastAround, std::ceil(wallRoom * parent.around * m_front / pi));
     m_around = std::clamp(fits, std::min(least, parent.around), parent.around);

@@ -121,6 +121,19 @@ std::vector<std::size_t> trunkOf(const BranchMesh& mesh)
     return trunk;
 }
 
+/// The middles of 64 equal parts of a triangle, along its first and its second edge.
+std::vector<glm::dvec2> partsOfTriangle()
+{
+    constexpr int sides = 8;
+    std::vector<glm::dvec2> parts;
+    for (int row = 0; row < sides; ++row)
+        for (int i = 0; i < 2 * (sides - row) - 1; ++i) { // every other one stands on its tip
+            const double in = i % 2 == 0 ? 1.0 / 3.0 : 2.0 / 3.0;
+            parts.emplace_back((i / 2 + in) / sides, (row + in) / sides);
+        }
+    return parts;
+}
+
 /// Of tiles a metre, between slices of \p height along the trunk while it is thicker than \p radius.
 double largestScaleStep(const BranchMesh& mesh, const TextureCoordinates& made, double height, double radius)
 {
@@ -128,6 +141,7 @@ double largestScaleStep(const BranchMesh& mesh, const TextureCoordinates& made, 
     {
         double inTexture = 0.0, inSpace = 0.0, radius = 0.0;
     };
+    const std::vector<glm::dvec2> parts = partsOfTriangle();
     std::vector<Slice> slices;
     double below = 0.0;
     for (const std::size_t tube : trunkOf(mesh)) {
@@ -145,16 +159,20 @@ double largestScaleStep(const BranchMesh& mesh, const TextureCoordinates& made, 
             const glm::dvec3 normal = glm::cross(place[1] - place[0], place[2] - place[0]);
             if (std::abs(glm::dot(normal, way)) > 0.8 * glm::length(normal) * length) // of a flat end
                 continue;
-            const glm::dvec3 middle = (place[0] + place[1] + place[2]) / 3.0;
-            const double part =
-                std::clamp(glm::dot(middle - axis.curve.h0, way) / (length * length), 0.0, 1.0);
-            const auto slice = std::size_t((below + part * length) / height);
-            if (slice >= slices.size())
-                slices.resize(slice + 1);
             const glm::dvec2 a = uv[1] - uv[0], b = uv[2] - uv[0];
-            slices[slice].inTexture += std::abs(a.x * b.y - a.y * b.x);
-            slices[slice].inSpace += glm::length(normal);
-            slices[slice].radius = std::max(slices[slice].radius, axis.radiusAt(part));
+            for (const glm::dvec2& at : parts) { // a triangle can be higher than a slice
+                const glm::dvec3 middle =
+                    place[0] + at.x * (place[1] - place[0]) + at.y * (place[2] - place[0]);
+                const double part =
+                    std::clamp(glm::dot(middle - axis.curve.h0, way) / (length * length), 0.0, 1.0);
+                const auto index = std::size_t((below + part * length) / height);
+                if (index >= slices.size())
+                    slices.resize(index + 1);
+                Slice& slice = slices[index];
+                slice.inTexture += std::abs(a.x * b.y - a.y * b.x);
+                slice.inSpace += glm::length(normal);
+                slice.radius = std::max(slice.radius, axis.radiusAt(part));
+            }
         }
         below += length;
     }
@@ -472,15 +490,15 @@ void TestTextureCoordinates::barkKeepsItsScaleAlongATrunk_data()
 {
     QTest::addColumn<QString>("preset");
     QTest::addColumn<double>("most");
-    for (const char* name : {"EnglishOak", "EuropeanBeech", "SilverBirch", "ScotsPine", "NorwaySpruce",
-                             "Hawthorn", "OrchardApple"})
-        QTest::newRow(name) << QString(name) << 1.4;
-    // One seed of each has a fork whose thickest branch takes nearly all around but is far thinner.
-    QTest::newRow("JapaneseMaple") << QString("JapaneseMaple") << 1.5;
-    QTest::newRow("WeepingWillow") << QString("WeepingWillow") << 1.9;
+    for (const char* name : {"EuropeanBeech", "SilverBirch", "ScotsPine", "NorwaySpruce", "Hawthorn",
+                             "OrchardApple", "JapaneseMaple", "SmallLeavedLinden"})
+        QTest::newRow(name) << QString(name) << 1.25;
+    // Some seeds have a fork whose thickest branch takes nearly all around but is far thinner.
+    QTest::newRow("EnglishOak") << QString("EnglishOak") << 1.3;
+    QTest::newRow("WeepingWillow") << QString("WeepingWillow") << 1.65;
 }
 
-/// Tiles a metre change by no more than two fifths from one slice of 25 cm to the next, through all forks, as
+/// Tiles a metre change by no more than a quarter from one slice of 25 cm to the next, through all forks, as
 /// long as the wood is thicker than 16 cm.
 void TestTextureCoordinates::barkKeepsItsScaleAlongATrunk()
 {
