@@ -5,6 +5,10 @@
 The same tree, camera, sun and sky. For each row: intersection over union of the silhouettes, mean difference of
 colour (CIE76) of crown and of bark at a quarter of the size, structural similarity of the grey pictures at that size.
 Pictures of both stay in FOLDER.
+
+Species have four close-ups as well, without leaves: foot, fork, limb and twig. There the rows have the difference of bark
+and the structure alone; close_ours.png and close_cycles.png show all of them, a row for each species. --close makes
+nothing else.
 """
 import json
 import math
@@ -15,6 +19,9 @@ from pathlib import Path
 import bpy
 import mathutils
 import numpy
+
+sys.path.insert(0, str(Path(__file__).parent))
+from cameras import ANGLE, CLOSE_UPS, Skeleton, close_ups
 
 SIZE = 512
 SMALL = 128
@@ -27,7 +34,8 @@ EXPOSURE = 0.8  # renderer.cpp
 MEADOW = (0.0931, 0.2051, 0.0612)
 THROUGH = 0.5  # material.cpp, of leaves, and what mesh.frag tints it with
 THROUGH_TINT = (1.5, 1.25, 0.4)
-ANGLE = 40.0
+CLOSE_SIZE = 320
+CLOSE_SAMPLES = 24
 BARS = (0.97, 12.0, 12.0, 0.80)
 
 ROWS = {
@@ -45,6 +53,9 @@ ROWS = {
 # Presets as they are; any other may be named, too.
 SPECIES = ["QuakingAspen", "SilverBirch", "EnglishOak", "EuropeanBeech", "WeepingWillow", "SugarMaple", "LondonPlane",
            "OliveTree", "ScotsPine", "NorwaySpruce", "CoconutPalm", "TreeFern"]
+CLOSE_SPECIES = ["EnglishOak", "EuropeanBeech", "SilverBirch", "ScotsPine", "NorwaySpruce", "Hawthorn", "OrchardApple",
+                 "WildCherry", "LondonPlane", "OliveTree", "WeepingWillow", "CoconutPalm"]
+BARE = ["--set", "foliage.leavesDensity=0", "--set", "foliage.applesProbability=0"]
 
 
 def run(*arguments):
@@ -70,8 +81,7 @@ def ours(cli, preset, settings, folder, name):
     options = [o for s in settings for o in ("--set", s)]
     tree = f"preset:{preset}"
     eye, target = camera_of(json.loads(run(cli, "info", tree, "--json", *options)))
-    place = ",".join(f"{v:.6f}" for v in (*eye, *target, ANGLE))
-    common = ["--camera", place, *options]
+    common = ["--camera", placed(eye, target), *options]
     run(cli, "render", tree, "-o", folder / f"{name}_ours.png", "--background", "sky",
         "--sky-picture", folder / "sky.hdr", "--size", f"{SIZE}x{SIZE}", "--quality", "best", *common)
     run(cli, "render", tree, "-o", folder / f"{name}_mask.png", "--background", "none",
@@ -138,23 +148,33 @@ def let_light_through(material):
     tree.links.new(both.outputs[0], output.inputs["Surface"])
 
 
-def arrange(folder, name, eye, target):
-    bpy.ops.wm.read_factory_settings(use_empty=True)
-    bpy.ops.wm.obj_import(filepath=str(folder / f"{name}.obj"), forward_axis="NEGATIVE_Z", up_axis="Y")
+def dress():
+    """Materials as the importers leave them."""
     for material in bpy.data.materials:
         for node in material.node_tree.nodes:
             if node.type == "TEX_IMAGE" and "_normal" in node.image.name:
                 node.image.colorspace_settings.name = "Non-Color"
         principled = material.node_tree.nodes.get("Principled BSDF")
         principled.inputs["Specular"].default_value = 0.2
-        colour = principled.inputs["Base Color"]
+
+
+def arrange(folder, name):
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    bpy.ops.wm.obj_import(filepath=str(folder / f"{name}.obj"), forward_axis="NEGATIVE_Z", up_axis="Y")
+    dress()
+    for material in bpy.data.materials:
+        colour = material.node_tree.nodes["Principled BSDF"].inputs["Base Color"]
         if not colour.is_linked:  # Kd is sRGB, and taken over as if it were linear
             colour.default_value = (*linear(numpy.array(colour.default_value[:3])), 1)
         if material.name.startswith("leaves"):
             let_light_through(material)
+
+
+def stand(eye, target):
     camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
     camera.data.sensor_fit = "VERTICAL"
     camera.data.angle = math.radians(ANGLE)
+    camera.data.clip_start = 0.01
     camera.location = blender(eye)
     camera.rotation_euler = (blender(eye) - blender(target)).to_track_quat("Z", "Y").to_euler()
     bpy.context.collection.objects.link(camera)
@@ -242,7 +262,8 @@ def similarity(a, b):
 def judged(cli, folder, name):
     preset, settings = ROWS.get(name, (name, []))
     eye, target = ours(cli, preset, settings, folder, name)
-    arrange(folder, name, eye, target)
+    arrange(folder, name)
+    stand(eye, target)
     light(folder / "sky.hdr")
     plane = ground()
     traced = rendered(folder / f"{name}_cycles.exr", SIZE, SAMPLES, False)
@@ -274,13 +295,74 @@ def save(path, srgb):
     image.save()
 
 
+def placed(eye, target):
+    return ",".join(f"{v:.6f}" for v in (*eye, *target, ANGLE))
+
+
+def judged_close(cli, folder, preset):
+    """Of each close-up the difference of bark and the structure; and the pictures, ours and theirs."""
+    tree = f"preset:{preset}"
+    run(cli, "export", tree, "--model", "skeleton", "-o", folder / f"{preset}_skeleton.obj")
+    run(cli, "export", tree, "-o", folder / f"{preset}.glb", "--part", "branches")
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    numpy.bool = bool  # the importer of 3.4 asks for a name that numpy gave up
+    bpy.ops.import_scene.gltf(filepath=str(folder / f"{preset}.glb"))
+    dress()
+    mesh = next(o for o in bpy.data.objects if o.type == "MESH").data
+    vertices = numpy.empty(3 * len(mesh.vertices), dtype=numpy.float32)
+    mesh.vertices.foreach_get("co", vertices)
+    vertices = vertices.reshape(-1, 3)[:, [0, 2, 1]] * [1, 1, -1]  # Y is up in ours
+    out = {}
+    for number, (kind, (eye, target)) in enumerate(close_ups(Skeleton(folder / f"{preset}_skeleton.obj", vertices)).items()):
+        name = f"{preset}_{kind}"
+        run(cli, "render", tree, "-o", folder / f"{name}_ours.png", "--background", "sky", "--sky-picture",
+            folder / "sky.hdr", "--size", f"{CLOSE_SIZE}x{CLOSE_SIZE}", "--quality", "best", "--camera", placed(eye, target),
+            *BARE)
+        stand(eye, target)
+        if number == 0:
+            light(folder / "sky.hdr")
+            ground()
+        traced = film(rendered(folder / f"{name}_cycles.exr", CLOSE_SIZE, CLOSE_SAMPLES, False)[..., :3])
+        save(folder / f"{name}_cycles.png", traced)
+        picture = pixels_of(folder / f"{name}_ours.png")[..., :3]
+        a, b = shrunk(picture, CLOSE_SIZE // 4), shrunk(traced, CLOSE_SIZE // 4)
+        middle = slice(len(a) // 3, 2 * len(a) // 3)
+        difference = numpy.linalg.norm(lab(a) - lab(b), axis=-1)[middle, middle].mean()
+        grey = numpy.array([0.2126, 0.7152, 0.0722])
+        out[kind] = (float(difference), similarity(a @ grey, b @ grey), picture, traced)
+    return out
+
+
+def close(cli, folder, names):
+    rows = ["| close-up | " + " | ".join(CLOSE_UPS) + " | (difference in the middle, structure)",
+            "| --- | ---: | ---: | ---: | ---: |"]
+    print("\n".join(rows))
+    sheets = [[], []]
+    for name in names:
+        found = judged_close(cli, folder, name)
+        rows.append("| %s | %s |" % (name, " | ".join("%.1f, %.2f" % found[kind][:2] for kind in CLOSE_UPS)))
+        print(rows[-1], flush=True)
+        for sheet, which in zip(sheets, (2, 3)):
+            sheet.append(numpy.concatenate([found[kind][which] for kind in CLOSE_UPS], axis=1))
+    for sheet, name in zip(sheets, ("close_ours", "close_cycles")):
+        save(folder / f"{name}.png", numpy.concatenate(sheet, axis=0))
+    (folder / "close.md").write_text("\n".join(rows) + "\n")
+
+
 def main():
     arguments = sys.argv[sys.argv.index("--") + 1:]
     cli, folder = Path(arguments[0]), Path(arguments[1]).resolve()
     folder.mkdir(parents=True, exist_ok=True)
+    names = [a for a in arguments[2:] if a != "--close"]
+    if "--close" not in arguments:
+        whole(cli, folder, names)
+    close(cli, folder, [n for n in names if n not in ROWS] if names else CLOSE_SPECIES)
+
+
+def whole(cli, folder, names):
     rows = ["| tree | silhouette | crown | bark | structure | bars |", "| --- | ---: | ---: | ---: | ---: | --- |"]
     print("\n".join(rows))
-    for name in arguments[2:] or [*ROWS, *SPECIES]:
+    for name in names or [*ROWS, *SPECIES]:
         found = judged(cli, folder, name)
         held = [not value < bar if i in (0, 3) else not value > bar for i, (value, bar) in enumerate(zip(found, BARS))]
         said = "met" if all(held) else "not met"

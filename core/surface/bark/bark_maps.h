@@ -25,7 +25,7 @@ struct BarkMaps
 };
 
 /// Raised when the same parameters give other pictures than before.
-inline constexpr int barkVersion = 6;
+inline constexpr int barkVersion = 7;
 inline constexpr int leastBarkSize = 16, mostBarkSize = 8192;
 
 /// Errors: Invalid (a size out of range; the family Plain, which has no picture), Cancelled.

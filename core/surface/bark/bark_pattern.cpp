@@ -56,14 +56,24 @@ RAMURE_WIDE_CLONE BarkSample smoothBark(vec2 p, Seed seed)
 
 RAMURE_WIDE_CLONE BarkSample platedBark(vec2 p, Seed seed)
 {
-    const vec2 at = warped(p, {4, 3}, {0.07f, 0.08f}, 4, seed);
-    const Cells plate = cellsAt(at, {5, 3}, 0.9f, seed);
-    const float edge = step(0.0f, 0.16f, plate.inside());
-    // Thin flakes lie on each other: terraces.
-    const float level = 4.0f * (0.5f + 0.6f * fractalNoise(at, {7, 5}, 4, seed + 31u)) + share(plate.id);
-    const float terrace = (std::floor(level) + step(0.8f, 1.0f, level - std::floor(level))) / 5.0f;
-    return {edge * (0.45f + 0.5f * terrace), 0.5f * tintOf(plate.id) + 1.1f * (terrace - 0.5f),
-            0.55f * edge * step(0.75f, 0.95f, terrace)};
+    // Long plates of thin flakes, one on the other. Each layer has broken off along an edge of its own, so
+    // that a plate goes down to the fissure in steps, here close together and there far apart.
+    const vec2 at = warped(p, {4, 3}, {0.06f, 0.07f}, 2, seed);
+    const Cells plate = cellsAt(at, {6, 3}, 0.95f, seed);
+    const float grain = fractalNoise(at, {17, 12}, 2, seed + 39u), flake = step(-0.05f, 0.05f, grain);
+    float stack = 0.0f, tint = 0.35f * tintOf(plate.id);
+    for (int layer = 0; layer < 3; ++layer) {
+        const Seed own = Seed(layer);
+        const float lobes =
+            fractalNoise(at, {10 + 5 * layer, 6 + 4 * layer}, layer == 0 ? 2 : 1, seed + 31u + 7u * own);
+        const float edge = 0.03f + 0.1f * float(layer) + 0.16f * (share(plate.id * (7u + own)) - 0.4f);
+        const float there = step(edge, edge + 0.05f, plate.inside() + 0.24f * lobes);
+        stack += 0.33f * there * (0.7f + 0.3f * stack);
+        tint += there * (share(plate.id * (11u + own)) - 0.5f);
+    }
+    return {glm::clamp(0.1f + 0.82f * stack + 0.1f * flake + 0.06f * grain, 0.0f, 1.0f),
+            0.55f * tint + 0.6f * grain + 0.5f * (flake - 0.5f),
+            0.3f * step(0.55f, 1.0f, stack + 0.3f * grain)};
 }
 
 RAMURE_WIDE_CLONE BarkSample furrowedBark(vec2 p, Seed seed)
@@ -87,14 +97,22 @@ RAMURE_WIDE_CLONE BarkSample furrowedBark(vec2 p, Seed seed)
 
 RAMURE_WIDE_CLONE BarkSample scalyBark(vec2 p, Seed seed)
 {
-    const vec2 at = warped(p, {7, 6}, {0.045f, 0.045f}, 3, seed);
-    const Cells scale = cellsAt(at, {9, 7}, 1.0f, seed);
-    const float flakes = fractalNoise(at, {24, 18}, 2, seed + 45u);
-    // The lower rim stands off, over a dark gap; above, a scale grows out of the next.
-    const float lifted = 0.5f - 0.5f * glm::clamp(scale.from.y * 1.6f, -1.0f, 1.0f);
-    const float gap = step(0.18f, 0.0f, scale.inside() + 0.08f * flakes) * (0.35f + 0.65f * lifted);
-    return {(1.0f - gap) * (0.4f + 0.3f * lifted + 0.2f * share(scale.id * 7u) + 0.15f * flakes),
-            0.7f * tintOf(scale.id) + 0.6f * flakes, 0.0f};
+    // Small scales, longer than wide. The lower rim of each stands off over the next, its upper end grows out
+    // of the one above: gaps are seen below a scale and hardly beside it, and many scales still hang
+    // together.
+    const vec2 at = warped(p, {9, 8}, {0.035f, 0.04f}, 3, seed);
+    const Cells scale = cellsAt(at, {13, 9}, 1.0f, seed);
+    const float flakes = fractalNoise(at, {30, 22}, 2, seed + 45u);
+    const float wide = fractalNoise(p, {4, 3}, 3, seed + 49u);
+    const float down =
+        glm::clamp(0.5f - 0.9f * scale.from.y + 0.3f * flakes, 0.0f, 1.0f); // 1: at its lower rim
+    const float loose = step(-0.35f, 0.35f, 0.7f * wide + share(scale.id * 5u) - 0.5f);
+    const float gap = step(0.20f, 0.0f, scale.inside() + 0.14f * flakes) * (0.12f + 0.88f * down * down);
+    const float rise = 0.22f + 0.5f * loose * down + 0.16f * share(scale.id * 7u) + 0.16f * flakes;
+    return {
+        glm::clamp(rise * (1.0f - 0.8f * gap * (0.35f + 0.65f * loose)) + 0.12f * wide + 0.1f, 0.0f, 1.0f),
+        0.45f * tintOf(scale.id) + 0.6f * flakes + 0.5f * wide,
+        0.7f * step(0.1f, 0.7f, wide + 0.5f * flakes)};
 }
 
 RAMURE_WIDE_CLONE BarkSample peelingBark(vec2 p, Seed seed)
@@ -109,33 +127,47 @@ RAMURE_WIDE_CLONE BarkSample peelingBark(vec2 p, Seed seed)
             (1.0f - old) * (0.8f + 0.2f * wide)};
 }
 
-/// Short dashes across. \param lengths from the shortest to the longest, \param width in cells. \param
-/// missing share of the cells that have none.
+/// Short dashes across. \param lengths from the shortest, of which there are most, to the longest, \param
+/// width in cells. \param missing share of the cells that have none.
 float lenticels(const Cells& cell, vec2 lengths, float width, float missing)
 {
-    const float length = glm::mix(lengths.x, lengths.y, share(cell.id * 3u));
-    return step(1.0f, 0.55f, glm::length(cell.from / vec2(length, width))) *
+    const float chance = share(cell.id * 3u), own = share(cell.id * 5u);
+    const float length = glm::mix(lengths.x, lengths.y, chance * chance * chance);
+    return step(1.0f, 0.6f, glm::length(cell.from / vec2(length, width * (0.6f + 0.7f * own)))) *
            step(missing, missing + 0.1f, share(cell.id * 11u));
 }
 
 RAMURE_WIDE_CLONE BarkSample ringedBark(vec2 p, Seed seed)
 {
-    const float film = fractalNoise(warped(p, {3, 6}, {0.0f, 0.015f}, 2, seed), {2, 26}, 2, seed);
-    const float dashes = lenticels(cellsAt(p, {5, 18}, 0.8f, seed + 61u), {0.12f, 0.62f}, 0.16f, 0.35f);
-    // Where limbs were, and where the trunk has burst, bark is black and rough.
-    const Cells scar = cellsAt(warped(p, {6, 6}, {0.05f, 0.05f}, 2, seed), {2, 2}, 0.9f, seed + 71u);
-    const float black =
-        share(scar.id * 13u) < 0.35f ? step(0.34f, 0.16f, glm::length(scar.from * vec2(0.8f, 1.5f))) : 0.0f;
-    const float torn = black > 0.0f ? black * fractalNoise(p, {12, 10}, 3, seed + 81u) : 0.0f;
-    return {0.68f + 0.14f * film - 0.22f * dashes + 0.3f * torn - 0.2f * black, film,
-            glm::max(0.75f * dashes, black)};
+    const vec2 at = warped(p, {5, 7}, {0.02f, 0.014f}, 1, seed);
+    const float film = fractalNoise(at, {2, 26}, 2, seed);
+    // Here they stand close, there are hardly any: in bands of a year and by the side of the trunk.
+    const float bare = 0.5f + 0.5f * fractalNoise(p, {3, 7}, 2, seed + 65u);
+    const float dashes = lenticels(cellsAt(at, {7, 27}, 1.0f, seed + 61u), {0.14f, 1.1f}, 0.2f, bare);
+    // Where limbs were, and where the trunk has burst, are black and rough diamonds, grey around.
+    const Cells scar = cellsAt(at, {3, 4}, 1.0f, seed + 71u);
+    const float size = 0.45f * share(scar.id * 13u) * share(scar.id * 17u); // most of them are small
+    float near = std::abs(scar.from.x) * 0.8f + std::abs(scar.from.y) * 1.8f - size;
+    float torn = 0.0f;
+    if (near < 0.2f) {
+        torn = fractalNoise(p, {16, 20}, 3, seed + 81u);
+        near += 0.14f * torn;
+    }
+    const float black = step(0.0f, -0.07f, near), smoke = step(0.2f, -0.1f, near);
+    return {0.68f + 0.14f * film - 0.2f * dashes + black * (0.34f * torn - 0.2f), 1.3f * film - 1.4f * smoke,
+            glm::max(0.8f * dashes, black * (0.85f + 0.3f * torn))};
 }
 
 RAMURE_WIDE_CLONE BarkSample bandedBark(vec2 p, Seed seed)
 {
-    const float film = fractalNoise(warped(p, {3, 6}, {0.0f, 0.015f}, 2, seed), {2, 22}, 3, seed);
-    const float lenticel = lenticels(cellsAt(p, {3, 14}, 0.8f, seed + 161u), {0.2f, 0.8f}, 0.2f, 0.5f);
-    return {0.5f + 0.3f * film + 0.25f * lenticel, film, 0.85f * lenticel};
+    // Rows of lenticels, rough and corky, on a skin that shines and peels in bands across.
+    const vec2 at = warped(p, {4, 6}, {0.03f, 0.014f}, 2, seed);
+    const float film = fractalNoise(at, {2, 22}, 2, seed), wide = fractalNoise(p, {3, 4}, 2, seed + 163u);
+    const float old = step(0.0f, 0.06f, fractalNoise(at, {2, 7}, 3, seed + 165u)); // not peeled off yet
+    const float bare = 0.6f + 0.8f * gradientNoise(p, {2, 6}, seed + 167u);
+    const float corky = lenticels(cellsAt(at, {7, 25}, 1.0f, seed + 161u), {0.14f, 1.1f}, 0.22f, bare);
+    return {0.42f + 0.2f * film + 0.14f * old + 0.28f * corky, 0.9f * film + 1.1f * wide - 0.15f * old,
+            glm::max(0.65f * corky, 0.1f * old)};
 }
 
 RAMURE_WIDE_CLONE BarkSample fibrousBark(vec2 p, Seed seed)
@@ -249,8 +281,8 @@ const std::array<BarkLook, 16> looks{{
      {rgb(116, 100, 86), 0.003f, 0.02f}},
     {platedBark,
      rgb(50, 40, 34),
-     rgb(146, 108, 82),
-     rgb(170, 156, 140),
+     rgb(132, 98, 76),
+     rgb(146, 134, 120),
      0.045f,
      0.16f,
      0.90f,

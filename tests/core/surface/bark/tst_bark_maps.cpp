@@ -163,8 +163,8 @@ private slots:
                     .add((maps.normal[i].x << 16) + (maps.normal[i].y << 8) + maps.normal[i].z)
                     .add((maps.height[i] << 16) + (maps.occlusion[i] << 8) + maps.roughness[i]);
         }
-        QCOMPARE(barkVersion, 6);
-        QCOMPARE(hash.value(), std::uint64_t(0xC6BA372A67314AB7));
+        QCOMPARE(barkVersion, 7);
+        QCOMPARE(hash.value(), std::uint64_t(0x7ED2E2C627D9F3DD));
     }
 };
 
