@@ -104,6 +104,13 @@
             <numerusform>Bend %n branches</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Duplicate %n step(s)</source>
+        <translation>
+            <numerusform>Duplicate %n step</numerusform>
+            <numerusform>Duplicate %n steps</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -263,16 +270,6 @@
         <translation>
             <numerusform>De&amp;lete %Ln branch</numerusform>
             <numerusform>De&amp;lete %Ln branches</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>ramure::EditModel</name>
-    <message numerus="yes">
-        <source>Bend of %n branch(es)</source>
-        <translation>
-            <numerusform>Bend of %n branch</numerusform>
-            <numerusform>Bend of %n branches</numerusform>
         </translation>
     </message>
 </context>
@@ -483,6 +480,16 @@
         <translation>
             <numerusform>%n node selected</numerusform>
             <numerusform>%n nodes selected</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ramure::RecipeModel</name>
+    <message numerus="yes">
+        <source>Bend of %n branch(es)</source>
+        <translation>
+            <numerusform>Bend of %n branch</numerusform>
+            <numerusform>Bend of %n branches</numerusform>
         </translation>
     </message>
 </context>

@@ -1498,6 +1498,18 @@
         <comment>a parameter, its value</comment>
         <translation>Modifier %1 : %2</translation>
     </message>
+    <message>
+        <source>Change %1 of %2</source>
+        <comment>a parameter, a step</comment>
+        <translation>Changer %1 de %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>Duplicate %n step(s)</source>
+        <translation>
+            <numerusform>Dupliquer %n étape</numerusform>
+            <numerusform>Dupliquer %n étapes</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -6192,10 +6204,6 @@
         <translation>0 laisse chaque coude de la croissance, 1 les adoucit en courbes.</translation>
     </message>
     <message>
-        <source>What makes the branches. Grammar: symbols that rules replace, and a turtle that draws them. Weber and Penn: trunk, limbs, branches and twigs, each level by its own numbers. Space colonisation: branches reach for points that fill a crown of your shape. Leaves, bark and motion stay.</source>
-        <translation>Ce qui fait les branches. Grammaire : des symboles que des règles remplacent, et une tortue qui les dessine. Weber et Penn : tronc, charpentières, branches et rameaux, chaque niveau par ses propres nombres. Colonisation de l’espace : les branches vont vers des points qui remplissent un houppier de votre forme. Feuilles, écorce et mouvement restent.</translation>
-    </message>
-    <message>
         <source>Hemisphere</source>
         <translation>Demi-sphère</translation>
     </message>
@@ -7839,6 +7847,338 @@
         <source>Foot</source>
         <translation>Pied</translation>
     </message>
+    <message>
+        <source>What makes the branches. Grammar: symbols that rules replace, and a turtle that draws them. Weber and Penn: trunk, limbs, branches and twigs, each level by its own numbers. Space colonisation: branches reach for points that fill a crown of your shape. Drawn by hand: only what the steps of the recipe draw. Leaves, bark and motion stay.</source>
+        <translation>Ce qui fait les branches. Grammaire : des symboles que des règles remplacent, et une tortue qui les dessine. Weber et Penn : tronc, branches maîtresses, branches et rameaux, chaque niveau selon ses propres nombres. Colonisation de l’espace : les branches cherchent à atteindre des points qui remplissent une couronne de votre forme. Dessiné à la main : seulement ce que dessinent les étapes de la recette. Feuilles, écorce et mouvement restent.</translation>
+    </message>
+    <message>
+        <source>Drawn by hand</source>
+        <translation>Dessiné à la main</translation>
+    </message>
+    <message>
+        <source>On the ground</source>
+        <translation>Au sol</translation>
+    </message>
+    <message>
+        <source>Limbs along axes</source>
+        <translation>Branches le long des axes</translation>
+    </message>
+    <message>
+        <source>Whole, along axes</source>
+        <translation>Entière, le long des axes</translation>
+    </message>
+    <message>
+        <source>Whole, at tips</source>
+        <translation>Entière, aux bouts</translation>
+    </message>
+    <message>
+        <source>Where it grows</source>
+        <translation>Où cela pousse</translation>
+    </message>
+    <message>
+        <source>Sag</source>
+        <translation>Affaissement</translation>
+    </message>
+    <message>
+        <source>Gnarl</source>
+        <translation>Tortuosité</translation>
+    </message>
+    <message>
+        <source>Dead wood</source>
+        <translation>Bois mort</translation>
+    </message>
+    <message>
+        <source>Pipe rule</source>
+        <translation>Règle des tuyaux</translation>
+    </message>
+    <message>
+        <source>there is no step &quot;%1&quot;; there are: %2</source>
+        <translation>il n’y a pas d’étape « %1 » ; il y a : %2</translation>
+    </message>
+    <message>
+        <source>several steps are called &quot;%1&quot;: #N names one of %2</source>
+        <translation>plusieurs étapes s’appellent « %1 » : #N en nomme une de %2</translation>
+    </message>
+    <message>
+        <source>unknown parameter &quot;%1&quot;: `ramure-cli list params` shows those there are</source>
+        <translation>paramètre inconnu « %1 » : `ramure-cli list params` montre ceux qu’il y a</translation>
+    </message>
+    <message>
+        <source>the step &quot;%1&quot; has no &quot;%2&quot;</source>
+        <translation>l’étape « %1 » n’a pas de « %2 »</translation>
+    </message>
+    <message>
+        <source>no step has &quot;%1&quot;; there are: %2</source>
+        <translation>aucune étape n’a « %1 » ; il y a : %2</translation>
+    </message>
+    <message>
+        <source>several steps have &quot;%1&quot;: #N.%1 names one of %2</source>
+        <translation>plusieurs étapes ont « %1 » : #N.%1 en nomme une de %2</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Où</translation>
+    </message>
+    <message>
+        <source>A condition for the axes on which the step acts, as &quot;order = 1 and share &gt; 0.4&quot;. Names: order (0 is the trunk), share and s (where the axis starts on its parent), length, radius, azimuth, angle, height, forks. Empty: every axis.</source>
+        <translation>Une condition sur les axes où l’étape agit, comme « order = 1 and share &gt; 0.4 ». Noms : order (0 est le tronc), share et s (où l’axe part de son parent), length (longueur), radius (rayon), azimuth, angle, height (hauteur), forks (fourches). Vide : tous les axes.</translation>
+    </message>
+    <message>
+        <source>Seed of the step</source>
+        <translation>Graine de l’étape</translation>
+    </message>
+    <message>
+        <source>Another draw of this step alone: the rest of the tree stays.</source>
+        <translation>Un autre tirage de cette étape seule : le reste de l’arbre ne change pas.</translation>
+    </message>
+    <message>
+        <source>Grows</source>
+        <translation>Pousse</translation>
+    </message>
+    <message>
+        <source>Where it grows. Limbs along axes: each axis takes the place of its trunk. Whole, along axes: as twigs on a limb. Whole, at tips: axes go on with it. On the ground: beside the tree.</source>
+        <translation>Où cela pousse. Branches le long des axes : chaque axe prend la place de son tronc. Entière, le long des axes : comme des rameaux sur une branche. Entière, aux bouts : les axes continuent avec elle. Au sol : à côté de l’arbre.</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>How many grow on each axis.</source>
+        <translation>Combien poussent sur chaque axe.</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>De</translation>
+    </message>
+    <message>
+        <source>Where on the axis the lowest may grow, as a share of its length.</source>
+        <translation>Où, sur l’axe, la plus basse peut pousser, en part de sa longueur.</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>À</translation>
+    </message>
+    <message>
+        <source>Where on the axis the highest may grow, as a share of its length.</source>
+        <translation>Où, sur l’axe, la plus haute peut pousser, en part de sa longueur.</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Angle</translation>
+    </message>
+    <message>
+        <source>Between what grows and the axis that it grows on.</source>
+        <translation>Entre ce qui pousse et l’axe qui le porte.</translation>
+    </message>
+    <message>
+        <source>Limbs along axes: 1 is as long as they are for a trunk of that length. Whole, on axes: its length as a share of the axis&apos;. On the ground: 1 is as its parameters say.</source>
+        <translation>Branches le long des axes : 1 donne la longueur qu’elles ont pour un tronc de cette longueur. Entière, sur des axes : sa longueur en part de celle de l’axe. Au sol : 1 est ce que disent ses paramètres.</translation>
+    </message>
+    <message>
+        <source>Variants</source>
+        <translation>Variantes</translation>
+    </message>
+    <message>
+        <source>How many different ones are grown; the axes take them in turn. More take longer.</source>
+        <translation>Combien de formes différentes poussent ; les axes les prennent tour à tour. Plus il y en a, plus c’est long.</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Place</translation>
+    </message>
+    <message>
+        <source>Where it stands, measured from the foot of the tree.</source>
+        <translation>Où elle se tient, mesuré depuis le pied de l’arbre.</translation>
+    </message>
+    <message>
+        <source>Amount</source>
+        <translation>Quantité</translation>
+    </message>
+    <message>
+        <source>How many times as far as this wood gives way under its weight. Trees that have sagged while they were young and thin hang 5 to 20 times as far.</source>
+        <translation>Combien de fois plus que ce que ce bois cède sous son poids. Les arbres qui se sont affaissés quand ils étaient jeunes et minces pendent 5 à 20 fois plus.</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus of the green wood, in gigapascals: willow about 5, pine 8, oak 9, ash 10.</source>
+        <translation>Le module de Young du bois vert, en gigapascals : saule environ 5, pin 8, chêne 9, frêne 10.</translation>
+    </message>
+    <message>
+        <source>Load of a metre</source>
+        <translation>Charge d’un mètre</translation>
+    </message>
+    <message>
+        <source>What leaves and fruit weigh on one metre of twig thinner than a centimetre.</source>
+        <translation>Ce que pèsent les feuilles et les fruits sur un mètre de rameau plus mince qu’un centimètre.</translation>
+    </message>
+    <message>
+        <source>How far an axis wanders from the direction that it had.</source>
+        <translation>De combien un axe s’écarte de la direction qu’il avait.</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>Espacement</translation>
+    </message>
+    <message>
+        <source>How long an axis runs from one turn to the next, in diameters of its foot.</source>
+        <translation>Combien un axe court d’un tournant à l’autre, en diamètres de son pied.</translation>
+    </message>
+    <message>
+        <source>By order</source>
+        <translation>Par ordre</translation>
+    </message>
+    <message>
+        <source>How much more each order wanders than the one it grows on; 1: all alike.</source>
+        <translation>Combien chaque ordre erre de plus que celui qui le porte ; 1 : tous pareils.</translation>
+    </message>
+    <message>
+        <source>Dead limbs</source>
+        <translation>Branches mortes</translation>
+    </message>
+    <message>
+        <source>How many of the axes that the step acts on have died, with all that grows on them.</source>
+        <translation>Combien des axes où l’étape agit sont morts, avec tout ce qui pousse dessus.</translation>
+    </message>
+    <message>
+        <source>In the shade</source>
+        <translation>À l’ombre</translation>
+    </message>
+    <message>
+        <source>How far those low on their parent die before those near its tip; 0: all alike.</source>
+        <translation>Combien celles qui sont basses sur leur parent meurent avant celles de son bout ; 0 : toutes pareilles.</translation>
+    </message>
+    <message>
+        <source>Lost twigs</source>
+        <translation>Rameaux perdus</translation>
+    </message>
+    <message>
+        <source>How many of its twigs a dead limb has lost.</source>
+        <translation>Combien de ses rameaux une branche morte a perdus.</translation>
+    </message>
+    <message>
+        <source>Broken at</source>
+        <translation>Brisée à</translation>
+    </message>
+    <message>
+        <source>Where dead limbs have broken off, on average, as a share of their length; 100 %: none has.</source>
+        <translation>Où les branches mortes se sont brisées, en moyenne, en part de leur longueur ; 100 % : aucune.</translation>
+    </message>
+    <message>
+        <source>Exponent</source>
+        <translation>Exposant</translation>
+    </message>
+    <message>
+        <source>Of the radii that a branch carries added up: 2 keeps the area of the wood (Leonardo), 3 makes limbs thin more slowly. Most trees lie between 2 and 2.6.</source>
+        <translation>Des rayons portés qu’on additionne : 2 garde la surface du bois (Léonard), 3 amincit les branches plus lentement. La plupart des arbres sont entre 2 et 2,6.</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>Mélange</translation>
+    </message>
+    <message>
+        <source>How far radii go from what they were to what the rule says.</source>
+        <translation>Jusqu’où les rayons vont de ce qu’ils étaient à ce que dit la règle.</translation>
+    </message>
+    <message>
+        <source>Keep the foot</source>
+        <translation>Garder le pied</translation>
+    </message>
+    <message>
+        <source>The foot of each trunk keeps its radius, and the twigs get what that gives them. Off: twigs begin with the radius below.</source>
+        <translation>Le pied de chaque tronc garde son rayon, et les rameaux ont ce qui en découle. Désactivé : les rameaux partent du rayon ci-dessous.</translation>
+    </message>
+    <message>
+        <source>The radius with which every twig ends.</source>
+        <translation>Le rayon au bout de chaque rameau.</translation>
+    </message>
+    <message>
+        <source>How much thicker the trunk is at the ground: 0.5 makes it half as thick again.</source>
+        <translation>De combien le tronc est plus épais au sol : 0,5 le rend une fois et demie plus épais.</translation>
+    </message>
+    <message>
+        <source>How far up the swelling reaches: at this height a third of it is left.</source>
+        <translation>Jusqu’où monte l’empattement : à cette hauteur, il en reste un tiers.</translation>
+    </message>
+    <message>
+        <source>Limbs bend by their own weight</source>
+        <translation>Les branches plient sous leur propre poids</translation>
+    </message>
+    <message>
+        <source>Axes wander from side to side</source>
+        <translation>Les axes errent d’un côté à l’autre</translation>
+    </message>
+    <message>
+        <source>Some limbs have died and lost their twigs</source>
+        <translation>Des branches sont mortes et ont perdu leurs rameaux</translation>
+    </message>
+    <message>
+        <source>Thickness by the pipe rule</source>
+        <translation>Épaisseur par la règle des tuyaux</translation>
+    </message>
+    <message>
+        <source>Wood is as thick as what it carries needs</source>
+        <translation>Le bois est aussi épais que ce qu’il porte le demande</translation>
+    </message>
+    <message>
+        <source>The foot of the trunk swells</source>
+        <translation>Le pied du tronc s’élargit</translation>
+    </message>
+    <message>
+        <source>Twigs or trees that rules draw</source>
+        <translation>Rameaux ou arbres que dessinent des règles</translation>
+    </message>
+    <message>
+        <source>Limbs, branches and twigs, each level by its own numbers</source>
+        <translation>Branches maîtresses, branches et rameaux, chaque niveau selon ses nombres</translation>
+    </message>
+    <message>
+        <source>Branches that fill a crown of your shape</source>
+        <translation>Branches qui remplissent une couronne de votre forme</translation>
+    </message>
+    <message>
+        <source>Unknown step</source>
+        <translation>Étape inconnue</translation>
+    </message>
+    <message>
+        <source>a recipe keeps the source that it begins with</source>
+        <translation>une recette garde la source par laquelle elle commence</translation>
+    </message>
+    <message>
+        <source>enabled, values, move or remove is expected here</source>
+        <translation>enabled, values, move ou remove est attendu ici</translation>
+    </message>
+    <message>
+        <source>a step goes to a number from 2 to that of the last step</source>
+        <translation>une étape va à un numéro de 2 à celui de la dernière</translation>
+    </message>
+    <message>
+        <source>a newer version of the program has made this step</source>
+        <translation>une version plus récente du programme a fait cette étape</translation>
+    </message>
+    <message>
+        <source>no axis meets the condition</source>
+        <translation>aucun axe ne remplit la condition</translation>
+    </message>
+    <message>
+        <source>the condition should end here</source>
+        <translation>la condition devrait finir ici</translation>
+    </message>
+    <message>
+        <source>nothing grows that has a length</source>
+        <translation>rien ne pousse qui ait une longueur</translation>
+    </message>
+    <message>
+        <source>the step would make more branches than there may be</source>
+        <translation>l’étape ferait plus de branches qu’il ne peut y en avoir</translation>
+    </message>
+    <message>
+        <source>nothing grows there</source>
+        <translation>rien n’y pousse</translation>
+    </message>
+    <message>
+        <source>Five recipes</source>
+        <translation>Cinq recettes</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>
@@ -9480,63 +9820,6 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
     </message>
 </context>
 <context>
-    <name>ramure::EditModel</name>
-    <message>
-        <source>%1 %</source>
-        <comment>a share</comment>
-        <translation>%1 %</translation>
-    </message>
-    <message>
-        <source>%1 × %2</source>
-        <comment>an edit and its factor</comment>
-        <translation>%1 × %2</translation>
-    </message>
-    <message>
-        <source>%1 at %2</source>
-        <comment>an edit and its place</comment>
-        <translation>%1 à %2</translation>
-    </message>
-    <message>
-        <source>Leaves on</source>
-        <translation>Feuilles remises</translation>
-    </message>
-    <message>
-        <source>Leaves off</source>
-        <translation>Feuilles ôtées</translation>
-    </message>
-    <message>
-        <source>no place at present</source>
-        <translation>sans place à présent</translation>
-    </message>
-    <message>
-        <source>It is kept, and acts again as soon as there is such a limb: %1</source>
-        <translation>Elle est gardée, et agit de nouveau dès qu’il y a une telle branche : %1</translation>
-    </message>
-    <message>
-        <source>Edit</source>
-        <translation>Retouche</translation>
-    </message>
-    <message>
-        <source>Limb</source>
-        <translation>Branche</translation>
-    </message>
-    <message numerus="yes">
-        <source>Bend of %n branch(es)</source>
-        <translation>
-            <numerusform>Courbure de %n branche</numerusform>
-            <numerusform>Courbure de %n branches</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>A bend acts after the other edits; it cannot be switched off, moved or copied</source>
-        <translation>Une courbure agit après les autres retouches ; on ne peut ni la désactiver, ni la déplacer, ni la copier</translation>
-    </message>
-    <message>
-        <source>The branches are not there at present. It is kept, and acts again as soon as such branches grow; Del removes it.</source>
-        <translation>Ces branches n’existent pas pour le moment. La modification est gardée et agira de nouveau dès que de telles branches poussent ; Suppr l’efface.</translation>
-    </message>
-</context>
-<context>
     <name>ramure::EditTool</name>
     <message numerus="yes">
         <source>At %n place(s) around the trunk no limb is like it: nothing happens there.</source>
@@ -9563,69 +9846,6 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
     <message>
         <source>Shift: wheel takes the limb that it grows on, or back</source>
         <translation>Maj : la molette prend la branche qui la porte, ou revient</translation>
-    </message>
-</context>
-<context>
-    <name>ramure::EditsPanel</name>
-    <message>
-        <source>Nothing was done by hand to “%1” yet. Choose a tool beside the view: cut, bend, draw. Each thing that you do is listed here, and is kept when the tree changes.</source>
-        <translation>Rien n’a encore été fait à la main à « %1 ». Choisissez un outil à côté de la vue : couper, plier, dessiner. Tout ce que vous faites est énuméré ici, et reste quand l’arbre change.</translation>
-    </message>
-    <message>
-        <source>Select a tree: what was done to it by hand is listed here.</source>
-        <translation>Sélectionnez un arbre : ce qui lui a été fait à la main est énuméré ici.</translation>
-    </message>
-    <message>
-        <source>Rename</source>
-        <translation>Renommer</translation>
-    </message>
-    <message>
-        <source>Switch on</source>
-        <translation>Remettre</translation>
-    </message>
-    <message>
-        <source>Switch off</source>
-        <translation>Couper</translation>
-    </message>
-    <message>
-        <source>Earlier</source>
-        <translation>Plus tôt</translation>
-    </message>
-    <message>
-        <source>Later</source>
-        <translation>Plus tard</translation>
-    </message>
-    <message>
-        <source>Copy to</source>
-        <translation>Copier vers</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>Supprimer</translation>
-    </message>
-    <message>
-        <source>Earlier (Alt+Up): it acts before the one above</source>
-        <translation>Plus tôt (Alt+Haut) : elle agit avant celle du dessus</translation>
-    </message>
-    <message>
-        <source>Later (Alt+Down): it acts after the one below</source>
-        <translation>Plus tard (Alt+Bas) : elle agit après celle du dessous</translation>
-    </message>
-    <message>
-        <source>Copy the selected edits to another tree</source>
-        <translation>Copier les retouches sélectionnées vers un autre arbre</translation>
-    </message>
-    <message>
-        <source>Delete the selected edits (Del)</source>
-        <translation>Supprimer les retouches sélectionnées (Suppr)</translation>
-    </message>
-    <message>
-        <source>Edits by hand</source>
-        <translation>Retouches à la main</translation>
-    </message>
-    <message>
-        <source>Delete edits</source>
-        <translation>Supprimer des retouches</translation>
     </message>
 </context>
 <context>
@@ -11390,10 +11610,6 @@ restantes</translation>
         <translation>Outils</translation>
     </message>
     <message>
-        <source>Edits</source>
-        <translation>Retouches</translation>
-    </message>
-    <message>
         <source>Show in folder</source>
         <translation>Montrer dans le dossier</translation>
     </message>
@@ -11420,6 +11636,10 @@ restantes</translation>
     <message>
         <source>The oldest steps can no longer be undone: all steps together held more than %1 of memory.</source>
         <translation>Les étapes les plus anciennes ne peuvent plus être annulées : toutes ensemble occupaient plus de %1 de mémoire.</translation>
+    </message>
+    <message>
+        <source>Recipe</source>
+        <translation>Recette</translation>
     </message>
 </context>
 <context>
@@ -12455,6 +12675,193 @@ restantes</translation>
     </message>
 </context>
 <context>
+    <name>ramure::RecipeActions</name>
+    <message>
+        <source>Add a &amp;step</source>
+        <translation>Ajouter une &amp;étape</translation>
+    </message>
+    <message>
+        <source>Step: %1</source>
+        <translation>Étape : %1</translation>
+    </message>
+    <message>
+        <source>Modifiers</source>
+        <translation>Modificateurs</translation>
+    </message>
+    <message>
+        <source>Sources</source>
+        <translation>Sources</translation>
+    </message>
+    <message>
+        <source>Source &amp;like a preset</source>
+        <translation>Source comme un &amp;modèle</translation>
+    </message>
+    <message>
+        <source>&amp;My steps</source>
+        <translation>&amp;Mes étapes</translation>
+    </message>
+    <message>
+        <source>Kept as “%1”: Add a step &gt; My steps adds it to any tree</source>
+        <translation>Gardé comme « %1 » : Ajouter une étape &gt; Mes étapes l’ajoute à n’importe quel arbre</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::RecipeModel</name>
+    <message>
+        <source>%1 %</source>
+        <comment>a share</comment>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <comment>an edit and its factor</comment>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <comment>an edit and its place</comment>
+        <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <source>Leaves on</source>
+        <translation>Feuilles remises</translation>
+    </message>
+    <message>
+        <source>Leaves off</source>
+        <translation>Feuilles ôtées</translation>
+    </message>
+    <message>
+        <source>no place at present</source>
+        <translation>sans place à présent</translation>
+    </message>
+    <message>
+        <source>It is kept, and acts again as soon as there is such a limb: %1</source>
+        <translation>Elle est gardée, et agit de nouveau dès qu’il y a une telle branche : %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Bend of %n branch(es)</source>
+        <translation>
+            <numerusform>Courbure de %n branche</numerusform>
+            <numerusform>Courbure de %n branches</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A bend acts after the other edits; it cannot be switched off, moved or copied</source>
+        <translation>Une courbure agit après les autres retouches ; on ne peut ni la désactiver, ni la déplacer, ni la copier</translation>
+    </message>
+    <message>
+        <source>The branches are not there at present. It is kept, and acts again as soon as such branches grow; Del removes it.</source>
+        <translation>Ces branches n’existent pas pour le moment. La modification est gardée et agira de nouveau dès que de telles branches poussent ; Suppr l’efface.</translation>
+    </message>
+    <message>
+        <source>on the ground</source>
+        <translation>au sol</translation>
+    </message>
+    <message>
+        <source>everywhere</source>
+        <translation>partout</translation>
+    </message>
+    <message>
+        <source>It changes nothing now: %1</source>
+        <translation>Cela ne change rien en ce moment : %1</translation>
+    </message>
+    <message>
+        <source>The source that the recipe begins with: its values are those of the tree</source>
+        <translation>La source par laquelle la recette commence : ses valeurs sont celles de l’arbre</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Étape</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Où</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::RecipePanel</name>
+    <message>
+        <source>Rename</source>
+        <translation>Renommer</translation>
+    </message>
+    <message>
+        <source>Switch on</source>
+        <translation>Remettre</translation>
+    </message>
+    <message>
+        <source>Switch off</source>
+        <translation>Couper</translation>
+    </message>
+    <message>
+        <source>Earlier</source>
+        <translation>Plus tôt</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>Plus tard</translation>
+    </message>
+    <message>
+        <source>Copy to</source>
+        <translation>Copier vers</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Earlier (Alt+Up): it acts before the one above</source>
+        <translation>Plus tôt (Alt+Haut) : elle agit avant celle du dessus</translation>
+    </message>
+    <message>
+        <source>Later (Alt+Down): it acts after the one below</source>
+        <translation>Plus tard (Alt+Bas) : elle agit après celle du dessous</translation>
+    </message>
+    <message>
+        <source>Copy the selected steps to another tree</source>
+        <translation>Copier les étapes sélectionnées vers un autre arbre</translation>
+    </message>
+    <message>
+        <source>Delete the selected steps (Del)</source>
+        <translation>Supprimer les étapes sélectionnées (Suppr)</translation>
+    </message>
+    <message>
+        <source>Add a step to the recipe</source>
+        <translation>Ajouter une étape à la recette</translation>
+    </message>
+    <message>
+        <source>Steps of the recipe</source>
+        <translation>Étapes de la recette</translation>
+    </message>
+    <message>
+        <source>Select a tree: its recipe is listed here, the steps that make it one after the other.</source>
+        <translation>Sélectionnez un arbre : sa recette s’affiche ici, les étapes qui le font l’une après l’autre.</translation>
+    </message>
+    <message>
+        <source>Delete steps</source>
+        <translation>Supprimer des étapes</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Dupliquer</translation>
+    </message>
+    <message>
+        <source>Keep as a preset of steps</source>
+        <translation>Garder comme modèle d’étapes</translation>
+    </message>
+</context>
+<context>
     <name>ramure::Recovery</name>
     <message>
         <source>Unsaved changes cannot be kept aside, so a crash would lose them. Please save often.</source>
@@ -13432,6 +13839,13 @@ restantes</translation>
     <message>
         <source>How far limbs reach from the trunk, by height. Dashed: the envelope that prunes them.</source>
         <translation>Jusqu’où les charpentières s’éloignent du tronc, selon la hauteur. En tirets : l’enveloppe qui les taille.</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::StepForm</name>
+    <message>
+        <source>Step: %1</source>
+        <translation>Étape : %1</translation>
     </message>
 </context>
 <context>

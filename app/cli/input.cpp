@@ -2,7 +2,7 @@
 #include "core/base/utf8.h"
 #include "core/generators/parametric/grammar_notes.h"
 #include "core/io/formats/file_format.h"
-#include "core/params/param_def.h"
+#include "core/params/recipe.h"
 #include "core/qt/document/project/project_file.h"
 #include "core/rig/arm/arm_chain.h"
 #include "core/scene/demo_scenes.h"
@@ -22,7 +22,7 @@ namespace {
 
 struct Setting
 {
-    const ParamDef* def;
+    RecipeKey key;
     ParamValue value;
 };
 
@@ -31,14 +31,11 @@ Expected<Setting> parseSetting(const QString& text)
     const auto equals = text.indexOf(QLatin1Char('='));
     if (equals < 0)
         return fail(ErrorCode::Syntax, "--set \"%1\": KEY=VALUE expected", {text.toStdString()});
-    const std::string key = text.left(equals).trimmed().toStdString();
-    const ParamDef* def = findParam(key);
-    if (!def)
-        return fail(ErrorCode::Unknown,
-                    "unknown parameter \"%1\": `ramure-cli list params` shows those there are", {key});
-    auto value = parseValue(*def, text.mid(equals + 1).toStdString(), true);
+    auto key = parseRecipeKey(text.left(equals).trimmed().toStdString());
+    RAMURE_TRY(key);
+    auto value = parseValue(*key->def, text.mid(equals + 1).toStdString(), true);
     RAMURE_TRY(value);
-    return Setting{def, std::move(*value)};
+    return Setting{std::move(*key), std::move(*value)};
 }
 
 /// "joints[1].theta.angle=0.3", of all arms that have this joint; settings of joints are radians too.
@@ -67,6 +64,27 @@ Expected<void> applyJointSetting(Scene& scene, const QString& text)
     return {};
 }
 
+/// Of all nodes that have the parameter; of several trees, those whose recipe has it.
+Expected<void> applySetting(Scene& scene, const Setting& setting)
+{
+    Expected<void> refused;
+    bool taken = false;
+    for (const Node& listed : scene.nodes()) {
+        NodeParams& params = scene.find(listed.id)->params;
+        const bool isOfTree = listed.kind == NodeKind::Tree && isOfSteps(*setting.key.def);
+        if (!isOfTree && !hasParam(listed.kind, *setting.key.def))
+            continue;
+        const auto set = listed.kind == NodeKind::Tree ? setRecipeValue(params, setting.key, setting.value)
+                                                       : setParam(params, *setting.key.def, setting.value);
+        taken = taken || set;
+        if (!set && set.error().code != ErrorCode::Unknown)
+            return set;
+        if (!set)
+            refused = set;
+    }
+    return taken ? Expected<void>() : refused;
+}
+
 Expected<Scene> projectScene(const QString& path)
 {
     auto project = loadProjectFile(path);
@@ -88,12 +106,7 @@ Expected<void> applySettings(Scene& scene, const QStringList& sets)
         }
         const auto setting = parseSetting(text);
         RAMURE_TRY(setting);
-        for (const Node& listed : scene.nodes()) {
-            if (!hasParam(listed.kind, *setting->def))
-                continue;
-            if (const auto set = setParam(scene.find(listed.id)->params, *setting->def, setting->value); !set)
-                return set;
-        }
+        RAMURE_TRY(applySetting(scene, *setting));
     }
     return {};
 }

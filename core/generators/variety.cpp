@@ -2,6 +2,7 @@
 
 #include "core/generators/grammar/grammar.h"
 #include "core/generators/parametric/parametric_grammar.h"
+#include "core/params/tree_edit_table.h"
 #include <algorithm>
 
 namespace ramure {
@@ -34,6 +35,15 @@ bool varies(const WeberPennParams& params)
 
 bool variesByChance(const NodeParams& params)
 {
+    const auto draws = [](const TreeEdit& step) {
+        return step.enabled && std::ranges::any_of(stepParams(step.operation), [](const ParamDef* def) {
+                   return (def->flags & paramSeed) != 0;
+               });
+    };
+    if (std::ranges::any_of(params.edits, draws))
+        return true;
+    if (params.generator.kind == TreeGenerator::Drawn)
+        return false;
     if (params.generator.kind == TreeGenerator::Colonisation)
         return true;
     if (params.generator.kind == TreeGenerator::WeberPenn)

@@ -28,6 +28,7 @@ enum class RandomStream : std::uint64_t {
     Stems = 30,
     CrownPoints = 31,
     Roots = 32,
+    Steps = 33, ///< of a recipe
     Test = 1000
 };
 

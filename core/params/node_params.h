@@ -16,6 +16,7 @@
 #include "core/params/picture_params.h"
 #include "core/params/primitive_params.h"
 #include "core/params/skin_params.h"
+#include "core/params/step_params.h"
 #include "core/params/tree_edit.h"
 #include "core/params/weber_penn_params.h"
 #include <cstdint>
@@ -164,6 +165,7 @@ struct NodeParams
     ArmSkinParams armSkin;
     TerrainParams terrain;
     CameraParams camera;
+    StepParams step;                                   ///< of a step alone (StepValues)
     std::vector<ArmJoint> joints = defaultArmJoints(); ///< of an arm, from the foot on
     std::map<std::uint64_t, BranchParams>
         branches;                ///< by Skeleton::name; only branches that differ from the default
@@ -191,6 +193,11 @@ inline double trunkRadius(const NodeParams& params)
         return own.scale * own.level[0].length * own.ratio;
     case TreeGenerator::Colonisation:
         return 0.015 * crownTop(params.colonisation);
+    case TreeGenerator::Drawn:
+        for (const TreeEdit& step : params.edits)
+            if (step.operation == EditOperation::Draw && step.target.address == 0 && !step.points.empty())
+                return step.points.front().radius > 0.0 ? step.points.front().radius : params.turtle.alpha;
+        return params.turtle.alpha;
     }
     return params.turtle.alpha;
 }

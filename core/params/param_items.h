@@ -15,7 +15,12 @@ inline constexpr std::array itemsOf<GrammarDialect>{
 template <>
 inline constexpr std::array itemsOf<TreeGenerator>{
     EnumItem{"grammar", RAMURE_NOOP("Grammar")}, EnumItem{"weber_penn", RAMURE_NOOP("Weber and Penn")},
-    EnumItem{"colonisation", RAMURE_NOOP("Space colonisation")}};
+    EnumItem{"colonisation", RAMURE_NOOP("Space colonisation")},
+    EnumItem{"drawn", RAMURE_NOOP("Drawn by hand")}};
+template <>
+inline constexpr std::array itemsOf<StandWay>{
+    EnumItem{"ground", RAMURE_NOOP("On the ground")}, EnumItem{"limbs", RAMURE_NOOP("Limbs along axes")},
+    EnumItem{"along", RAMURE_NOOP("Whole, along axes")}, EnumItem{"tips", RAMURE_NOOP("Whole, at tips")}};
 template <>
 inline constexpr std::array itemsOf<CrownEnvelope>{
     EnumItem{"sphere", RAMURE_NOOP("Sphere")},   EnumItem{"hemisphere", RAMURE_NOOP("Hemisphere")},

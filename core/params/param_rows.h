@@ -223,5 +223,12 @@ inline constexpr const char* ikGroup = RAMURE_NOOP("Inverse kinematics");
 inline constexpr const char* armSkinGroup = RAMURE_NOOP("Skin of the arm");
 inline constexpr const char* terrainGroup = RAMURE_NOOP("Terrain");
 inline constexpr const char* cameraGroup = RAMURE_NOOP("Camera");
+inline constexpr const char* stepGroup = RAMURE_NOOP("Step");
+inline constexpr const char* standGroup = RAMURE_NOOP("Where it grows");
+inline constexpr const char* sagGroup = RAMURE_NOOP("Sag");
+inline constexpr const char* gnarlGroup = RAMURE_NOOP("Gnarl");
+inline constexpr const char* deadWoodGroup = RAMURE_NOOP("Dead wood");
+inline constexpr const char* pipeGroup = RAMURE_NOOP("Pipe rule");
+inline constexpr const char* flareGroup = RAMURE_NOOP("Flare");
 
 } // namespace ramure::rows

@@ -2,6 +2,8 @@
 #include "core/params/dress_rows.h"
 #include "core/params/growth_rows.h"
 #include "core/params/node_rows.h"
+#include "core/params/step_rows.h"
+#include "core/params/tree_edit_table.h"
 #include "core/params/weber_penn_rows.h"
 #include <algorithm>
 
@@ -16,16 +18,22 @@ template <std::size_t... sizes> constexpr auto joined(const std::array<ParamDef,
     return all;
 }
 
-/// In the order of the interface.
-constexpr auto table = joined(rows::growthRows, rows::weberPennRows, rows::weberPennLevel<0>,
-                              rows::weberPennLevel<1>, rows::weberPennLevel<2>, rows::weberPennLevel<3>,
-                              rows::colonisationRows, rows::modelRows, rows::dressRows, rows::nodeRows);
+/// In the order of the interface; those of steps, which no node has, come last.
+constexpr auto table =
+    joined(rows::growthRows, rows::weberPennRows, rows::weberPennLevel<0>, rows::weberPennLevel<1>,
+           rows::weberPennLevel<2>, rows::weberPennLevel<3>, rows::colonisationRows, rows::modelRows,
+           rows::dressRows, rows::nodeRows, rows::stepRows);
 
 } // namespace
 
-std::span<const ParamDef> paramTable()
+std::span<const ParamDef> allParams()
 {
     return table;
+}
+
+std::span<const ParamDef> paramTable()
+{
+    return allParams().first(table.size() - rows::stepRows.size());
 }
 
 const ParamDef* findParam(std::string_view key)

@@ -1,12 +1,13 @@
 /// \file
 /// What a hand did to a tree: a list beside the parameters, applied in its order to what the generator grew
-/// (core/skeleton/edits/). Plain values; which of them an operation has stands in tree_edit_table.h.
+/// (core/recipe/). Plain values; which of them an operation has stands in tree_edit_table.h.
 #pragma once
 
 #include "core/params/branch_place.h"
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -33,8 +34,18 @@ enum class EditOperation : std::uint8_t {
     Leaves,    ///< those of a limb, or without a target within a sphere, are shown or hidden
     Root,      ///< the foot stands elsewhere, and flares
     Place,     ///< one leaf, fruit or flower, at `at` of the target, on the side of `azimuth`
+    // Modifiers and sources: no hand made them, and their values are rows of the parameter table.
+    Sag,
+    Gnarl,
+    DeadWood,
+    Pipe, ///< radii by the pipe rule
+    Flare,
+    Grammar,
+    WeberPenn,
+    Colonisation,
+    Unknown, ///< of a file that a newer version has written: kept, and does nothing
 };
-inline constexpr std::size_t editOperationCount = 20;
+inline constexpr std::size_t editOperationCount = static_cast<std::size_t>(EditOperation::Unknown) + 1;
 
 /// What Place puts there. The tree says what its fruit are: a flower is one where it blooms.
 enum class EditOrgan : std::uint8_t { Leaf, Fruit, Flower };
@@ -94,10 +105,28 @@ struct LimbPiece
     bool operator==(const LimbPiece&) const = default;
 };
 
-/// Vectors are in the frame that the parent carries to the fork, x and y along its normal and binormal, z
-/// along its tangent (Axis::azimuth is measured in the same), so that they keep their meaning when the tree
-/// changes; those of Prune, Attract, Comb and Root in tree space. Shares are of the axis' length as the edits
-/// before left it.
+struct NodeParams;
+
+/// Values of a step whose kind has rows in the parameter table: shared, and never changed in place.
+class StepValues
+{
+public:
+    StepValues() = default; ///< the defaults
+    explicit StepValues(NodeParams params);
+
+    const NodeParams& operator*() const;
+    const NodeParams* operator->() const { return &**this; }
+    bool operator==(const StepValues& other) const;
+
+private:
+    std::shared_ptr<const NodeParams> m_params;
+};
+
+/// One step of a tree's recipe behind the source that it begins with: what a hand did, a modifier, or another
+/// source. Vectors are in the frame that the parent carries to the fork, x and y along its normal and
+/// binormal, z along its tangent (Axis::azimuth is measured in the same), so that they keep their meaning
+/// when the tree changes; those of Prune, Attract, Comb and Root in tree space. Shares are of the axis'
+/// length as the edits before left it.
 struct TreeEdit
 {
     std::uint64_t id = 0; ///< unlike those of the tree's other edits; the address of an axis that it draws
@@ -128,6 +157,11 @@ struct TreeEdit
     /// goes on from its centre, each with its radius (0: that of the first).
     std::vector<StrokePoint> points{};
     std::vector<LimbPiece> limb{};
+    StepValues values{};
+    /// Of the algorithm: a saved tree grows as it did when a later version of the program grows others
+    /// better.
+    std::int64_t version = 1;
+    std::string kept{}; ///< Unknown: what the file says of it, as JSON
     bool operator==(const TreeEdit&) const = default;
 };
 

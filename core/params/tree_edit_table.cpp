@@ -2,6 +2,7 @@
 
 #include "core/math/angle.h"
 #include "core/math/stage_hash.h"
+#include "core/params/node_params.h"
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -44,6 +45,25 @@ constexpr EditOperationInfo operations[] = {
      editOffset | editFactor | editNeedsTarget | editTreeSpace},
     {EditOperation::Place, "place", RAMURE_NOOP("Place a leaf or fruit"), "target", "",
      editAt | editAzimuth | editFactor | editOrgan | editNeedsTarget},
+    {EditOperation::Sag, "sag", RAMURE_NOOP("Sag"), "target", "", 0, StepGroup::Modifier,
+     RAMURE_NOOP("Limbs bend by their own weight"), "step.where sag.", "order > 0"},
+    {EditOperation::Gnarl, "gnarl", RAMURE_NOOP("Gnarl"), "target", "", 0, StepGroup::Modifier,
+     RAMURE_NOOP("Axes wander from side to side"), "step. gnarl."},
+    {EditOperation::DeadWood, "deadWood", RAMURE_NOOP("Dead wood"), "target", "", 0, StepGroup::Modifier,
+     RAMURE_NOOP("Some limbs have died and lost their twigs"), "step. deadWood.", "order = 1"},
+    {EditOperation::Pipe, "pipe", RAMURE_NOOP("Thickness by the pipe rule"), "target", "", 0,
+     StepGroup::Modifier, RAMURE_NOOP("Wood is as thick as what it carries needs"), "step.where pipe."},
+    {EditOperation::Flare, "flare", RAMURE_NOOP("Flare"), "target", "", 0, StepGroup::Modifier,
+     RAMURE_NOOP("The foot of the trunk swells"), "step.where flare.", "order = 0"},
+    {EditOperation::Grammar, "grammar", RAMURE_NOOP("Grammar"), "target", "", 0, StepGroup::Source,
+     RAMURE_NOOP("Twigs or trees that rules draw"), "step. stand. grammar. turtle. variation.", "order = 1"},
+    {EditOperation::WeberPenn, "weberPenn", RAMURE_NOOP("Weber and Penn"), "target", "", 0, StepGroup::Source,
+     RAMURE_NOOP("Limbs, branches and twigs, each level by its own numbers"), "step. stand. weberPenn.",
+     "order = 0"},
+    {EditOperation::Colonisation, "colonisation", RAMURE_NOOP("Space colonisation"), "target", "", 0,
+     StepGroup::Source, RAMURE_NOOP("Branches that fill a crown of your shape"), "step. stand. colonisation.",
+     "order = 0"},
+    {EditOperation::Unknown, "", RAMURE_NOOP("Unknown step"), "target", "", 0, StepGroup::Unknown},
 };
 static_assert(std::size(operations) == editOperationCount);
 
@@ -204,7 +224,81 @@ const EditOperationInfo* editOperationOf(std::string_view key)
 {
     const auto* const found =
         std::ranges::find_if(operations, [key](const EditOperationInfo& info) { return key == info.key; });
-    return found == std::end(operations) ? nullptr : found;
+    return found == std::end(operations) || found->group == StepGroup::Unknown ? nullptr : found;
+}
+
+static std::vector<const ParamDef*> rowsOf(std::string_view prefixes)
+{
+    std::vector<const ParamDef*> rows;
+    while (!prefixes.empty()) {
+        const std::string_view prefix = prefixes.substr(0, prefixes.find(' '));
+        prefixes.remove_prefix(std::min(prefix.size() + 1, prefixes.size()));
+        for (const ParamDef& def : allParams()) // a step has a seed of its own
+            if (std::string_view(def.key).starts_with(prefix) &&
+                !(def.flags & paramSeed && prefix == "grammar."))
+                rows.push_back(&def);
+    }
+    return rows;
+}
+
+std::span<const ParamDef* const> stepParams(EditOperation operation)
+{
+    static const auto all = [] {
+        std::array<std::vector<const ParamDef*>, editOperationCount> rows;
+        for (const EditOperationInfo& info : operations)
+            rows[static_cast<std::size_t>(info.operation)] = rowsOf(info.rows);
+        return rows;
+    }();
+    return all[static_cast<std::size_t>(operation)];
+}
+
+TreeEdit newStep(EditOperation operation)
+{
+    TreeEdit step;
+    step.operation = operation;
+    const EditOperationInfo& info = infoOf(operation);
+    step.version = info.version;
+    if (info.group != StepGroup::Modifier && info.group != StepGroup::Source)
+        return step;
+    NodeParams params;
+    params.step.where = info.where;
+    if (operation == EditOperation::WeberPenn)
+        params.generator.kind = TreeGenerator::WeberPenn;
+    if (operation == EditOperation::Colonisation)
+        params.generator.kind = TreeGenerator::Colonisation;
+    if (operation == EditOperation::Grammar) {
+        params.step.stand = {.way = StandWay::Along, .size = 0.3};
+        params.grammar.iterations = 4;
+    }
+    step.values = StepValues(std::move(params));
+    return step;
+}
+
+TreeEdit newStep(EditOperation operation, const NodeParams& like)
+{
+    TreeEdit step = newStep(operation);
+    NodeParams values = *step.values;
+    for (const ParamDef* def : stepParams(operation))
+        if (hasParam(NodeKind::Tree, *def))
+            def->assign(values, def->get(like));
+    step.values = StepValues(std::move(values));
+    return step;
+}
+
+StepValues::StepValues(NodeParams params)
+    : m_params(std::make_shared<const NodeParams>(std::move(params)))
+{
+}
+
+const NodeParams& StepValues::operator*() const
+{
+    static const NodeParams usual;
+    return m_params ? *m_params : usual;
+}
+
+bool StepValues::operator==(const StepValues& other) const
+{
+    return m_params == other.m_params || **this == *other;
 }
 
 std::span<const EditNumber> editNumbers()
@@ -257,6 +351,11 @@ Expected<void> checkTreeEdit(const TreeEdit& edit)
     if (info.fields & editShape)
         if (auto ok = checkShape(edit.shape); !ok)
             return ok;
+    for (const ParamDef* def : stepParams(edit.operation))
+        if (auto ok = checkValue(*def, def->get(*edit.values)); !ok) {
+            ok.error().path = "values." + ok.error().path;
+            return ok;
+        }
     return info.fields & editLimb ? checkLimb(edit) : Expected<void>();
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/params/param_def.h"
 #include "core/params/tree_edit.h"
 #include <span>
 #include <string_view>
@@ -38,6 +39,9 @@ enum EditField : std::uint32_t {
     editPath = 8388608,  ///< points, or none
 };
 
+/// Whose doing a step is.
+enum class StepGroup : std::uint8_t { Hand, Modifier, Source, Unknown };
+
 struct EditOperationInfo
 {
     EditOperation operation;
@@ -46,12 +50,25 @@ struct EditOperationInfo
     const char* targetKey; ///< "target" or "parent"
     const char* otherKey;  ///< "source", "parent" or ""
     std::uint32_t fields;  ///< EditField
+    StepGroup group = StepGroup::Hand;
+    const char* tip = "";   ///< one line for a menu, RAMURE_NOOP; modifiers and sources have one
+    const char* rows = "";  ///< prefixes of the parameters that it has, with a blank between
+    const char* where = ""; ///< of a new step
+    std::int64_t version = 1;
 };
 /// One per operation, in their order.
 std::span<const EditOperationInfo> editOperations();
 const EditOperationInfo& infoOf(EditOperation operation);
 /// Null: there is none of that key.
 const EditOperationInfo* editOperationOf(std::string_view key);
+/// The rows of paramTable(), and behind them those that steps alone have. findParam() knows all of them.
+std::span<const ParamDef> allParams();
+/// The parameters of a step, whose values are in TreeEdit::values; none of a hand edit.
+std::span<const ParamDef* const> stepParams(EditOperation operation);
+/// A step as a new one begins, without an id.
+TreeEdit newStep(EditOperation operation);
+/// The same with the values that \p like has of its kind: those of a preset, say.
+TreeEdit newStep(EditOperation operation, const NodeParams& like);
 
 struct EditNumber
 {

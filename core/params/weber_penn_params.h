@@ -11,7 +11,12 @@
 namespace ramure {
 
 /// The order is that of the interface; files know the names.
-enum class TreeGenerator : std::uint8_t { Grammar, WeberPenn, Colonisation };
+enum class TreeGenerator : std::uint8_t {
+    Grammar,
+    WeberPenn,
+    Colonisation,
+    Drawn, ///< nothing: steps of the recipe draw all there is
+};
 
 struct GeneratorParams
 {

@@ -2,6 +2,7 @@
 
 #include "core/math/stage_hash.h"
 #include "core/params/param_def.h"
+#include "core/params/tree_edit_table.h"
 
 namespace ramure {
 namespace {
@@ -82,6 +83,9 @@ void add(StageHash& hash, const TreeEdit& edit)
                 add(hash, v);
         }
     }
+    for (const ParamDef* def : stepParams(edit.operation))
+        add(hash, def->get(*edit.values));
+    hash.add(edit.version);
 }
 
 } // namespace

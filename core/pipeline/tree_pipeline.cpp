@@ -1,24 +1,21 @@
 #include "core/pipeline/tree_pipeline.h"
 
-#include "core/generators/colonisation/colonisation.h"
-#include "core/generators/grammar/rewrite.h"
-#include "core/generators/grammar/turtle.h"
-#include "core/generators/parametric/module_turtle.h"
-#include "core/generators/weber_penn/weber_penn.h"
+#include "core/generators/grow_tree.h"
 #include "core/math/stage_hash.h"
-#include "core/params/param_def.h"
+#include "core/params/tree_edit_table.h"
 #include "core/pipeline/bark_feet.h"
 #include "core/pipeline/draft_tubes.h"
 #include "core/pipeline/stage_cache.h"
 #include "core/pipeline/stage_hashes.h"
+#include "core/recipe/edit_context.h"
 #include "core/skeleton/bend.h"
 #include "core/skeleton/edit_places.h"
-#include "core/skeleton/edits/edit_context.h"
 #include "core/surface/mesher/cut_wood.h"
 #include "core/surface/mesher/mesh_divisions.h"
 #include <algorithm>
 #include <chrono>
 #include <numeric>
+#include <optional>
 #include <tuple>
 
 namespace ramure {
@@ -42,12 +39,6 @@ template <class T> std::size_t bytesOf(const std::vector<T>& list)
 {
     return list.capacity() * sizeof(T);
 }
-/// What the rules made of the axiom.
-struct GrownSymbols
-{
-    std::string letters;
-    ModuleWord word; ///< of the parametric dialect, one module a letter
-};
 std::size_t bytesOf(const GrownSymbols& grown)
 {
     return grown.letters.capacity() + bytesOf(grown.word.modules) + bytesOf(grown.word.numbers) +
@@ -70,6 +61,51 @@ struct EditedTree
     EditContext context;
     Skeleton skeleton; ///< of the context
 };
+/// The tree as the steps before the last change have left it: whoever drags a value of step 7 runs the steps
+/// from there on alone.
+struct RecipeStart
+{
+    std::uint64_t grown = 0;    ///< StageHashes::grown
+    std::vector<TreeEdit> last; ///< the list that was made last
+    std::optional<EditContext> before;
+};
+
+/// Whether each step alone has found its place: edits that look for it by likeness look together.
+bool areSettled(const EditReport& report, std::span<const TreeEdit> steps)
+{
+    return std::ranges::equal(report, steps, [](const EditOutcome& outcome, const TreeEdit& step) {
+        const bool isIdle =
+            outcome.state == EditState::Idle && infoOf(step.operation).group != StepGroup::Hand;
+        return isIdle || outcome.state == EditState::ByAddress || outcome.state == EditState::Off;
+    });
+}
+
+/// All steps, from where \p start is the same.
+EditContext runRecipe(const Skeleton& grown, const NodeParams& params,
+                      const std::shared_ptr<const TreeAxes>& axes, RecipeStart& start,
+                      const Progress& progress)
+{
+    const std::span<const TreeEdit> steps = params.edits;
+    const auto differs = std::ranges::mismatch(start.last, steps).in2;
+    const auto same = static_cast<std::size_t>(differs - steps.begin());
+    start.last = params.edits;
+    const auto fromGround = [&](std::size_t count) {
+        return EditContext(grown, steps.first(count), axes, treeSeed(params), progress);
+    };
+    if (same == 0 || same == steps.size()) {
+        start.before.reset();
+        return fromGround(steps.size());
+    }
+    std::optional<EditContext> before =
+        start.before ? start.before->upTo(steps.first(same), progress) : std::nullopt;
+    start.before = before ? std::move(*before) : fromGround(same);
+    std::optional<EditContext> all = start.before->upTo(steps, progress);
+    if (all && areSettled(all->report(), steps))
+        return std::move(*all);
+    start.before.reset();
+    return fromGround(steps.size());
+}
+
 std::size_t bytesOf(const EditedTree& edited)
 {
     return bytesOf(edited.skeleton) + edited.context.bytes();
@@ -92,86 +128,6 @@ std::size_t bytesOf(const MeshedBranches& m)
 std::size_t bytesOf(const MeshedFoliage& f)
 {
     return bytesOf(f.foliage->leaves) + bytesOf(f.foliage->apples) + bytesOf(*f.leaves) + bytesOf(*f.apples);
-}
-
-tl::unexpected<Error> blame(Error error, const char* path)
-{
-    if (error.path.empty() && error.code != ErrorCode::Cancelled)
-        error.path = path;
-    return fail(std::move(error));
-}
-
-Expected<GrownSymbols> growModules(const GrammarParams& params, const Progress& progress)
-{
-    const auto grammar = parseParametric(params);
-    RAMURE_TRY(grammar);
-    DeriveOptions options;
-    options.iterations = static_cast<int>(params.iterations);
-    options.stochastic = params.stochastic;
-    options.seed = static_cast<std::uint64_t>(params.seed);
-    auto word = derive(*grammar, options, progress);
-    if (!word)
-        return blame(std::move(word.error()), "grammar.iterations");
-    std::string letters = lettersOf(*word);
-    return GrownSymbols{std::move(letters), std::move(*word)};
-}
-
-bool growsByGrammar(const NodeParams& params)
-{
-    return params.generator.kind == TreeGenerator::Grammar;
-}
-
-/// What most likely makes a tree too large.
-const char* sizeKey(const NodeParams& params)
-{
-    if (params.generator.kind == TreeGenerator::Colonisation)
-        return "colonisation.points";
-    return growsByGrammar(params) ? "grammar.iterations" : "weberPenn.levels";
-}
-
-/// None where no grammar grows.
-Expected<GrownSymbols> growSymbols(const NodeParams& all, const Progress& progress)
-{
-    if (!growsByGrammar(all))
-        return GrownSymbols{};
-    const GrammarParams& params = all.grammar;
-    if (params.dialect == GrammarDialect::Parametric)
-        return growModules(params, progress);
-    const auto grammar = parseGrammar(params.axiom, params.rules);
-    RAMURE_TRY(grammar);
-    RewriteOptions options;
-    options.iterations = static_cast<int>(params.iterations);
-    options.stochastic = params.stochastic;
-    options.seed = static_cast<std::uint64_t>(params.seed);
-    auto symbols = rewrite(*grammar, options, progress);
-    if (!symbols)
-        return blame(std::move(symbols.error()), "grammar.iterations");
-    return GrownSymbols{std::move(*symbols), {}};
-}
-
-Expected<Skeleton> growSkeleton(const GrownSymbols& grown, const NodeParams& params, const Progress& progress)
-{
-    const GrammarParams& grammar = params.grammar;
-    const auto seed = static_cast<std::uint64_t>(grammar.seed);
-    if (params.generator.kind == TreeGenerator::WeberPenn)
-        return growWeberPenn(params.weberPenn, seed, progress);
-    if (params.generator.kind == TreeGenerator::Colonisation)
-        return growColonisation(params.colonisation, seed, progress);
-    const TurtleChance chance{grammar.stochastic ? params.variation : VariationParams{0.0, 0.0, 0.0}, seed};
-    if (grammar.dialect == GrammarDialect::Parametric)
-        return runModuleTurtle(grown.word, params.turtle, chance, progress);
-    auto skeleton = runTurtle(grown.letters, params.turtle, chance, progress);
-    if (skeleton)
-        return skeleton;
-    Error error = std::move(skeleton.error());
-    if (error.code == ErrorCode::Limit)
-        return blame(std::move(error), "grammar.iterations");
-    // The axiom and each rule are balanced: only rules for brackets themselves can have done this. The column
-    // counts the rewritten string, which the message says in words; beside a path it would point into the
-    // wrong text.
-    const bool isBracket = error.column > 0;
-    error.column = 0;
-    return blame(std::move(error), isBracket ? "grammar.rules" : "grammar.axiom");
 }
 
 SimplifiedSkeleton untouched(const Skeleton& skeleton)
@@ -298,6 +254,7 @@ struct TreePipeline::Cache
     StageCache<Skeleton> skeleton{bytesOf};
     StageCache<TreeAxes> axes{bytesOf}; ///< of trees with edits, as they have grown
     StageCache<EditedTree> edited{bytesOf};
+    RecipeStart start;
     StageCache<SimplifiedSkeleton> simplified{bytesOf};
     StageCache<SectionSet> sections{bytesOf};
     StageCache<MeshedBranches> branches{bytesOf};
@@ -413,7 +370,14 @@ private:
         RAMURE_TRY(axes);
         return cached(m_cache.edited, m_hashes[Stage::Skeleton], m_progress,
                       [&]() -> Expected<EditedTree> {
-                          EditContext context(grown, m_params.edits, *axes);
+                          if (m_cache.start.grown != m_hashes.grown())
+                              m_cache.start = {m_hashes.grown(), {}, std::nullopt};
+                          EditContext context =
+                              runRecipe(grown, m_params, *axes, m_cache.start, {m_progress.stop, {}});
+                          if (m_progress.cancelled()) {
+                              m_cache.start = {};
+                              return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
+                          }
                           Skeleton skeleton = context.skeleton();
                           return EditedTree{std::move(context), std::move(skeleton)};
                       })

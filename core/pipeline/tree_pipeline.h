@@ -8,7 +8,7 @@
 #include "core/params/node_params.h"
 #include "core/params/stage.h"
 #include "core/pipeline/texture_stage.h"
-#include "core/skeleton/edits/edit_report.h"
+#include "core/recipe/edit_report.h"
 #include "core/skeleton/sections.h"
 #include "core/skeleton/simplify.h"
 #include "core/surface/foliage/foliage.h"

@@ -3,6 +3,7 @@
 #include "core/math/angle.h"
 #include "core/math/reproducible.h"
 #include "core/scene/arm_demo.h"
+#include "core/scene/recipe_demo.h"
 
 #include <array>
 #include <glm/gtc/quaternion.hpp>
@@ -158,6 +159,7 @@ constexpr std::array demos{
     DemoScene{"MovingCylinder", RAMURE_NOOP("Moving cylinder"), movingCylinder},
     DemoScene{"MovingTree", RAMURE_NOOP("Moving tree"), movingTree},
     DemoScene{"Arm", RAMURE_NOOP("Articulated arm"), armDemo},
+    DemoScene{"Recipes", RAMURE_NOOP("Five recipes"), recipeDemo},
 };
 
 } // namespace

@@ -180,7 +180,7 @@ private:
                 take(known[rest[row]], children[found[row]], used);
     }
 
-    /// The child of the same address in the very same place: where edits (core/skeleton/edits/) made or took
+    /// The child of the same address in the very same place: where edits (core/recipe/) made or took
     /// away what stood beside it, it is itself still.
     [[nodiscard]] Index sameAddress(const AxisPrint& print, std::span<const Index> children) const
     {
@@ -260,7 +260,7 @@ Index branchOn(const TreeAxes& tree, Index axis, const BranchPlace& place)
     const auto last = std::ranges::upper_bound(nodes, place.fork, {}, belowFork);
     if (first == last)
         return noIndex;
-    // The very same axis in more pieces, or fewer, was bent or cut (core/skeleton/edits/): ways hold.
+    // The very same axis in more pieces, or fewer, was bent or cut (core/recipe/): ways hold.
     constexpr double rounding = 1e-9;
     if (std::abs(tree.axes[axis].length - before.length) <= rounding * before.length)
         return byWay;

@@ -6,8 +6,8 @@
 #include "core/params/presets.h"
 #include "core/params/tree_edit_table.h"
 #include "core/pipeline/tree_pipeline.h"
+#include "core/recipe/edit_context.h"
 #include "core/skeleton/edit_places.h"
-#include "core/skeleton/edits/edit_context.h"
 #include "tests/bench/bench_trees.h"
 #include "tests/support/book_trees.h"
 #include <benchmark/benchmark.h>

@@ -1,6 +1,7 @@
 #include "app/cli/editor_options.h"
 #include "core/params/param_def.h"
 #include "core/params/presets.h"
+#include "core/params/tree_edit_table.h"
 #include "tests/cli/cli_support.h"
 
 namespace tst_ramure_cli_reference {
@@ -150,7 +151,7 @@ private slots:
         QCOMPARE(completed({"ramure-cli", "list", "pa"}), QStringList{"params"});
         QCOMPARE(completed({"ramure-cli", "export", "x", "--set", "grammar.see"}),
                  QStringList{"grammar.seed="});
-        QCOMPARE(completed({"ramure-cli", "info", "x", "--set", ""}).size(), qsizetype(paramTable().size()));
+        QCOMPARE(completed({"ramure-cli", "info", "x", "--set", ""}).size(), qsizetype(allParams().size()));
         QCOMPARE(completed({"ramure-cli", "info", "x", "--time", ""}), QStringList());
     }
 

@@ -1,7 +1,7 @@
 #include "core/math/random.h"
 #include "core/qt/session/jobs/unplaced_edits.h"
+#include "core/recipe/edit_context.h"
 #include "core/skeleton/axes.h"
-#include "core/skeleton/edits/edit_context.h"
 #include "tests/support/suite.h"
 #include "tests/widgets/tree_document.h"
 

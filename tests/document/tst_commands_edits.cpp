@@ -232,7 +232,6 @@ void TestEditCommands::badFiles_data()
     };
     row("7", "");
     row("[7]", "[0]");
-    row(R"([{"id": "0000000000000001", "op": "grow"}])", "[0].op");
     row(R"([{"op": "remove"}])", "[0].id");
     row(R"([{"id": "0000000000000001", "op": "graft", "limb": [[-1, 0, 0, 0, 0, 0, 1, 0, 0.1, 0.1, 7]]}])",
         "[0].limb[0]");

@@ -20,7 +20,7 @@ using namespace ramure;
 
 static QByteArray inProject(const QByteArray& nodes)
 {
-    return R"({"format":"ramure","version":4,"nodes":[)" + nodes + "]}";
+    return R"({"format":"ramure","version":5,"nodes":[)" + nodes + "]}";
 }
 static QByteArray inNode(const QByteArray& members)
 {
@@ -83,7 +83,7 @@ void TestProjectFile::badFilesAreRefusedWithTheirPlace_data()
     row("no version", R"({"format":"ramure","nodes":[]})", invalid, "version");
     row("version 0", R"({"format":"ramure","version":0,"nodes":[]})", invalid, "version");
     row("version 1.5", R"({"format":"ramure","version":1.5,"nodes":[]})", invalid, "version");
-    row("newer", R"({"format":"ramure","version":5,"nodes":7})", int(ErrorCode::Version), "version");
+    row("newer", R"({"format":"ramure","version":6,"nodes":7})", int(ErrorCode::Version), "version");
     row("no nodes", R"({"format":"ramure","version":1})", invalid, "nodes");
     row("nodes no array", R"({"format":"ramure","version":1,"nodes":{}})", invalid, "nodes");
     row("node no object", inProject("7"), invalid, "nodes[0]");
@@ -306,7 +306,7 @@ void TestProjectFile::defaultsAreLeftOut()
             "name": "Oak"
         }
     ],
-    "version": 4
+    "version": 5
 }
 )"));
 }
@@ -374,7 +374,7 @@ void TestProjectFile::unknownKeysAreKept()
             "weather": null
         }
     ],
-    "version": 4
+    "version": 5
 }
 )";
     const auto project = readProject(bytes);

@@ -9,8 +9,8 @@
 #include "widgets/base/theme/language.h"
 #include "widgets/base/theme/preferences.h"
 #include "widgets/base/theme/theme.h"
-#include "widgets/panels/edits/edit_model.h"
-#include "widgets/panels/edits/edits_panel.h"
+#include "widgets/panels/recipe/recipe_model.h"
+#include "widgets/panels/recipe/recipe_panel.h"
 #include "widgets/view/render/gl_setup.h"
 #include "widgets/view/tools/hand/hand_edit.h"
 #include "widgets/view/tools/hand_settings.h"
@@ -219,10 +219,10 @@ private slots:
         QTest::mouseClick(view(), Qt::LeftButton, {}, pixelOf(0, 0.6));
         QTRY_COMPARE_WITH_TIMEOUT(edits().size(), std::size_t(1), patienceMs);
         QTRY_VERIFY_WITH_TIMEOUT(isSettled(), patienceMs);
-        auto* panel = m_window->findChild<EditsPanel*>();
-        QCOMPARE(panel->model()->rowCount(), 1);
+        auto* panel = m_window->findChild<RecipePanel*>();
+        QCOMPARE(panel->model()->rowCount(), 2); // behind the source
         m_document->undo();
-        QCOMPARE(panel->model()->rowCount(), 0);
+        QCOMPARE(panel->model()->rowCount(), 1);
     }
     /// On the trunk, which stands: what hangs from it stays on its side.
     void aLeafGrowsOnTheSideThatIsClicked()

@@ -6,7 +6,7 @@
 #include "core/params/presets.h"
 #include "core/params/tree_edit_table.h"
 #include "core/pipeline/tree_pipeline.h"
-#include "core/skeleton/edits/edit_context.h"
+#include "core/recipe/edit_context.h"
 #include "tests/support/suite.h"
 
 namespace ramure::test {
@@ -114,7 +114,9 @@ inline TreeEdit randomEdit(const TreeAxes& axes, const Skeleton& skeleton, Rando
         return size * glm::dvec3(random.range(-1.0, 1.0), random.range(-1.0, 1.0), random.range(-1.0, 1.0));
     };
     const Axis& target = axis();
-    TreeEdit edit = editOf(static_cast<EditOperation>(random.below(editOperationCount)), target.address);
+    constexpr auto byHand =
+        static_cast<std::uint32_t>(EditOperation::Place) + 1; // the rest are no hand edits
+    TreeEdit edit = editOf(static_cast<EditOperation>(random.below(byHand)), target.address);
     const EditOperationInfo& info = infoOf(edit.operation);
     const SkeletonStats stats = skeletonStats(skeleton);
     const double size = glm::length(stats.max - stats.min);

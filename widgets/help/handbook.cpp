@@ -29,6 +29,7 @@ constexpr PageName pageNames[] = {
     {"motion", false},
     {"animation", false},
     {"keys", false},
+    {"recipe", false},
     {"hand", false},
     {"transform", false},
     {"arm", false},

@@ -1,6 +1,6 @@
 #include "widgets/help/param_page.h"
 
-#include "core/params/param_def.h"
+#include "core/params/tree_edit_table.h"
 #include "widgets/base/texts/core_text.h"
 #include "widgets/panels/properties/param_facts.h"
 #include <QCoreApplication>
@@ -47,7 +47,7 @@ QString paramPage()
             .arg(title(), PageWords::tr("The key is the name in project files, and on the command line: "
                                         "`--set key=value`. Numbers outside the range are refused."));
     std::string_view group;
-    for (const ParamDef& def : paramTable()) {
+    for (const ParamDef& def : allParams()) {
         if (group != def.group)
             page += QStringLiteral("\n## %1\n").arg(coreText(def.group));
         group = def.group;
@@ -60,7 +60,7 @@ std::vector<HandbookHeading> paramPageHeadings()
 {
     std::vector<HandbookHeading> headings{{1, title(), QStringLiteral("parameters")}};
     std::string_view group;
-    for (const ParamDef& def : paramTable()) {
+    for (const ParamDef& def : allParams()) {
         if (group != def.group)
             headings.push_back({2, coreText(def.group), headingAnchor(QString::fromLatin1(def.group))});
         group = def.group;

@@ -12,6 +12,7 @@
 #include "widgets/actions/help_actions.h"
 #include "widgets/actions/import_actions.h"
 #include "widgets/actions/picture_actions.h"
+#include "widgets/actions/recipe_actions.h"
 #include "widgets/actions/transform_actions.h"
 #include "widgets/actions/view_actions.h"
 #include "widgets/base/action_set.h"
@@ -24,11 +25,12 @@
 #include "widgets/panels/animation/key_actions.h"
 #include "widgets/panels/animation/key_commands.h"
 #include "widgets/panels/arm/arm_panel.h"
-#include "widgets/panels/edits/edits_panel.h"
 #include "widgets/panels/inspector/branch_inspector.h"
 #include "widgets/panels/levels/levels_panel.h"
 #include "widgets/panels/presets/picture_button.h"
 #include "widgets/panels/properties/properties_panel.h"
+#include "widgets/panels/properties/step_form.h"
+#include "widgets/panels/recipe/recipe_panel.h"
 #include "widgets/panels/scene/isolation.h"
 #include "widgets/panels/scene/scene_panel.h"
 #include "widgets/panels/scene/select_actions.h"
@@ -137,7 +139,16 @@ void MainWindow::connectPanels()
         m_scene->focusSearch();
     });
     connect(m_inspector, &BranchInspector::messageRaised, this, say);
-    connect(findChild<EditsPanel*>(), &EditsPanel::messageRaised, this, say);
+    auto* recipe = findChild<RecipePanel*>();
+    connect(recipe, &RecipePanel::messageRaised, this, say);
+    connect(recipe, &RecipePanel::stepChosen, m_properties->stepForm(), &StepForm::setStep);
+    recipe->setAddMenu(m_recipes->menu());
+    connect(recipe, &RecipePanel::saveRequested, m_recipes, &RecipeActions::save);
+    connect(m_recipes, &RecipeActions::messageRaised, this, say);
+    connect(m_recipes, &RecipeActions::added, this, [this, recipe](NodeId, quint64 step) {
+        showPanel(recipe);
+        recipe->select(step);
+    });
     connect(m_validation, &ValidationPanel::messageRaised, this, say);
     auto* levels = findChild<LevelsPanel*>();
     connect(levels, &LevelsPanel::messageRaised, this, say);
@@ -215,8 +226,10 @@ void MainWindow::showViewMenu(const QPoint& at, NodeId node, Index branch)
     ViewMenuActions actions;
     actions.branches =
         m_actions->find({"inspect.show", "inspect.roll", "edit.straighten"}) + m_hands->branchActions();
+    actions.branches += m_recipes->menu()->menuAction();
     actions.gestures = m_transforms->gestures();
     actions.nodes = m_edits->nodeActions();
+    actions.nodes += m_recipes->menu()->menuAction();
     actions.steps = m_selects->stepActions();
     actions.isolation = m_actions->find({"select.isolate", "select.showAll"});
     actions.frameSelection = m_actions->find("view.frameSelection");

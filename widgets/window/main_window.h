@@ -22,6 +22,7 @@ class EditActions;
 class ExportDialog;
 class FileActions;
 class HandActions;
+class RecipeActions;
 class HelpActions;
 class HintLine;
 class Isolation;
@@ -172,6 +173,7 @@ private:
     ViewActions* m_views = nullptr;
     TransformActions* m_transforms = nullptr;
     HandActions* m_hands = nullptr;
+    RecipeActions* m_recipes = nullptr;
     ImportActions* m_imports = nullptr;
     PictureActions* m_pictures = nullptr;
     BillboardActions* m_billboards = nullptr;

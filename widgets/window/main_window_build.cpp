@@ -9,6 +9,7 @@
 #include "widgets/actions/import_actions.h"
 #include "widgets/actions/picture_actions.h"
 #include "widgets/actions/program_actions.h"
+#include "widgets/actions/recipe_actions.h"
 #include "widgets/actions/transform_actions.h"
 #include "widgets/actions/view_actions.h"
 #include "widgets/base/action_set.h"
@@ -182,6 +183,7 @@ void MainWindow::buildActions()
     connect(m_views, &ViewActions::messageRaised, this,
             [this](const QString& text) { statusBar()->showMessage(text, messageMs); });
     m_transforms = new TransformActions(m_host, m_preferences, m_actions, this);
+    m_recipes = new RecipeActions(m_document, m_actions, this);
     m_hands = new HandActions(m_document, m_host, m_transforms->toolGroup(), m_actions, this);
     m_actions->add(this,
                    {{"view.search", Actions::tr("Find a &parameter"), "search", QKeySequence::Find, QString(),
@@ -287,6 +289,7 @@ void MainWindow::buildMenus()
     edit->addSeparator();
     m_transforms->fillMenu(edit);
     m_hands->fillMenu(edit);
+    edit->addMenu(m_recipes->menu());
     m_actions->fill(edit, {"edit.separate", "view.search", nullptr, "edit.preferences"});
     QMenu* select = menuBar()->addMenu(tr("&Select"));
     select->addActions(m_pictures->selectionActions());

@@ -2,12 +2,12 @@
 
 #include "widgets/panels/animation/key_panel.h"
 #include "widgets/panels/arm/arm_panel.h"
-#include "widgets/panels/edits/edits_panel.h"
 #include "widgets/panels/history/history_dock.h"
 #include "widgets/panels/inspector/branch_inspector.h"
 #include "widgets/panels/levels/levels_panel.h"
 #include "widgets/panels/presets/gallery_panel.h"
 #include "widgets/panels/properties/properties_panel.h"
+#include "widgets/panels/recipe/recipe_panel.h"
 #include "widgets/panels/scene/scene_panel.h"
 #include "widgets/panels/timeline/timeline_panel.h"
 #include "widgets/panels/validation/validation_panel.h"
@@ -33,8 +33,8 @@ std::span<const PanelRow> panels()
          &make<ScenePanel, &PanelServices::preferences>},
         {"propertiesDock", QT_TRANSLATE_NOOP("ramure::MainWindow", "Properties"), LowerRight,
          "window#properties", &make<PropertiesPanel, &PanelServices::preferences>},
-        {"editsDock", QT_TRANSLATE_NOOP("ramure::MainWindow", "Edits"), UpperRight, "hand#the-list-of-edits",
-         &make<EditsPanel>},
+        {"recipeDock", QT_TRANSLATE_NOOP("ramure::MainWindow", "Recipe"), UpperRight, "hand#the-recipe",
+         &make<RecipePanel>},
         {"inspectorDock", QT_TRANSLATE_NOOP("ramure::MainWindow", "Inspector"), LowerRight,
          "window#inspector", &make<BranchInspector>},
         {"validationDock", QT_TRANSLATE_NOOP("ramure::MainWindow", "Validation"), LowerRight,

@@ -4,7 +4,7 @@
 #include "core/io/csv_table.h"
 #include "core/io/formats/file_format.h"
 #include "core/io/pivot_files.h"
-#include "core/params/param_def.h"
+#include "core/params/recipe.h"
 #include <QCryptographicHash>
 #include <QDir>
 #include <QFileInfo>
@@ -63,10 +63,17 @@ std::string meantColumn(const std::string& written)
     return def == params.end() ? written : def->key;
 }
 
+/// The parameter that a column sets, of a step or of the tree; null: none.
+const ParamDef* paramOf(const std::string& column)
+{
+    const auto key = parseRecipeKey(column);
+    return key ? key->def : nullptr;
+}
+
 /// May its cells have a decimal comma? Vectors have commas between their numbers.
 bool isNumber(const std::string& column)
 {
-    const ParamDef* def = findParam(column);
+    const ParamDef* def = paramOf(column);
     return column == "seed" || isJoint(column) ||
            (def && (def->type == ParamType::Int || def->type == ParamType::Real));
 }
@@ -87,7 +94,7 @@ public:
         std::set<std::string_view> known;
         for (std::string& column : m_cells.columns) {
             column = meantColumn(column);
-            if (!isOurs(column) && !findParam(column) && !isJoint(column))
+            if (!isOurs(column) && !paramOf(column) && !isJoint(column))
                 return failAt(m_table, 1, ErrorCode::Unknown,
                               "unknown column \"%1\": input, preset, seed, name, files, a parameter "
                               "(`ramure-cli list params`) or a note that begins with # expected",

@@ -6,10 +6,10 @@
 #include "core/math/box.h"
 #include "core/params/tree_edit_table.h"
 #include "core/qt/document/project/project_json.h"
+#include "core/recipe/apply_edits.h"
 #include "core/rig/arm/arm_chain.h"
 #include "core/scene/object_mesh.h"
 #include "core/skeleton/edit_places.h"
-#include "core/skeleton/edits/apply_edits.h"
 #include "core/skeleton/measures.h"
 #include "widgets/view/render/surface_images.h"
 #include <QJsonArray>

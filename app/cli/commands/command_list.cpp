@@ -3,8 +3,8 @@
 #include "app/cli/work.h"
 #include "core/generators/variety.h"
 #include "core/params/named_seeds.h"
-#include "core/params/param_def.h"
 #include "core/params/presets.h"
+#include "core/params/tree_edit_table.h"
 #include "core/pipeline/tree_pipeline.h"
 #include "core/skeleton/measures.h"
 #include <QJsonArray>
@@ -163,7 +163,7 @@ Expected<QJsonArray> presetsJson()
 QJsonArray paramsJson()
 {
     QJsonArray out;
-    for (const ParamDef& def : paramTable()) {
+    for (const ParamDef& def : allParams()) {
         QJsonObject row{{QStringLiteral("key"), QString::fromUtf8(def.key)},
                         {QStringLiteral("group"), QString::fromUtf8(def.group)},
                         {QStringLiteral("label"), QString::fromUtf8(def.label)},
@@ -206,7 +206,7 @@ QString presetsText()
 QString paramsText()
 {
     QString out;
-    for (const ParamDef& def : paramTable()) {
+    for (const ParamDef& def : allParams()) {
         const QString unit = QLatin1String(unitName(def.unit));
         out += QStringLiteral("%1 %2 %3 %4\n")
                    .arg(QString::fromUtf8(def.key), -28)
@@ -227,7 +227,7 @@ QString paramsMarkdown()
                        "The key is the name in "
                        "project files and for `--set key=value`. Numbers outside the range are refused.\n");
     const char* group = "";
-    for (const ParamDef& def : paramTable()) {
+    for (const ParamDef& def : allParams()) {
         if (std::string_view(group) != def.group) {
             group = def.group;
             out += QStringLiteral("\n## %1\n").arg(QString::fromUtf8(group));

@@ -2,8 +2,8 @@
 #include "app/cli/commands/commands.h"
 #include "app/cli/editor_options.h"
 #include "core/base/version.h"
-#include "core/params/param_def.h"
 #include "core/params/presets.h"
+#include "core/params/tree_edit_table.h"
 #include "core/scene/demo_scenes.h"
 #include <QRegularExpression>
 
@@ -66,7 +66,7 @@ QStringList choicesOf(const QString& valueName)
 QStringList setWords()
 {
     QStringList out;
-    for (const ParamDef& def : paramTable())
+    for (const ParamDef& def : allParams())
         out << QLatin1String(def.key) + QLatin1Char('=');
     return out;
 }

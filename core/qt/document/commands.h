@@ -109,11 +109,20 @@ Expected<void> turnBranches(Document& document, NodeId node,
 /// Edits of a tree (core/params/tree_edit.h). Those whose id the tree has already are put in the place of
 /// these, the others at the end of the list, each with an id of its own where it has none; returns the ids.
 /// A drag gives the edit again and again, with the id that the first call returned: one step. Whether an edit
-/// can act is not asked here: core/skeleton/edits/edit_context.h. Errors: Unknown (node), Invalid (locked, no
+/// can act is not asked here: core/recipe/edit_context.h. Errors: Unknown (node), Invalid (locked, no
 /// tree, what checkTreeEdit refuses; path = "edits[0].at").
 Expected<std::vector<std::uint64_t>> putTreeEdits(Document& document, NodeId tree,
                                                   std::vector<TreeEdit> edits, GestureId gesture = 0);
 /// Errors of these: those of editable trees; Unknown (no edit of that id).
+/// The whole list in the place of another. Errors: those of checkTreeEdits, Unknown, Invalid (locked).
+Expected<void> setTreeEdits(Document& document, NodeId tree, std::vector<TreeEdit> edits,
+                            const QString& text);
+/// A parameter of a step (stepParams). Errors: those of checkValue; Unknown (tree, step), Invalid (the step
+/// has no such parameter), path = the key.
+Expected<void> setStepParam(Document& document, NodeId tree, std::uint64_t step, const ParamDef& def,
+                            const ParamValue& value, GestureId gesture = 0);
+/// A copy behind each of these steps, with an id of its own.
+Expected<void> duplicateTreeEdits(Document& document, NodeId tree, const std::vector<std::uint64_t>& ids);
 Expected<void> removeTreeEdits(Document& document, NodeId tree, const std::vector<std::uint64_t>& ids,
                                GestureId gesture = 0);
 Expected<void> setTreeEditsEnabled(Document& document, NodeId tree, const std::vector<std::uint64_t>& ids,

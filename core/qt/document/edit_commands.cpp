@@ -180,6 +180,51 @@ Expected<std::vector<std::uint64_t>> edit::putTreeEdits(Document& document, Node
     return ids;
 }
 
+Expected<void> edit::setTreeEdits(Document& document, NodeId id, std::vector<TreeEdit> edits,
+                                  const QString& text)
+{
+    RAMURE_TRY(editableTree(document, id));
+    RAMURE_TRY(checkTreeEdits(edits));
+    pushLists(document, {{id, std::move(edits)}}, text);
+    return {};
+}
+
+Expected<void> edit::setStepParam(Document& document, NodeId id, std::uint64_t step, const ParamDef& def,
+                                  const ParamValue& value, GestureId gesture)
+{
+    auto list = editsWith(document, id, {step});
+    RAMURE_TRY(list);
+    TreeEdit& edit = *std::ranges::find(*list, step, &TreeEdit::id);
+    NodeParams values = *edit.values;
+    if (std::ranges::count(stepParams(edit.operation), &def) == 0) {
+        auto error = fail(ErrorCode::Invalid, RAMURE_NOOP("\"%1\" has no such parameter"),
+                          {labelOf(edit).toStdString()});
+        error.value().path = def.key;
+        return error;
+    }
+    RAMURE_TRY(setParam(values, def, value));
+    edit.values = StepValues(std::move(values));
+    const QString text = DocumentCommand::tr("Change %1 of %2", "a parameter, a step")
+                             .arg(QCoreApplication::translate("core", def.label), labelOf(edit));
+    pushLists(document, {{id, std::move(*list)}}, text, gesture);
+    return {};
+}
+
+Expected<void> edit::duplicateTreeEdits(Document& document, NodeId id, const Ids& ids)
+{
+    auto list = editsWith(document, id, ids);
+    RAMURE_TRY(list);
+    for (const std::uint64_t wanted : ids) {
+        const auto at = std::ranges::find(*list, wanted, &TreeEdit::id);
+        TreeEdit copy = *at;
+        copy.id = newEditId(*list, copy);
+        list->insert(at + 1, std::move(copy));
+    }
+    pushLists(document, {{id, std::move(*list)}},
+              DocumentCommand::tr("Duplicate %n step(s)", nullptr, static_cast<int>(ids.size())));
+    return {};
+}
+
 Expected<void> edit::removeTreeEdits(Document& document, NodeId id, const Ids& ids, GestureId gesture)
 {
     auto list = editsWith(document, id, ids);

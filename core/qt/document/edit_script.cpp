@@ -1,12 +1,14 @@
 #include "core/qt/document/edit_script.h"
 
 #include "core/base/plain_text.h"
+#include "core/params/recipe.h"
 #include "core/params/tree_edit_table.h"
 #include "core/qt/document/commands.h"
 #include "core/qt/document/project/project_edits.h"
+#include "core/recipe/edit_context.h"
 #include "core/scene/edit_shapes.h"
-#include "core/skeleton/edits/edit_context.h"
 
+#include <QCoreApplication>
 #include <QJsonDocument>
 
 namespace ramure {
@@ -43,8 +45,7 @@ Expected<json::ScriptEdits> parsed(const QByteArray& line, const Scene& scene, N
 }
 
 /// The edits of one line, added to all before.
-Expected<void> addLine(const json::ScriptEdits& script, EditContext& context, std::vector<TreeEdit>& list,
-                       std::vector<TreeEdit>& added)
+Expected<void> addLine(const json::ScriptEdits& script, EditContext& context, std::vector<TreeEdit>& list)
 {
     for (const TreeEdit& wanted : script.edits) {
         auto edit = context.prepared(wanted, script.inTreeSpace);
@@ -61,10 +62,70 @@ Expected<void> addLine(const json::ScriptEdits& script, EditContext& context, st
             if (auto made = context.apply(*edit); !made)
                 return made;
         edit->enabled = isOn;
-        list.push_back(*edit);
-        added.push_back(std::move(*edit));
+        list.push_back(std::move(*edit));
     }
     return {};
+}
+
+/// The lists of a script so far, and the tree that they lead to.
+struct Replay
+{
+    const NodeParams& tree;
+    const Skeleton& grown;
+    EditContext context;
+    std::vector<TreeEdit> list;
+
+    void renew() { context = EditContext(grown, list, nullptr, treeSeed(tree)); }
+};
+
+tl::unexpected<Error> refusedAt(const char* path, const char* text)
+{
+    auto error = fail(ErrorCode::Invalid, text);
+    error.value().path = path;
+    return error;
+}
+
+/// {"step": "#3", ...}: switches a step of the recipe on or off, changes its values, moves or removes it.
+Expected<void> changeStep(QJsonObject line, Replay& replay)
+{
+    NodeParams named = replay.tree;
+    named.edits = replay.list;
+    const auto step = findStep(named, line.take(QLatin1String("step")).toString().toStdString());
+    RAMURE_TRY(step);
+    if (*step == 0)
+        return refusedAt("step", RAMURE_NOOP("a recipe keeps the source that it begins with"));
+    const auto at = replay.list.begin() + static_cast<std::ptrdiff_t>(*step - 1);
+    const QJsonValue enabled = line.take(QLatin1String("enabled")),
+                     remove = line.take(QLatin1String("remove"));
+    const QJsonValue move = line.take(QLatin1String("move")), values = line.take(QLatin1String("values"));
+    if (!line.isEmpty())
+        return refusedAt(line.begin().key().toUtf8().constData(),
+                         RAMURE_NOOP("enabled, values, move or remove is expected here"));
+    at->enabled = enabled.toBool(at->enabled);
+    if (values.isObject())
+        RAMURE_TRY(json::readStepValues(values.toObject(), *at));
+    if (remove.toBool()) {
+        replay.list.erase(at);
+    } else if (move.isDouble()) {
+        const qint64 to = move.toInteger(0), count = std::ssize(replay.list);
+        if (to < 2 || to > count + 1)
+            return refusedAt("move", RAMURE_NOOP("a step goes to a number from 2 to that of the last step"));
+        TreeEdit moved = std::move(*at);
+        replay.list.erase(at);
+        replay.list.insert(replay.list.begin() + (to - 2), std::move(moved));
+    }
+    replay.renew();
+    return {};
+}
+
+Expected<void> runLine(const QByteArray& line, const Scene& scene, NodeId tree, Replay& replay)
+{
+    const QJsonObject object = QJsonDocument::fromJson(line).object();
+    if (object.contains(QLatin1String("step")))
+        return changeStep(object, replay);
+    const auto edits = parsed(line, scene, tree);
+    RAMURE_TRY(edits);
+    return addLine(*edits, replay.context, replay.list);
 }
 
 } // namespace
@@ -77,8 +138,9 @@ Expected<void> replayEdits(Document& document, NodeId id, const QByteArray& scri
     TreePipeline pipeline;
     const auto grown = pipeline.evaluate(tree->params, Stage::Skeleton);
     RAMURE_TRY(grown);
-    EditContext context(*grown->grown, tree->params.edits);
-    std::vector<TreeEdit> list = tree->params.edits, added;
+    const NodeParams params = tree->params;
+    Replay replay{params, *grown->grown, EditContext(*grown->grown, {}), params.edits};
+    replay.renew();
     int number = 0;
     const PlainText plain({script.constData(), static_cast<std::size_t>(script.size())});
     const QByteArray text(plain.view().data(), static_cast<qsizetype>(plain.view().size()));
@@ -86,16 +148,15 @@ Expected<void> replayEdits(Document& document, NodeId id, const QByteArray& scri
         ++number;
         if (line.trimmed().isEmpty())
             continue;
-        auto done = parsed(line, document.scene(), id).and_then([&](const json::ScriptEdits& edits) {
-            return addLine(edits, context, list, added);
-        });
-        if (!done) {
+        if (auto done = runLine(line, document.scene(), id, replay); !done) {
             done.error().line = number;
             return done;
         }
     }
-    const auto put = edit::putTreeEdits(document, id, std::move(added));
-    return put ? Expected<void>() : fail(put.error());
+    const int change = static_cast<int>(std::ssize(replay.list) - std::ssize(params.edits));
+    return edit::setTreeEdits(document, id, std::move(replay.list),
+                              QCoreApplication::translate("ramure::DocumentCommand", "Shape %n limb(s)",
+                                                          nullptr, std::max(change, 1)));
 }
 
 } // namespace ramure

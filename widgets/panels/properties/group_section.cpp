@@ -165,6 +165,11 @@ void GroupSection::applyVisibility()
     m_heading->setIcon(icon(open ? "fold-open" : "fold-closed"));
 }
 
+void GroupSection::setMenuShown(bool shown)
+{
+    m_menuButton->setVisible(shown);
+}
+
 void GroupSection::updateHeading()
 {
     const auto changed = std::ranges::count_if(m_rows, [](const ParamRow* row) { return row->isChanged(); });

@@ -36,6 +36,8 @@ public:
     /// While searching: one of the rows that are shown is called so.
     [[nodiscard]] bool isFoundByName() const;
     void updateHeading();
+    /// Whether it offers to copy, paste and reset all of its rows.
+    void setMenuShown(bool shown);
 
 signals:
     void foldedChanged();

@@ -14,6 +14,7 @@
 #include "widgets/panels/properties/leaf_dialog.h"
 #include "widgets/panels/properties/param_row.h"
 #include "widgets/panels/properties/stem_curves.h"
+#include "widgets/panels/properties/step_form.h"
 #include "widgets/panels/properties/surface_preview.h"
 #include <QClipboard>
 #include <QGuiApplication>
@@ -113,6 +114,8 @@ void PropertiesPanel::buildRows()
     auto* layout = new QVBoxLayout(m_content);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
+    m_step = new StepForm(m_document, m_content);
+    layout->addWidget(m_step);
     for (const ParamDef& def : paramTable()) {
         const auto sameGroup = [&](const GroupSection* s) {
             return std::string_view(s->group()) == def.group;
@@ -350,8 +353,8 @@ void PropertiesPanel::applyFilter()
     std::stable_partition(order.begin(), order.end(), std::mem_fn(&GroupSection::isFoundByName));
     auto* layout = static_cast<QVBoxLayout*>(m_content->layout());
     for (int place = 0; place < static_cast<int>(order.size()); ++place)
-        if (layout->indexOf(order[std::size_t(place)]) != place)
-            layout->insertWidget(place, order[std::size_t(place)]);
+        if (layout->indexOf(order[std::size_t(place)]) != place + 1) // below the step
+            layout->insertWidget(place + 1, order[std::size_t(place)]);
     m_scroll->setVisible(m_kinds != 0 && shown > 0);
     m_empty->setVisible(m_kinds == 0 || shown == 0);
     m_clear->setVisible(m_kinds != 0 && shown == 0);
@@ -362,6 +365,7 @@ void PropertiesPanel::applyFilter()
 
 void PropertiesPanel::applyPreferences()
 {
+    m_step->setAngleUnit(m_preferences->angleUnit());
     for (ParamRow* row : m_rows)
         row->setAngleUnit(m_preferences->angleUnit());
     const QStringList folded = m_preferences->foldedGroups();
@@ -559,7 +563,7 @@ void PropertiesPanel::focusFirstFound()
 void PropertiesPanel::showParam(const QString& key)
 {
     const ParamDef* def = findParam(key.toStdString());
-    if (!def || !row(*def)->isRelevant())
+    if (!def || paramId(*def) >= m_rows.size() || !row(*def)->isRelevant()) // steps have their own form
         return;
     m_search->clear();
     for (GroupSection* section : m_sections) {

@@ -22,6 +22,7 @@ class GroupSection;
 class LeafDialog;
 class ParamRow;
 class StemCurves;
+class StepForm;
 class SurfacePreview;
 class Preferences;
 
@@ -40,6 +41,8 @@ public:
     /// What an edit of one node's parameter does instead of setting it; nothing where it does nothing else.
     using OwnEdit = std::function<std::optional<Expected<void>>(NodeId, const ParamValue&, quint64 gesture)>;
     void setOwnEdit(const ParamDef& def, OwnEdit edit) { m_ownEdits[&def] = std::move(edit); }
+    /// The values of a step of a recipe, above the parameters of its tree.
+    [[nodiscard]] StepForm* stepForm() const { return m_step; }
     [[nodiscard]] QSize sizeHint() const override { return {360, 640}; }
     /// As wide as the widest row in sight needs.
     [[nodiscard]] QSize minimumSizeHint() const override;
@@ -98,6 +101,7 @@ private:
     std::vector<GroupSection*> m_sections;
     QLabel* m_title = nullptr;
     QLabel* m_problem = nullptr; ///< an error that belongs to no row
+    StepForm* m_step = nullptr;
     GenerationsView* m_generations = nullptr;
     std::vector<StemCurves*> m_curves;
     SurfacePreview* m_leaf = nullptr;

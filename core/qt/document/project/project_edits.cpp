@@ -91,19 +91,29 @@ QJsonArray writeLimb(const std::vector<LimbPiece>& limb)
 /// there were others.
 TreeEdit usualEdit(EditOperation operation)
 {
-    TreeEdit usual;
-    usual.operation = operation;
+    TreeEdit usual = newStep(operation);
     if (operation == EditOperation::Bend)
         usual.to = 0.0;
     return usual;
+}
+
+/// The parameters of a step that are not those of a new one.
+QJsonObject writeValues(const TreeEdit& edit, const TreeEdit& usual)
+{
+    QJsonObject values;
+    for (const ParamDef* def : stepParams(edit.operation))
+        if (const ParamValue value = def->get(*edit.values); value != def->get(*usual.values))
+            values.insert(QLatin1String(def->key), fromParam(value));
+    return values;
 }
 
 QJsonObject writeEdit(const TreeEdit& edit)
 {
     const TreeEdit usual = usualEdit(edit.operation);
     const EditOperationInfo& info = infoOf(edit.operation);
-    QJsonObject object{{QStringLiteral("id"), branchKey(edit.id)},
-                       {QStringLiteral("op"), QLatin1String(info.key)}};
+    QJsonObject object{{QStringLiteral("id"), branchKey(edit.id)}};
+    if (info.group != StepGroup::Unknown)
+        object.insert(QStringLiteral("op"), QLatin1String(info.key));
     if (!edit.name.empty())
         object.insert(QStringLiteral("name"), QString::fromStdString(edit.name));
     if (!edit.enabled)
@@ -130,7 +140,11 @@ QJsonObject writeEdit(const TreeEdit& edit)
         object.insert(QStringLiteral("points"), writePoints(edit.points));
     if ((info.fields & editLimb) && !edit.limb.empty())
         object.insert(QStringLiteral("limb"), writeLimb(edit.limb));
-    return object;
+    if (const QJsonObject values = writeValues(edit, usual); !values.isEmpty())
+        object.insert(QStringLiteral("values"), values);
+    if (edit.version != 1 && info.group != StepGroup::Unknown)
+        object.insert(QStringLiteral("version"), qint64(edit.version));
+    return merged(object, edit.kept);
 }
 
 /// Takes known keys out of an object one by one: what remains is refused.
@@ -145,9 +159,14 @@ public:
 
     Expected<TreeEdit> read()
     {
-        for (const auto step : {&EditReader::readHead, &EditReader::readTargets, &EditReader::readNumbers,
-                                &EditReader::readVectors, &EditReader::readFlags, &EditReader::readOrgan,
-                                &EditReader::readShape, &EditReader::readPoints, &EditReader::readLimb})
+        RAMURE_TRY(readHead());
+        if (m_info->group == StepGroup::Unknown) {
+            m_edit.kept = extrasText(m_rest);
+            return std::move(m_edit);
+        }
+        for (const auto step : {&EditReader::readTargets, &EditReader::readNumbers, &EditReader::readVectors,
+                                &EditReader::readFlags, &EditReader::readOrgan, &EditReader::readShape,
+                                &EditReader::readPoints, &EditReader::readLimb, &EditReader::readValues})
             RAMURE_TRY((this->*step)());
         if (!m_rest.isEmpty())
             return failAt(m_rest.begin().key().toStdString(), ErrorCode::Unknown,
@@ -159,12 +178,20 @@ public:
 private:
     Expected<void> readHead()
     {
-        const QString op = m_rest.take(QLatin1String("op")).toString();
+        const QString op = m_rest.value(QLatin1String("op")).toString();
+        const qint64 version = m_rest.value(QLatin1String("version")).toInteger(1);
         m_info = editOperationOf(op.toStdString());
-        if (!m_info)
+        if (!m_info && m_isScript)
             return failAt("op", ErrorCode::Unknown, RAMURE_NOOP("unknown operation \"%1\""),
                           {op.toStdString()});
+        if (!m_info || version < 1 || version > m_info->version) {
+            m_info = &infoOf(EditOperation::Unknown);
+        } else {
+            m_rest.remove(QLatin1String("op"));
+            m_rest.remove(QLatin1String("version"));
+        }
         m_edit = usualEdit(m_info->operation);
+        m_edit.version = version;
         const QJsonValue name = m_rest.take(QLatin1String("name"));
         if (!name.isString() && !name.isUndefined())
             return failAt("name", ErrorCode::Invalid, RAMURE_NOOP("a text is expected here"));
@@ -403,6 +430,16 @@ private:
         return {};
     }
 
+    Expected<void> readValues()
+    {
+        if (stepParams(m_edit.operation).empty() || !m_rest.contains(QLatin1String("values")))
+            return {};
+        const QJsonValue json = m_rest.take(QLatin1String("values"));
+        if (!json.isObject())
+            return failAt("values", ErrorCode::Invalid, RAMURE_NOOP("an object is expected here"));
+        return readStepValues(json.toObject(), m_edit);
+    }
+
     QJsonObject m_rest;
     bool m_isScript;
     const EditOperationInfo* m_info = nullptr;
@@ -410,6 +447,26 @@ private:
 };
 
 } // namespace
+
+Expected<void> readStepValues(const QJsonObject& object, TreeEdit& step)
+{
+    QJsonObject rest = object;
+    NodeParams values = *step.values;
+    for (const ParamDef* def : stepParams(step.operation)) {
+        if (!rest.contains(QLatin1String(def->key)))
+            continue;
+        const auto value = toParam(*def, rest.take(QLatin1String(def->key)));
+        if (!value)
+            return failInside(std::string("values.") + def->key, value.error());
+        if (auto done = setParam(values, *def, *value); !done)
+            return failInside("values", std::move(done.error()));
+    }
+    if (!rest.isEmpty())
+        return failAt("values." + rest.begin().key().toStdString(), ErrorCode::Unknown,
+                      RAMURE_NOOP("\"%1\" has no such value"), {infoOf(step.operation).key});
+    step.values = StepValues(std::move(values));
+    return {};
+}
 
 QJsonObject writeShape(const EditShape& shape)
 {

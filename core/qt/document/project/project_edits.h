@@ -29,6 +29,9 @@ struct ScriptEdits
     std::vector<TreeEdit> edits;
     bool inTreeSpace = true; ///< else "frame" is "parent"
 };
+/// Values of a step from an object of keys, onto those that it has. Errors: Invalid, Unknown (no such key),
+/// path = "values.KEY".
+Expected<void> readStepValues(const QJsonObject& object, TreeEdit& step);
 /// Errors: Invalid, Unknown (operation, key), path = the key.
 Expected<ScriptEdits> readScriptEdits(const QJsonObject& line);
 

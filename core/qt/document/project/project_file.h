@@ -38,7 +38,7 @@
 //         }
 //       ],
 //       "timeline": {"framesPerSecond": 30, "lastFrame": 120}, defaults are left out
-//       "version": 4,
+//       "version": 5,
 //       "views": {"1": {"distance": 4.5, ...}}                 bookmarks by digit: project_bookmarks.h
 //     }
 // clang-format on
@@ -52,7 +52,7 @@ struct Project
     std::string extras; ///< unknown keys of the top level: one JSON object, or empty
 };
 
-inline constexpr int projectVersion = 4;
+inline constexpr int projectVersion = 5;
 inline constexpr qint64 projectSizeLimit = 256 * 1024 * 1024; ///< bytes
 
 /// Io, of the file. \param reason takes the place of %1

@@ -75,6 +75,7 @@ double usualReach(const NodeParams& params)
 {
     switch (params.generator.kind) {
     case TreeGenerator::Grammar:
+    case TreeGenerator::Drawn:
         break;
     case TreeGenerator::WeberPenn:
         return 0.35 * params.weberPenn.scale;

@@ -1,4 +1,4 @@
-#include "core/skeleton/edits/edit_report.h"
+#include "core/recipe/edit_report.h"
 #include "tests/support/hand_bench.h"
 #include "tests/support/suite.h"
 #include <QTest>

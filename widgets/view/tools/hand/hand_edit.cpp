@@ -27,10 +27,10 @@ Expected<std::unique_ptr<HandEdit>> HandEdit::begin(Document& document, NodeId t
 
 /// The edits of a tree are made again only where its result has others than those that lead to the present
 /// ones, as after undo.
-static EditContext contextOf(const TreeResult& tree, const std::vector<TreeEdit>& edits)
+static EditContext contextOf(const TreeResult& tree, const std::vector<TreeEdit>& edits, std::uint64_t seed)
 {
     auto known = tree.edited ? tree.edited->upTo(edits) : std::nullopt;
-    return known ? std::move(*known) : EditContext(*tree.grown, edits);
+    return known ? std::move(*known) : EditContext(*tree.grown, edits, nullptr, seed);
 }
 
 HandEdit::HandEdit(Document& document, NodeId tree, const TreeResult& result, std::vector<TreeEdit> before)
@@ -38,7 +38,8 @@ HandEdit::HandEdit(Document& document, NodeId tree, const TreeResult& result, st
     , m_node(tree)
     , m_grown(result.grown)
     , m_before(std::move(before))
-    , m_context(contextOf(result, m_before))
+    , m_seed(treeSeed(document.scene().find(tree)->params))
+    , m_context(contextOf(result, m_before, m_seed))
 {
 }
 
@@ -110,7 +111,7 @@ bool HandEdit::resume(EditOperation operation, std::uint64_t address)
     m_edits = {m_before.back()};
     m_shown = {m_before.back().id};
     m_before.pop_back();
-    m_context = EditContext(*m_grown, m_before);
+    m_context = EditContext(*m_grown, m_before, nullptr, m_seed);
     return true;
 }
 
@@ -218,6 +219,19 @@ Expected<void> removeLimbs(Document& document, const std::vector<LimbHit>& limbs
             return fail(ErrorCode::Unknown, RAMURE_NOOP("the tree has no such limb"));
         return {};
     });
+}
+
+Expected<std::vector<std::uint64_t>> putStepOn(Document& document, const LimbHit& limb, TreeEdit step)
+{
+    const auto gesture = HandEdit::begin(document, limb.node);
+    RAMURE_TRY(gesture);
+    auto target = (*gesture)->context().target(limb.address);
+    RAMURE_TRY(target);
+    step.target = std::move(*target);
+    NodeParams values = *step.values;
+    values.step.where.clear(); // the limb says it
+    step.values = StepValues(std::move(values));
+    return edit::putTreeEdits(document, limb.node, {std::move(step)});
 }
 
 Expected<void> keepLimb(Document& document, const LimbHit& limb)

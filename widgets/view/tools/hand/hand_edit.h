@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/qt/document/commands.h"
-#include "core/skeleton/edits/edit_context.h"
+#include "core/recipe/edit_context.h"
 #include "widgets/view/tools/limb_finder.h"
 #include <memory>
 
@@ -56,6 +56,7 @@ private:
     NodeId m_node;
     std::shared_ptr<const Skeleton> m_grown;
     std::vector<TreeEdit> m_before;
+    std::uint64_t m_seed; ///< of the tree
     EditContext m_context;
     std::vector<TreeEdit> m_edits;
     std::vector<std::uint64_t> m_shown; ///< ids of those that the document has
@@ -71,6 +72,8 @@ Expected<void> putAround(Document& document, const LimbHit& limb, TreeEdit edit,
 /// not; then nothing changes.
 Expected<void> removeLimbs(Document& document, const std::vector<LimbHit>& limbs, bool whole,
                            std::optional<double> fallsAfter = {});
+/// A step of the recipe that acts on a limb alone, on all of its axes. Returns its id. Errors: likewise.
+Expected<std::vector<std::uint64_t>> putStepOn(Document& document, const LimbHit& limb, TreeEdit step);
 /// All goes but this limb. Errors: likewise.
 Expected<void> keepLimb(Document& document, const LimbHit& limb);
 /// Their leaves go, or come back where those of the first are gone. Errors: likewise.

@@ -1,0 +1,96 @@
+#include "core/generators/grow_tree.h"
+
+#include "core/generators/colonisation/colonisation.h"
+#include "core/generators/grammar/rewrite.h"
+#include "core/generators/grammar/turtle.h"
+#include "core/generators/parametric/module_turtle.h"
+#include "core/generators/weber_penn/weber_penn.h"
+
+namespace ramure {
+namespace {
+
+tl::unexpected<Error> blame(Error error, const char* path)
+{
+    if (error.path.empty() && error.code != ErrorCode::Cancelled)
+        error.path = path;
+    return fail(std::move(error));
+}
+
+Expected<GrownSymbols> growModules(const GrammarParams& params, const Progress& progress)
+{
+    const auto grammar = parseParametric(params);
+    RAMURE_TRY(grammar);
+    DeriveOptions options;
+    options.iterations = static_cast<int>(params.iterations);
+    options.stochastic = params.stochastic;
+    options.seed = static_cast<std::uint64_t>(params.seed);
+    auto word = derive(*grammar, options, progress);
+    if (!word)
+        return blame(std::move(word.error()), "grammar.iterations");
+    std::string letters = lettersOf(*word);
+    return GrownSymbols{std::move(letters), std::move(*word)};
+}
+
+bool growsByGrammar(const NodeParams& params)
+{
+    return params.generator.kind == TreeGenerator::Grammar;
+}
+
+} // namespace
+
+const char* sizeKey(const NodeParams& params)
+{
+    if (params.generator.kind == TreeGenerator::Colonisation)
+        return "colonisation.points";
+    if (params.generator.kind == TreeGenerator::Drawn)
+        return "generator.kind";
+    return growsByGrammar(params) ? "grammar.iterations" : "weberPenn.levels";
+}
+
+Expected<GrownSymbols> growSymbols(const NodeParams& all, const Progress& progress)
+{
+    if (!growsByGrammar(all))
+        return GrownSymbols{};
+    const GrammarParams& params = all.grammar;
+    if (params.dialect == GrammarDialect::Parametric)
+        return growModules(params, progress);
+    const auto grammar = parseGrammar(params.axiom, params.rules);
+    RAMURE_TRY(grammar);
+    RewriteOptions options;
+    options.iterations = static_cast<int>(params.iterations);
+    options.stochastic = params.stochastic;
+    options.seed = static_cast<std::uint64_t>(params.seed);
+    auto symbols = rewrite(*grammar, options, progress);
+    if (!symbols)
+        return blame(std::move(symbols.error()), "grammar.iterations");
+    return GrownSymbols{std::move(*symbols), {}};
+}
+
+Expected<Skeleton> growSkeleton(const GrownSymbols& grown, const NodeParams& params, const Progress& progress)
+{
+    const GrammarParams& grammar = params.grammar;
+    const auto seed = static_cast<std::uint64_t>(grammar.seed);
+    if (params.generator.kind == TreeGenerator::WeberPenn)
+        return growWeberPenn(params.weberPenn, seed, progress);
+    if (params.generator.kind == TreeGenerator::Colonisation)
+        return growColonisation(params.colonisation, seed, progress);
+    if (params.generator.kind == TreeGenerator::Drawn)
+        return Skeleton();
+    const TurtleChance chance{grammar.stochastic ? params.variation : VariationParams{0.0, 0.0, 0.0}, seed};
+    if (grammar.dialect == GrammarDialect::Parametric)
+        return runModuleTurtle(grown.word, params.turtle, chance, progress);
+    auto skeleton = runTurtle(grown.letters, params.turtle, chance, progress);
+    if (skeleton)
+        return skeleton;
+    Error error = std::move(skeleton.error());
+    if (error.code == ErrorCode::Limit)
+        return blame(std::move(error), "grammar.iterations");
+    // The axiom and each rule are balanced: only rules for brackets themselves can have done this. The column
+    // counts the rewritten string, which the message says in words; beside a path it would point into the
+    // wrong text.
+    const bool isBracket = error.column > 0;
+    error.column = 0;
+    return blame(std::move(error), isBracket ? "grammar.rules" : "grammar.axiom");
+}
+
+} // namespace ramure

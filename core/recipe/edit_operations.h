@@ -1,0 +1,42 @@
+/// \file
+/// What each operation does to a tree. For this folder; everybody else uses edit_context.h.
+#pragma once
+
+#include "core/base/error.h"
+#include "core/math/random.h"
+#include "core/params/tree_edit.h"
+#include "core/recipe/edit_tree.h"
+
+namespace ramure::edits {
+
+/// \param target,other axes of the tree that are there; noIndex: the edit has none. Errors: why it cannot be
+/// done (Invalid), and then the tree is as it was.
+using Act = Expected<void>(EditTree& tree, const TreeEdit& edit, Index target, Index other);
+
+Act cut, remove, keep, prune, leaves;               // edit_cuts.cpp
+Act bend, curl, twist, length, attract, comb, root; // edit_bends.cpp
+Act thickness, taper, redraw;                       // edit_shapes.cpp
+Act draw, extend, graft, move;                      // edit_growth.cpp
+Act place;                                          // edit_organs.cpp
+Act sag, gnarl;                                     // wandering.cpp
+Act deadWood;                                       // dead_wood.cpp
+Act pipe, flare;                                    // radii.cpp
+Act source;                                         // step_source.cpp
+
+Expected<void> act(EditTree& tree, const TreeEdit& edit, Index target, Index other);
+
+/// The axes that a modifier or a source acts on: those for which its condition holds, on a limb or anywhere.
+/// \param target of the limb; noIndex: the whole tree. Errors: those of AxisFilter::parse; Invalid where the
+/// condition names none.
+Expected<std::vector<bool>> axesMeant(const EditTree& tree, const TreeEdit& edit, Index target);
+/// What a step draws by chance on one axis.
+Random chanceOf(const EditTree& tree, const TreeEdit& edit, Index axis);
+
+/// Where something grows on an axis: never at its very foot, which is its parent's.
+AxisSpot forkSpot(const EditTree& tree, Index axis, double share);
+/// A limb with all on it, in the frame below it, from its foot.
+std::vector<LimbPiece> limbOf(const EditTree& tree, Index axis);
+/// The address of the copy of an axis that a graft makes.
+std::uint64_t graftedAddress(std::uint64_t graft, std::uint64_t original);
+
+} // namespace ramure::edits

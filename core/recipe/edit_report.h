@@ -1,0 +1,31 @@
+/// \file
+/// What became of the edits of a tree.
+#pragma once
+
+#include "core/base/error.h"
+#include <cstdint>
+#include <vector>
+
+namespace ramure {
+
+enum class EditState : std::uint8_t {
+    Off,        ///< switched off: nobody looked for its place
+    ByAddress,  ///< acts where it was made
+    ByLikeness, ///< acts on what looks like it
+    Unplaced,   ///< there is nothing like it
+    Idle,       ///< its limb is there, but nothing can be done to it
+};
+
+struct EditOutcome
+{
+    std::uint64_t id = 0; ///< TreeEdit::id
+    EditState state = EditState::Off;
+    Error why{};               ///< Unplaced and Idle
+    std::uint64_t address = 0; ///< of the axis in this tree that its target is; 0: none
+    double seconds = 0.0;      ///< that it took
+};
+
+/// One per edit, in their order.
+using EditReport = std::vector<EditOutcome>;
+
+} // namespace ramure

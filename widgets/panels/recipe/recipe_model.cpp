@@ -1,0 +1,370 @@
+#include "widgets/panels/recipe/recipe_model.h"
+
+#include "core/params/tree_edit_table.h"
+#include "core/qt/document/commands.h"
+#include "core/skeleton/axes.h"
+#include "widgets/base/texts/branch_names.h"
+#include "widgets/base/texts/core_text.h"
+#include "widgets/base/theme/icons.h"
+#include "widgets/view/tools/limb_finder.h"
+#include <QApplication>
+#include <QLocale>
+#include <QMimeData>
+#include <QPalette>
+#include <algorithm>
+
+namespace ramure {
+namespace {
+
+const auto rowType = QStringLiteral("application/x-ramure-edit-row");
+
+QString percent(double share)
+{
+    return RecipeModel::tr("%1 %", "a share").arg(QLocale().toString(100.0 * share, 'f', 0));
+}
+
+} // namespace
+
+QString editText(const TreeEdit& edit)
+{
+    const EditOperationInfo& info = infoOf(edit.operation);
+    const QString name = coreText(info.label);
+    if (edit.operation == EditOperation::Place)
+        return RecipeModel::tr("%1 at %2", "an edit and its place")
+            .arg(coreText(editOrgans()[std::size_t(edit.organ)].label), percent(edit.at));
+    if (info.fields & editFactor && edit.operation != EditOperation::Graft &&
+        edit.operation != EditOperation::Root)
+        return RecipeModel::tr("%1 × %2", "an edit and its factor")
+            .arg(name, QLocale().toString(edit.factor, 'f', 2));
+    if (edit.operation == EditOperation::Cut)
+        return RecipeModel::tr("%1 at %2", "an edit and its place").arg(name, percent(edit.at));
+    if (edit.operation == EditOperation::Leaves)
+        return edit.shown ? RecipeModel::tr("Leaves on") : RecipeModel::tr("Leaves off");
+    return name;
+}
+
+QString sourceText(const NodeParams& params)
+{
+    const ParamDef& def = *findParam("generator.kind");
+    return coreText(def.items[static_cast<std::size_t>(params.generator.kind)].label);
+}
+
+namespace {
+
+const char* iconOf(const TreeEdit& edit)
+{
+    switch (infoOf(edit.operation).group) {
+    case StepGroup::Source:
+        return "tree";
+    case StepGroup::Modifier:
+        return "tool-settings";
+    case StepGroup::Unknown:
+        return "warning";
+    case StepGroup::Hand:
+        break;
+    }
+    return "hand-bend";
+}
+
+/// Where a step without a limb acts.
+QString whereText(const TreeEdit& edit)
+{
+    const StepParams& step = edit.values->step;
+    const bool isSource = infoOf(edit.operation).group == StepGroup::Source;
+    if (isSource && step.stand.way == StandWay::Ground)
+        return RecipeModel::tr("on the ground");
+    return step.where.empty() ? RecipeModel::tr("everywhere") : QString::fromStdString(step.where);
+}
+
+} // namespace
+
+RecipeModel::RecipeModel(Document* document, QObject* parent)
+    : QAbstractTableModel(parent)
+    , m_document(document)
+{
+    connect(document, &Document::changed, this, &RecipeModel::follow);
+    update();
+}
+
+NodeId RecipeModel::treeMeant() const
+{
+    const Scene& scene = m_document->scene();
+    const auto isTree = [](const Node* node) { return node && node->kind == NodeKind::Tree; };
+    for (const NodeId id : {m_document->selection().activeNode(), m_document->selection().branchNode, m_tree})
+        if (isTree(scene.find(id)))
+            return id;
+    const auto only = [&isTree](const Node& node) { return isTree(&node); };
+    return std::ranges::count_if(scene.nodes(), only) == 1 ? std::ranges::find_if(scene.nodes(), only)->id
+                                                           : noNode;
+}
+
+void RecipeModel::follow(const Change& change)
+{
+    if (change.has(changeReset | changeStructure | changeSelection | changeBranches | changeResults |
+                   changeNodeState))
+        update();
+    if (change.has(changeReset | changeStructure | changeNodeState))
+        emit listChanged(); // the tree may be called otherwise
+}
+
+void RecipeModel::update()
+{
+    const NodeId tree = treeMeant();
+    const Node* node = m_document->scene().find(tree);
+    const NodeResult* result = m_document->result(tree);
+    auto report = result ? result->tree.edits : nullptr;
+    static const std::vector<TreeEdit> none;
+    const std::vector<TreeEdit>& edits = node ? node->params.edits : none;
+    std::vector<BendRow> bends = bendRows(*m_document, tree);
+    const bool sameTree = tree == m_tree;
+    const bool sameSource = node && sourceText(node->params) == m_source;
+    if (sameTree && sameSource && edits == m_edits && report == m_report && bends == m_bends)
+        return;
+    const bool sameRows = sameTree && std::ranges::equal(edits, m_edits, {}, &TreeEdit::id, &TreeEdit::id) &&
+                          std::ranges::equal(bends, m_bends, {}, &BendRow::id, &BendRow::id);
+    if (!sameRows)
+        beginResetModel();
+    m_tree = tree;
+    m_source = node ? sourceText(node->params) : QString();
+    m_edits = edits;
+    m_bends = std::move(bends);
+    m_report = std::move(report);
+    updateLimbs();
+    if (!sameRows)
+        endResetModel();
+    else if (rowCount() > 0)
+        emit dataChanged(index(0, 0), index(rowCount() - 1, Columns - 1));
+    emit listChanged();
+}
+
+void RecipeModel::updateLimbs()
+{
+    m_limbs.assign(m_edits.size(), QString());
+    const NodeResult* result = m_document->result(m_tree);
+    LimbFinder finder;
+    if (m_edits.empty() || !result || !result->tree.simplified)
+        return;
+    const BranchRows rows(result->tree);
+    const BranchNames names;
+    for (int row = 1; row <= editCount(); ++row) {
+        const auto branches = finder.limb(*m_document, m_tree, addressAt(row));
+        if (!branches.empty())
+            m_limbs[std::size_t(row - 1)] = names.axis(rows, rows.axisOf(branches.front()));
+    }
+}
+
+const BendRow* RecipeModel::bendAt(int row) const
+{
+    return row <= editCount() ? nullptr : &m_bends[std::size_t(row - 1 - editCount())];
+}
+
+std::uint64_t RecipeModel::idAt(int row) const
+{
+    const BendRow* bend = bendAt(row);
+    return bend ? bend->id() : row == 0 ? sourceId : editAt(row).id;
+}
+
+std::vector<Index> RecipeModel::branchesAt(int row) const
+{
+    if (const BendRow* bend = bendAt(row))
+        return bend->branches;
+    if (row == 0 || addressAt(row) == 0)
+        return {};
+    return LimbFinder().limb(*m_document, m_tree, addressAt(row));
+}
+
+int RecipeModel::rowOf(std::uint64_t id) const
+{
+    for (int row = 0; row < rowCount(); ++row)
+        if (idAt(row) == id)
+            return row;
+    return -1;
+}
+
+const EditOutcome* RecipeModel::outcome(int row) const
+{
+    if (!m_report || row == 0)
+        return nullptr;
+    const auto found = std::ranges::find(*m_report, idAt(row), &EditOutcome::id);
+    return found == m_report->end() ? nullptr : &*found;
+}
+
+bool RecipeModel::isLost(int row) const
+{
+    const EditOutcome* what = outcome(row);
+    return what && (what->state == EditState::Unplaced || what->state == EditState::Idle);
+}
+
+std::uint64_t RecipeModel::addressAt(int row) const
+{
+    const TreeEdit& edit = editAt(row);
+    if (edit.operation == EditOperation::Draw)
+        return edit.id; // what it made
+    const EditOutcome* what = outcome(row);
+    return what ? what->address : edit.target.address;
+}
+
+int RecipeModel::rowCount(const QModelIndex& parent) const
+{
+    const std::size_t first = m_tree == noNode ? 0 : 1;
+    return parent.isValid() ? 0 : static_cast<int>(first + m_edits.size() + m_bends.size());
+}
+
+int RecipeModel::columnCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : Columns;
+}
+
+QVariant RecipeModel::data(const QModelIndex& index, int role) const
+{
+    if (const BendRow* bend = bendAt(index.row()))
+        return bendData(*bend, index.column(), role);
+    if (index.row() == 0)
+        return sourceData(index.column(), role);
+    const TreeEdit& edit = editAt(index.row());
+    const QString& limb = m_limbs[std::size_t(index.row() - 1)];
+    const bool isByHand = infoOf(edit.operation).group == StepGroup::Hand;
+    const bool lost = edit.enabled && isLost(index.row());
+    switch (role) {
+    case Qt::DisplayRole:
+        if (index.column() == Name)
+            return edit.name.empty() ? editText(edit) : QString::fromStdString(edit.name);
+        if (index.column() == Time)
+            return timeText(index.row());
+        return lost && isByHand              ? tr("no place at present")
+               : limb.isEmpty() && !isByHand ? whereText(edit)
+                                             : limb;
+    case Qt::EditRole:
+        return edit.name.empty() ? coreText(infoOf(edit.operation).label) : QString::fromStdString(edit.name);
+    case Qt::CheckStateRole:
+        return index.column() == Name ? QVariant(edit.enabled ? Qt::Checked : Qt::Unchecked) : QVariant();
+    case Qt::DecorationRole:
+        return index.column() == Name           ? QVariant(icon(iconOf(edit)))
+               : lost && index.column() == Limb ? QVariant(icon("warning"))
+                                                : QVariant();
+    case Qt::TextAlignmentRole:
+        return index.column() == Time ? QVariant(int(Qt::AlignRight | Qt::AlignVCenter)) : QVariant();
+    case Qt::ForegroundRole:
+        return edit.enabled && !lost ? QVariant() : QApplication::palette().brush(QPalette::PlaceholderText);
+    case Qt::ToolTipRole:
+        if (lost)
+            return isByHand ? tr("It is kept, and acts again as soon as there is such a limb: %1")
+                                  .arg(errorText(outcome(index.row())->why))
+                            : tr("It changes nothing now: %1").arg(errorText(outcome(index.row())->why));
+        if (*infoOf(edit.operation).tip != '\0')
+            return coreText(infoOf(edit.operation).tip);
+        return edit.name.empty() ? limb : editText(edit);
+    default:
+        return {};
+    }
+}
+
+QVariant RecipeModel::sourceData(int column, int role) const
+{
+    if (role == Qt::DisplayRole)
+        return column == Name ? m_source : column == Limb ? tr("on the ground") : QString();
+    if (role == Qt::DecorationRole && column == Name)
+        return icon("tree");
+    if (role == Qt::ToolTipRole)
+        return tr("The source that the recipe begins with: its values are those of the tree");
+    return {};
+}
+
+/// Empty where it took no time that anybody would notice.
+QString RecipeModel::timeText(int row) const
+{
+    constexpr double least = 0.5e-3; // s
+    const EditOutcome* what = outcome(row);
+    if (!what || what->seconds < least)
+        return {};
+    return what->seconds < 1.0 ? tr("%1 ms").arg(QLocale().toString(1e3 * what->seconds, 'f', 0))
+                               : tr("%1 s").arg(QLocale().toString(what->seconds, 'f', 1));
+}
+
+QVariant RecipeModel::bendData(const BendRow& bend, int column, int role) const
+{
+    const bool isGone = bend.branches.empty();
+    if (role == Qt::DisplayRole)
+        return column == Time   ? QString()
+               : column == Name ? tr("Bend of %n branch(es)", nullptr, static_cast<int>(bend.names.size()))
+               : isGone         ? tr("no place at present")
+                                : bend.limb;
+    if (role == Qt::DecorationRole && isGone && column == Limb)
+        return icon("warning");
+    if (role == Qt::ForegroundRole && isGone)
+        return QApplication::palette().brush(QPalette::PlaceholderText);
+    if (role == Qt::ToolTipRole && isGone)
+        return tr(
+            "The branches are not there at present. It is kept, and acts again as soon as such branches "
+            "grow; Del removes it.");
+    if (role == Qt::ToolTipRole)
+        return tr("A bend acts after the other edits; it cannot be switched off, moved or copied");
+    return {};
+}
+
+QVariant RecipeModel::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
+        return {};
+    return section == Name ? tr("Step") : section == Limb ? tr("Where") : tr("Time");
+}
+
+bool RecipeModel::report(const Expected<void>& done)
+{
+    if (!done)
+        emit refused(errorText(done.error()));
+    return done.has_value();
+}
+
+bool RecipeModel::setData(const QModelIndex& index, const QVariant& value, int role)
+{
+    if (bendAt(index.row()) || index.row() == 0)
+        return false;
+    const std::uint64_t id = idAt(index.row());
+    if (role == Qt::CheckStateRole)
+        return report(
+            edit::setTreeEditsEnabled(*m_document, m_tree, {id}, value.toInt() == int(Qt::Checked)));
+    if (role != Qt::EditRole || value == data(index, Qt::EditRole))
+        return false;
+    return report(edit::renameTreeEdit(*m_document, m_tree, id, value.toString().trimmed()));
+}
+
+Qt::ItemFlags RecipeModel::flags(const QModelIndex& index) const
+{
+    if (!index.isValid())
+        return Qt::ItemIsDropEnabled;
+    if (bendAt(index.row()) || index.row() == 0)
+        return Qt::ItemIsEnabled | Qt::ItemIsSelectable;
+    const Qt::ItemFlags all = Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsDragEnabled;
+    return index.column() == Name ? all | Qt::ItemIsUserCheckable | Qt::ItemIsEditable : all;
+}
+
+QStringList RecipeModel::mimeTypes() const
+{
+    return {rowType};
+}
+
+QMimeData* RecipeModel::mimeData(const QModelIndexList& indexes) const
+{
+    if (indexes.empty())
+        return nullptr;
+    auto* data = new QMimeData;
+    data->setData(rowType, QByteArray::number(indexes.front().row()));
+    return data;
+}
+
+/// The row is moved by a command; false: the view has nothing to take away.
+bool RecipeModel::dropMimeData(const QMimeData* data, Qt::DropAction, int row, int, const QModelIndex& parent)
+{
+    bool good = false;
+    const int from = data->data(rowType).toInt(&good);
+    if (!good || from < 1 || from > editCount())
+        return false;
+    int to = std::clamp(row >= 0 ? row : parent.isValid() ? parent.row() : rowCount(), 1, editCount() + 1);
+    to -= to > from ? 1 : 0;
+    if (to != from)
+        report(edit::moveTreeEdit(*m_document, m_tree, idAt(from), to - 1));
+    return false;
+}
+
+} // namespace ramure

@@ -1,0 +1,87 @@
+/// \file
+/// The recipe of one tree: the source that it begins with, then its steps in the order in which they act, a
+/// row each, to be renamed, switched on and off and moved. Behind them its bends (bend_rows.h), which can
+/// only be chosen and deleted.
+#pragma once
+
+#include "core/params/tree_edit.h"
+#include "core/qt/document/document.h"
+#include "core/recipe/edit_report.h"
+#include "widgets/panels/recipe/bend_rows.h"
+#include <QAbstractTableModel>
+
+namespace ramure {
+
+/// "Length × 1.25", in the interface's language.
+QString editText(const TreeEdit& edit);
+/// "Weber and Penn": the source that a recipe begins with.
+QString sourceText(const NodeParams& params);
+
+class RecipeModel : public QAbstractTableModel
+{
+    Q_OBJECT
+public:
+    enum Column { Name, Limb, Time, Columns };
+    /// Of the first row, whose values are the tree's own. No step and no bend has it.
+    static constexpr std::uint64_t sourceId = 0;
+
+    /// \p document is not owned and must outlive the model.
+    explicit RecipeModel(Document* document, QObject* parent = nullptr);
+
+    /// The tree that is selected, or the only one; noNode where there is none.
+    [[nodiscard]] NodeId tree() const { return m_tree; }
+    [[nodiscard]] const std::vector<TreeEdit>& edits() const { return m_edits; }
+    [[nodiscard]] std::uint64_t idAt(int row) const;
+    /// -1: there is none.
+    [[nodiscard]] int rowOf(std::uint64_t id) const;
+    /// Steps behind the source; the rows of bends follow.
+    [[nodiscard]] int editCount() const { return static_cast<int>(m_edits.size()); }
+    /// Null: it is the source or a step.
+    [[nodiscard]] const BendRow* bendAt(int row) const;
+    /// \pre the row is a step's, from 1 on.
+    [[nodiscard]] const TreeEdit& editAt(int row) const { return m_edits[std::size_t(row - 1)]; }
+    /// Of the simplified skeleton: what the row is about.
+    [[nodiscard]] std::vector<Index> branchesAt(int row) const;
+    /// Without a place in the tree as it is now.
+    [[nodiscard]] bool isLost(int row) const;
+    /// Of the axis that the edit acts on; 0: none.
+    [[nodiscard]] std::uint64_t addressAt(int row) const;
+
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+    [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
+    [[nodiscard]] Qt::DropActions supportedDropActions() const override { return Qt::MoveAction; }
+    [[nodiscard]] QStringList mimeTypes() const override;
+    [[nodiscard]] QMimeData* mimeData(const QModelIndexList& indexes) const override;
+    bool dropMimeData(const QMimeData* data, Qt::DropAction action, int row, int column,
+                      const QModelIndex& parent) override;
+
+signals:
+    /// Another list; before it the old one.
+    void listChanged();
+    void refused(const QString& why);
+
+private:
+    void follow(const Change& change);
+    void update();
+    void updateLimbs();
+    [[nodiscard]] NodeId treeMeant() const;
+    [[nodiscard]] const EditOutcome* outcome(int row) const;
+    [[nodiscard]] QVariant sourceData(int column, int role) const;
+    [[nodiscard]] QString timeText(int row) const;
+    [[nodiscard]] QVariant bendData(const BendRow& bend, int column, int role) const;
+    bool report(const Expected<void>& done);
+
+    Document* m_document;
+    NodeId m_tree = noNode;
+    QString m_source;
+    std::vector<TreeEdit> m_edits;
+    std::vector<BendRow> m_bends;
+    std::shared_ptr<const EditReport> m_report;
+    std::vector<QString> m_limbs; ///< by row: what it acts on
+};
+
+} // namespace ramure

@@ -1,0 +1,316 @@
+#include "widgets/panels/recipe/recipe_panel.h"
+
+#include "core/qt/document/commands.h"
+#include "widgets/base/empty_page.h"
+#include "widgets/base/texts/core_text.h"
+#include "widgets/base/theme/icons.h"
+#include "widgets/panels/recipe/recipe_model.h"
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QMenu>
+#include <QStackedWidget>
+#include <QToolButton>
+#include <QTreeView>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <optional>
+
+namespace ramure {
+
+RecipePanel::RecipePanel(Document* document, QWidget* parent)
+    : QWidget(parent)
+    , m_document(document)
+    , m_model(new RecipeModel(document, this))
+    , m_pages(new QStackedWidget(this))
+    , m_empty(new EmptyPage(this))
+    , m_list(new QWidget(this))
+    , m_title(new QLabel(m_list))
+    , m_view(new QTreeView(m_list))
+    , m_copyMenu(new QMenu(this))
+{
+    build();
+    connect(m_model, &RecipeModel::refused, this, &RecipePanel::messageRaised);
+    connect(m_model, &QAbstractItemModel::modelAboutToBeReset, this, [this] {
+        const auto ids = selectedIds();
+        m_kept = {ids.begin(), ids.end()};
+        const QModelIndex current = m_view->currentIndex();
+        m_current = current.isValid() ? m_model->idAt(current.row()) : 0;
+    });
+    connect(m_model, &RecipeModel::listChanged, this, &RecipePanel::follow);
+    connect(m_view->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
+        updateButtons();
+        chooseStep();
+        if (m_view->hasFocus() && !m_restores)
+            selectBranches();
+    });
+    connect(m_view, &QTreeView::clicked, this, &RecipePanel::selectBranches);
+    connect(m_view, &QWidget::customContextMenuRequested, this, &RecipePanel::showMenu);
+    connect(m_copyMenu, &QMenu::aboutToShow, this, &RecipePanel::fillCopyMenu);
+    const auto name = [](QToolButton* button, const QString& text) {
+        button->setToolTip(text);
+        button->setAccessibleName(text);
+    };
+    name(m_up, tr("Earlier (Alt+Up): it acts before the one above"));
+    name(m_down, tr("Later (Alt+Down): it acts after the one below"));
+    name(m_copy, tr("Copy the selected steps to another tree"));
+    name(m_delete, tr("Delete the selected steps (Del)"));
+    name(m_add, tr("Add a step to the recipe"));
+    m_view->setAccessibleName(tr("Steps of the recipe"));
+    follow();
+}
+
+void RecipePanel::build()
+{
+    m_view->setObjectName(QStringLiteral("editList"));
+    m_view->setModel(m_model);
+    m_view->setRootIsDecorated(false);
+    m_view->setUniformRowHeights(true);
+    m_view->setAllColumnsShowFocus(true);
+    m_view->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    m_view->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+    m_view->setDragDropMode(QAbstractItemView::InternalMove);
+    m_view->setDefaultDropAction(Qt::MoveAction);
+    m_view->setDropIndicatorShown(true);
+    m_view->setContextMenuPolicy(Qt::CustomContextMenu);
+    m_view->setTextElideMode(Qt::ElideRight);
+    m_view->header()->setSectionsMovable(false);
+    m_view->header()->setStretchLastSection(false);
+    m_view->header()->setSectionResizeMode(RecipeModel::Limb, QHeaderView::Stretch);
+    m_view->setColumnWidth(RecipeModel::Name, 170);
+    m_view->setColumnWidth(RecipeModel::Time, 56);
+    m_view->installEventFilter(this);
+    auto* row = new QHBoxLayout;
+    row->setContentsMargins(10, 6, 6, 6);
+    row->setSpacing(2);
+    row->addWidget(m_title, 1);
+    m_title->setObjectName(QStringLiteral("partTitle"));
+    const auto button = [&](const char* name, const char* picture) {
+        auto* made = new QToolButton(m_list);
+        made->setObjectName(QLatin1String(name));
+        made->setIcon(icon(picture));
+        made->setFocusPolicy(Qt::TabFocus);
+        row->addWidget(made);
+        return made;
+    };
+    m_add = button("stepAdd", "add");
+    m_add->setPopupMode(QToolButton::InstantPopup);
+    m_up = button("editUp", "fold-up");
+    m_down = button("editDown", "fold-open");
+    m_copy = button("editCopy", "copy");
+    m_delete = button("editDelete", "delete");
+    m_copy->setMenu(m_copyMenu);
+    m_copy->setPopupMode(QToolButton::InstantPopup);
+    connect(m_up, &QToolButton::clicked, this, [this] { moveCurrent(-1); });
+    connect(m_down, &QToolButton::clicked, this, [this] { moveCurrent(1); });
+    connect(m_delete, &QToolButton::clicked, this, &RecipePanel::removeSelected);
+    auto* column = new QVBoxLayout(m_list);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addLayout(row);
+    column->addWidget(m_view, 1);
+    m_pages->addWidget(m_empty);
+    m_pages->addWidget(m_list);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_pages);
+}
+
+void RecipePanel::follow()
+{
+    const Node* node = m_document->scene().find(m_model->tree());
+    m_pages->setCurrentWidget(m_model->rowCount() > 0 ? m_list : static_cast<QWidget*>(m_empty));
+    m_empty->setText(tr("Select a tree: its recipe is listed here, the steps that make it one after the "
+                        "other."));
+    if (node)
+        m_title->setText(QString::fromStdString(node->name));
+    QItemSelection again;
+    for (const std::uint64_t id : m_kept)
+        if (const int row = m_model->rowOf(id); row >= 0)
+            again.select(m_model->index(row, 0), m_model->index(row, RecipeModel::Columns - 1));
+    if (!m_view->selectionModel()->hasSelection() && !again.isEmpty()) {
+        m_restores = true; // nobody has chosen anything
+        m_view->selectionModel()->select(again, QItemSelectionModel::ClearAndSelect);
+        if (const int row = m_model->rowOf(m_current); row >= 0)
+            m_view->selectionModel()->setCurrentIndex(m_model->index(row, 0), QItemSelectionModel::NoUpdate);
+        m_restores = false;
+    }
+    updateButtons();
+    chooseStep();
+}
+
+/// Properties show the values of the one step that is selected.
+void RecipePanel::chooseStep()
+{
+    const auto ids = selectedIds();
+    emit stepChosen(m_model->tree(), ids.size() == 1 && !hasBend(ids) ? ids.front() : RecipeModel::sourceId);
+}
+
+void RecipePanel::select(quint64 step)
+{
+    if (const int row = m_model->rowOf(step); row >= 0)
+        m_view->setCurrentIndex(m_model->index(row, 0));
+}
+
+void RecipePanel::setAddMenu(QMenu* menu)
+{
+    m_add->setMenu(menu);
+}
+
+std::vector<std::uint64_t> RecipePanel::selectedIds() const
+{
+    std::vector<int> rows;
+    for (const QModelIndex& index : m_view->selectionModel()->selectedRows())
+        rows.push_back(index.row());
+    std::ranges::sort(rows);
+    std::vector<std::uint64_t> ids;
+    for (const int row : rows)
+        if (row < m_model->rowCount() && m_model->idAt(row) != RecipeModel::sourceId)
+            ids.push_back(m_model->idAt(row));
+    return ids;
+}
+
+void RecipePanel::updateButtons()
+{
+    const auto ids = selectedIds();
+    const bool edits = !hasBend(ids);
+    const int row = ids.size() == 1 && edits ? m_model->rowOf(ids.front()) : -1;
+    const auto isTree = [](const Node& node) { return node.kind == NodeKind::Tree; };
+    m_up->setEnabled(row > 1);
+    m_down->setEnabled(row >= 1 && row < m_model->editCount());
+    m_delete->setEnabled(!ids.empty());
+    m_copy->setEnabled(!ids.empty() && edits &&
+                       std::ranges::count_if(m_document->scene().nodes(), isTree) > 1);
+}
+
+void RecipePanel::removeSelected()
+{
+    std::vector<std::uint64_t> ids = selectedIds();
+    std::map<std::uint64_t, glm::dvec3> straight;
+    std::erase_if(ids, [&](std::uint64_t id) {
+        const BendRow* bend = m_model->bendAt(m_model->rowOf(id));
+        for (std::size_t i = 0; bend && i < bend->names.size(); ++i)
+            straight[bend->names[i]] = glm::dvec3(0.0);
+        return bend != nullptr;
+    });
+    const bool both = !ids.empty() && !straight.empty(); // one step
+    std::optional<OneStep> step;
+    if (both)
+        step.emplace(*m_document, tr("Delete steps"));
+    if (!straight.empty())
+        report(edit::turnBranches(*m_document, m_model->tree(), straight));
+    if (!ids.empty())
+        report(edit::removeTreeEdits(*m_document, m_model->tree(), ids));
+}
+
+bool RecipePanel::hasBend(const std::vector<std::uint64_t>& ids) const
+{
+    return std::ranges::any_of(
+        ids, [this](std::uint64_t id) { return m_model->bendAt(m_model->rowOf(id)) != nullptr; });
+}
+
+void RecipePanel::moveCurrent(int rows)
+{
+    const auto ids = selectedIds();
+    if (ids.size() != 1 || hasBend(ids))
+        return;
+    const int to = m_model->rowOf(ids.front()) + rows;
+    if (to >= 1 && to <= m_model->editCount())
+        report(edit::moveTreeEdit(*m_document, m_model->tree(), ids.front(), to - 1));
+}
+
+void RecipePanel::selectBranches()
+{
+    Selection next;
+    next.nodes = {m_model->tree()};
+    for (const std::uint64_t id : selectedIds()) {
+        const auto limb = m_model->branchesAt(m_model->rowOf(id));
+        next.branches.insert(next.branches.end(), limb.begin(), limb.end());
+    }
+    if (!next.branches.empty()) {
+        next.branchNode = m_model->tree();
+        next.activeBranch = next.branches.front();
+        std::ranges::sort(next.branches);
+        const auto twice = std::unique(next.branches.begin(), next.branches.end());
+        next.branches.erase(twice, next.branches.end());
+    }
+    m_document->setSelection(std::move(next));
+}
+
+void RecipePanel::fillCopyMenu()
+{
+    m_copyMenu->clear();
+    for (const Node& node : m_document->scene().nodes()) {
+        if (node.kind != NodeKind::Tree || node.id == m_model->tree())
+            continue;
+        QString name = QString::fromStdString(node.name);
+        m_copyMenu->addAction(
+            icon("tree"), name.replace(u'&', QStringLiteral("&&")), this, [this, to = node.id] {
+                report(edit::copyTreeEdits(*m_document, m_model->tree(), selectedIds(), {to}));
+            });
+    }
+}
+
+void RecipePanel::showMenu(const QPoint& at)
+{
+    const auto ids = selectedIds();
+    if (ids.empty())
+        return;
+    QMenu menu(this);
+    QAction* rename = menu.addAction(icon("rename"), tr("Rename"), this,
+                                     [this] { m_view->edit(m_view->currentIndex().siblingAtColumn(0)); });
+    const bool edits = !hasBend(ids);
+    rename->setEnabled(ids.size() == 1 && edits);
+    menu.addAction(icon("duplicate"), tr("Duplicate"), this,
+                   [this] { report(edit::duplicateTreeEdits(*m_document, m_model->tree(), selectedIds())); })
+        ->setEnabled(edits);
+    for (const bool on : {true, false})
+        menu.addAction(on ? tr("Switch on") : tr("Switch off"), this,
+                       [this, on] {
+                           report(edit::setTreeEditsEnabled(*m_document, m_model->tree(), selectedIds(), on));
+                       })
+            ->setEnabled(edits);
+    menu.addSeparator();
+    menu.addAction(m_up->icon(), tr("Earlier"), this, [this] { moveCurrent(-1); })
+        ->setEnabled(m_up->isEnabled());
+    menu.addAction(m_down->icon(), tr("Later"), this, [this] { moveCurrent(1); })
+        ->setEnabled(m_down->isEnabled());
+    m_copyMenu->setTitle(tr("Copy to"));
+    menu.addMenu(m_copyMenu)->setEnabled(m_copy->isEnabled());
+    menu.addAction(icon("save"), tr("Keep as a preset of steps"), this,
+                   [this] { emit saveRequested(m_model->tree(), selectedIds()); })
+        ->setEnabled(edits);
+    menu.addSeparator();
+    menu.addAction(icon("delete"), tr("Delete"), this, &RecipePanel::removeSelected);
+    menu.exec(m_view->viewport()->mapToGlobal(at));
+}
+
+void RecipePanel::report(const Expected<void>& done)
+{
+    if (!done)
+        emit messageRaised(errorText(done.error()));
+}
+
+/// Delete and F2 are of the rows here, not of the tree.
+bool RecipePanel::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched != m_view || (event->type() != QEvent::ShortcutOverride && event->type() != QEvent::KeyPress))
+        return QWidget::eventFilter(watched, event);
+    const auto* key = static_cast<QKeyEvent*>(event);
+    const bool moves =
+        key->modifiers() == Qt::AltModifier && (key->key() == Qt::Key_Up || key->key() == Qt::Key_Down);
+    const bool plain = key->modifiers() == Qt::NoModifier;
+    const bool deletes = plain && key->key() == Qt::Key_Delete;
+    if (event->type() == QEvent::ShortcutOverride) {
+        if (moves || deletes || (plain && (key->key() == Qt::Key_F2 || key->key() == Qt::Key_Space)))
+            event->accept();
+        return event->isAccepted();
+    }
+    if (moves)
+        moveCurrent(key->key() == Qt::Key_Up ? -1 : 1);
+    else if (deletes)
+        removeSelected();
+    return moves || deletes || QWidget::eventFilter(watched, event);
+}
+
+} // namespace ramure
