@@ -66,6 +66,7 @@ ExportDialog::ExportDialog(Document* document, Recompute* recompute, Preferences
     , m_shownFrame(shownFrame)
 {
     setObjectName(QStringLiteral("exportDialog"));
+    setWindowTitle(tr("Export"));
     buildForm();
     connectForms();
     connect(m_task, &ExportTask::progress, this, &ExportDialog::setProgress);
