@@ -105,6 +105,13 @@ inline const std::vector<glm::uvec3>& textureTriangles(const TriangleMesh& mesh)
     return mesh.uvTriangles.empty() ? mesh.triangles : mesh.uvTriangles;
 }
 
+/// Bark that is older where the wood is thicker.
+inline bool hasAges(const MeshPart& part)
+{
+    return part.material.bark.family != BarkFamily::Plain && part.material.pictures.colour.empty() &&
+           part.mesh->radius.size() == part.mesh->positions.size();
+}
+
 /// Each triangle has a colour of its own, in place of the part's material.
 inline bool hasColours(const TriangleMesh& mesh)
 {

@@ -410,8 +410,7 @@ Expected<void> LevelMaker::addBark(TreeLevel& level, const Progress& progress)
                                      : TextureStage(level.branches).coordinates(params, progress);
         RAMURE_TRY(texture);
         m_tileSize = (*texture)->tileSize;
-        bark.uv = (*texture)->uv;
-        bark.uvTriangles = (*texture)->corners;
+        wear(bark, **texture);
     }
     const auto renumber = [&](TriangleMesh& mesh) {
         for (std::size_t v = 0; v < mesh.branch.size(); ++v) {

@@ -132,8 +132,7 @@ class TestGlbFormat : public QObject
             qFatal("%s", test::why(tree).constData());
         TriangleMesh mesh = tree->branches->mesh;
         const auto texture = tree->texture->coordinates(params.texture, {});
-        mesh.uv = (*texture)->uv;
-        mesh.uvTriangles = (*texture)->corners;
+        wear(mesh, **texture);
         return mesh;
     }
     static Material furrowed()
@@ -325,6 +324,30 @@ private slots:
         QCOMPARE(colours[indices[3]], glm::u16vec4(65535, 0, 0, 65535));
         QVERIFY(!glb.json["materials"][0]["pbrMetallicRoughness"].contains("baseColorFactor"));
         QVERIFY(glb.json["meshes"][0].contains("extensions")); // parted by colour, and closed all the same
+    }
+
+    /// The midribs of a palm are green, its trunk has the colour of its picture; the mesh stays closed.
+    void thinWoodHasAColourOfItsOwn()
+    {
+        BarkParams palm;
+        palm.family = BarkFamily::PalmScars;
+        TriangleMesh mesh = test::box({0, 0, 0}, {1, 1, 1});
+        mesh.radius.assign(mesh.positions.size(), 0.3F);
+        mesh.radius[0] = 0.01F;
+        const Glb glb = written(sceneOf(mesh, barkMaterial(palm)));
+        const Json& primitive = glb.json["meshes"][0]["primitives"][0];
+        const auto colours = glb.values<glm::u16vec4>(primitive["attributes"]["COLOR_0"]);
+        const auto places = glb.values<glm::vec3>(primitive["attributes"]["POSITION"]);
+        for (std::size_t i = 0; i < colours.size(); ++i)
+            if (places[i] == mesh.positions[0])
+                QVERIFY(colours[i].g == 65535 && colours[i].r < 60000 && colours[i].b < 40000);
+            else
+                QCOMPARE(colours[i], glm::u16vec4(65535));
+        QVERIFY(glb.json["meshes"][0].contains("extensions"));
+        Material own = barkMaterial(palm);
+        own.pictures.colour = "palm.png";
+        const Glb plain = written(sceneOf(mesh, own), {.mapSize = 0});
+        QVERIFY(!plain.json["meshes"][0]["primitives"][0]["attributes"].contains("COLOR_0"));
     }
 
     void nodesStandInEachOther()

@@ -1,6 +1,7 @@
 #include "core/surface/bark/bark_maps.h"
 
 #include "core/base/wide_clone.h"
+#include "core/math/reproducible.h"
 #include "core/surface/bark/bark_pattern.h"
 #include "core/surface/bark/tiled_noise.h"
 #include <algorithm>
@@ -141,7 +142,7 @@ Expected<BarkMaps> barkMaps(const BarkParams& params, int size, const Progress& 
     BarkMaps maps;
     maps.size = size;
     maps.relief = look.relief * float(params.depth);
-    maps.young = bytesOf(look.youth.colour * float(1.0 + params.light));
+    maps.young = youngColour(params);
     maps.youngRadius = look.youth.from;
     maps.oldRadius = look.youth.until;
     const auto count = std::size_t(size) * std::size_t(size);
@@ -167,6 +168,18 @@ Expected<BarkMaps> barkMaps(const BarkParams& params, int size, const Progress& 
     addNormals(maps, heights);
     addOcclusion(maps, heights);
     return maps;
+}
+
+float barkAge(BarkFamily family, double radius)
+{
+    const BarkYouth& youth = barkLook(family).youth;
+    const double from = maths::log(double(youth.from)), until = maths::log(double(youth.until));
+    return glm::smoothstep(0.0F, 1.0F, float((maths::log(std::max(radius, 1e-6)) - from) / (until - from)));
+}
+
+glm::u8vec3 youngColour(const BarkParams& params)
+{
+    return bytesOf(barkLook(params.family).youth.colour * float(1.0 + params.light));
 }
 
 glm::u8vec3 meanColour(const BarkParams& params)

@@ -31,6 +31,11 @@ inline constexpr int leastBarkSize = 16, mostBarkSize = 8192;
 /// Errors: Invalid (a size out of range; the family Plain, which has no picture), Cancelled.
 Expected<BarkMaps> barkMaps(const BarkParams& params, int size, const Progress& progress = {});
 
+/// Returns how old the bark is on wood of this radius, m: 0 the skin of twigs, 1 bark. \pre The family is not
+/// Plain.
+float barkAge(BarkFamily family, double radius);
+/// Returns the colour of thin wood, sRGB. \pre The family is not Plain.
+glm::u8vec3 youngColour(const BarkParams& params);
 /// sRGB, of the colour map, about: from some of its places. \pre the family is not Plain.
 glm::u8vec3 meanColour(const BarkParams& params);
 

@@ -417,6 +417,17 @@ Expected<TextureCoordinates> textureCoordinates(const BranchMesh& mesh, const Te
     return builder.join();
 }
 
+void wear(TriangleMesh& mesh, const TextureCoordinates& coordinates)
+{
+    mesh.uv = coordinates.uv;
+    mesh.uvTriangles = coordinates.corners;
+    mesh.radius.assign(mesh.positions.size(), 0.0F);
+    for (std::size_t i = 0; i < coordinates.vertex.size(); ++i) {
+        float& radius = mesh.radius[coordinates.vertex[i]];
+        radius = std::max(radius, coordinates.radius[i]);
+    }
+}
+
 TriangleMesh splitByTexture(const BranchMesh& mesh, const TextureCoordinates& coordinates)
 {
     TriangleMesh split;

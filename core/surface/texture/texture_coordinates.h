@@ -33,6 +33,9 @@ struct TextureCoordinates
 /// The mesh with one vertex per coordinate, for what knows no other texture coordinates: graphics cards.
 TriangleMesh splitByTexture(const BranchMesh& mesh, const TextureCoordinates& coordinates);
 
+/// Gives the mesh that they are of its coordinates, and each vertex the radius of the thickest wood there.
+void wear(TriangleMesh& mesh, const TextureCoordinates& coordinates);
+
 /// A tile size of 0 lets four tiles go around the thickest root. There are four at least around a root, and
 /// two around any branch. One pass, in time that grows as the mesh does. Errors: those of checkPart; Invalid
 /// (a tile too small for the tree, path "texture.tileSize"; triangles without tubes); Cancelled.

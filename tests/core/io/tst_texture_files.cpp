@@ -1,4 +1,5 @@
 #include "core/base/version.h"
+#include "core/surface/bark/bark_maps.h"
 #include "tests/core/io/io_support.h"
 #include <QTemporaryDir>
 #include <limits>
@@ -76,6 +77,36 @@ private slots:
         const MeshPart parts[] = {{"branches", &mesh, barkMaterial()}, {"leaves", &plain, leavesMaterial()}};
         QVERIFY(writePly(path("mixed.ply"), parts, {true}));
         QVERIFY(!test::fileBytes(m_folder.filePath("mixed.ply")).contains("texcoord"));
+    }
+
+    /// Thin wood has its own material in an OBJ and its own colour in a PLY.
+    void barkIsAsOldAsTheWoodIsThick()
+    {
+        BarkParams birch;
+        birch.family = BarkFamily::Ringed;
+        const glm::u8vec3 young = youngColour(birch), old = meanColour(birch);
+        TriangleMesh mesh = textured();
+        mesh.radius = {0.001F, 0.001F, 0.001F, 1.0F}; // one triangle is young all over
+        const MeshPart part{"branches", &mesh, barkMaterial(birch)};
+        QVERIFY(writeObj(path("aged.obj"), {&part, 1}, {}, {.mapSize = 0}));
+        const QByteArray obj = test::fileBytes(m_folder.filePath("aged.obj"));
+        QCOMPARE(obj.count("\nf "), 4);
+        QVERIFY(obj.endsWith("usemtl bark_ringed_young\nf 1/1 3/3 2/2\n"));
+        QCOMPARE(obj.count("usemtl bark_ringed\n"), 1);
+        const auto read = readMeshFile(path("aged.obj"));
+        QVERIFY(read && read->objects[0].mesh.colours.size() == 4);
+        QCOMPARE(read->objects[0].mesh.colours.back(), young);
+        QVERIFY(writePly(path("aged.ply"), {&part, 1}, {true}));
+        const QByteArray ply = test::fileBytes(m_folder.filePath("aged.ply"));
+        const auto line = [](const char* place, const glm::u8vec3& c) {
+            return QByteArray(place) + ' ' + QByteArray::number(c.r) + ' ' + QByteArray::number(c.g) + ' ' +
+                   QByteArray::number(c.b) + '\n';
+        };
+        QVERIFY(ply.contains(line("\n1 0 0", young)) && ply.contains(line("\n0 0 1", old)));
+        MeshPart own = part; // a picture of one's own is for all of it
+        own.material.pictures.colour = "bark.png";
+        QVERIFY(writePly(path("own.ply"), {&own, 1}, {true}));
+        QVERIFY(!test::fileBytes(m_folder.filePath("own.ply")).contains(line("\n1 0 0", young)));
     }
 
     void bothAreReadBack_data()

@@ -385,6 +385,10 @@ private:
         glb::Vertices vertices = glb::verticesOf(mesh, textured);
         if (m_materials.hasNormals(material) && !vertices.normals.empty() && !vertices.uv.empty())
             glb::addTangents(vertices);
+        const bool hasWindColours = wind && !wind->colours.empty();
+        if (const BarkParams* bark = m_materials.barkOf(material);
+            bark && !hasWindColours && mesh.radius.size() == mesh.positions.size())
+            glb::addAges(vertices, mesh, *bark);
         const glb::Packed triangles = m_buffer.isPacked() ? glb::packedTriangles(vertices) : glb::Packed();
         const std::size_t count = vertices.positions.size();
         Json attributes{{"POSITION", addPositions(vertices.positions)}};
@@ -394,7 +398,6 @@ private:
             attributes["TANGENT"] = m_buffer.addTangents(vertices.tangents);
         if (!vertices.uv.empty())
             attributes["TEXCOORD_0"] = m_buffer.addFloats(vertices.uv, fineBits, "VEC2");
-        const bool hasWindColours = wind && !wind->colours.empty();
         if (!vertices.colours.empty())
             attributes[hasWindColours ? "COLOR_1" : "COLOR_0"] = addColours(vertices.colours);
         if (wind)

@@ -50,6 +50,12 @@ bool Materials::hasNormals(std::size_t material) const
     return m_materials[material].contains("normalTexture");
 }
 
+const BarkParams* Materials::barkOf(std::size_t material) const
+{
+    const BarkParams& bark = m_barks[material];
+    return bark.family == BarkFamily::Plain ? nullptr : &bark;
+}
+
 Expected<std::size_t> Materials::add(const Material& material, bool textured, bool coloured,
                                      const Progress& progress)
 {
@@ -75,6 +81,7 @@ Expected<std::size_t> Materials::add(const Material& material, bool textured, bo
         made["baseColorFactor"].push_back(1.0);
     }
     m_materials.push_back(std::move(out));
+    m_barks.push_back(material.pictures.colour.empty() ? material.bark : BarkParams());
     return m_numbers[key] = m_materials.size() - 1;
 }
 

@@ -104,6 +104,11 @@ Vertices verticesOf(const TriangleMesh& mesh, bool textured);
 /// in E. Lengyel, Foundations of Game Engine Development, volume 2 (2019), chapter 7.5. \pre uv and normals.
 void addTangents(Vertices& vertices);
 
+/// Adds to each vertex the colour that its bark is multiplied with, so that thin wood has a colour of its
+/// own. Where that is lighter than old bark it keeps its hue alone. \pre The mesh has radii, the family is
+/// not Plain.
+void addAges(Vertices& vertices, const TriangleMesh& mesh, const BarkParams& bark);
+
 /// What shaders want to know of the whole tree, for the extras of a mesh.
 Json windExtras(const WindColumns& wind);
 
@@ -124,6 +129,9 @@ public:
 
     /// Whether it has pictures, which need texture coordinates.
     [[nodiscard]] bool isPictured(const Material& material) const;
+    /// Returns the bark of a material that ages with the wood, null if it has none. The material was added
+    /// before.
+    [[nodiscard]] const BarkParams* barkOf(std::size_t material) const;
     /// Returns true if the material, which was added before, has a picture of normals.
     [[nodiscard]] bool hasNormals(std::size_t material) const;
     /// \param textured \param coloured what the mesh has. \return its number. Errors: those of the maps; Io
@@ -142,6 +150,7 @@ private:
     Buffer& m_buffer;
     int m_mapSize;
     Json m_materials = Json::array(), m_textures = Json::array(), m_images = Json::array();
+    std::vector<BarkParams> m_barks;                     ///< per material; Plain: it does not age
     std::map<std::string, std::size_t> m_numbers;        ///< of materials by their keys
     std::map<std::string, std::size_t> m_textureNumbers; ///< by the names of the pictures
     bool m_isTranslucent = false;

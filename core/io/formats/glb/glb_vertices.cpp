@@ -1,9 +1,12 @@
 #include "core/io/formats/glb/glb_parts.h"
 
 #include "core/math/reproducible.h"
+#include "core/surface/bark/bark_maps.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <tuple>
 
@@ -144,6 +147,20 @@ Json windExtras(const WindColumns& wind)
 Vertices verticesOf(const TriangleMesh& mesh, bool textured)
 {
     return Splitter(mesh, textured).run();
+}
+
+void addAges(Vertices& vertices, const TriangleMesh& mesh, const BarkParams& bark)
+{
+    const auto linearOf = [](const glm::u8vec3& c) {
+        return glm::vec3(linear(c.r), linear(c.g), linear(c.b));
+    };
+    glm::vec3 young = linearOf(youngColour(bark)) / glm::max(linearOf(meanColour(bark)), 1e-3F);
+    young /= std::max({young.r, young.g, young.b, 1.0F});
+    vertices.colours.reserve(vertices.from.size());
+    for (const Index from : vertices.from) {
+        const float age = barkAge(bark.family, double(mesh.radius[from]));
+        vertices.colours.emplace_back(65535.0F * glm::mix(young, glm::vec3(1.0F), age) + 0.5F, 65535);
+    }
 }
 
 void addTangents(Vertices& vertices)

@@ -2,6 +2,7 @@
 #include "core/io/formats/text/material_file.h"
 #include "core/io/material_maps.h"
 #include "core/io/write_parts.h"
+#include "core/surface/bark/bark_maps.h"
 #include <algorithm>
 #include <filesystem>
 #include <optional>
@@ -67,28 +68,13 @@ bool hasOwnColours(const MeshPart& part)
     return writing::hasColours(*part.mesh) && !part.material.tones;
 }
 
-/// Those of one colour together, colours and triangles in the order of the mesh; all of them where there are
-/// no colours.
-Order orderOf(const MeshPart& part)
+/// Numbers of triangles, those of each group together.
+Order grouped(std::span<const std::size_t> of, std::size_t groups)
 {
-    const TriangleMesh& mesh = *part.mesh;
     Order out;
-    if (!hasOwnColours(part)) {
-        out.runs = {{0, mesh.triangles.size()}};
-        return out;
-    }
-    const auto number = [](const glm::u8vec3& c) {
-        return Index(c.r) << 16U | Index(c.g) << 8U | Index(c.b);
-    };
-    std::unordered_map<Index, std::size_t> runOf;
-    std::vector<std::size_t> of;
-    for (const glm::u8vec3& colour : mesh.colours) {
-        const auto [run, isNew] = runOf.try_emplace(number(colour), out.runs.size());
-        if (isNew)
-            out.runs.push_back({0, 0});
-        of.push_back(run->second);
-        ++out.runs[run->second].end;
-    }
+    out.runs.resize(groups, {0, 0});
+    for (const std::size_t group : of)
+        ++out.runs[group].end;
     std::size_t before = 0;
     for (Run& run : out.runs) {
         run.begin = before;
@@ -97,7 +83,40 @@ Order orderOf(const MeshPart& part)
     out.triangles.resize(of.size());
     for (std::size_t i = 0; i < of.size(); ++i)
         out.triangles[out.runs[of[i]].end++] = static_cast<Index>(i);
+    std::erase_if(out.runs, [](const Run& run) { return run.begin == run.end; });
     return out;
+}
+
+/// Is it nearer to the skin of twigs than to bark?
+bool isYoung(const MeshPart& part, std::size_t triangle)
+{
+    float radius = 0.0F;
+    for (int k = 0; k < 3; ++k)
+        radius = std::max(radius, part.mesh->radius[part.mesh->triangles[triangle][k]]);
+    return barkAge(part.material.bark.family, double(radius)) < 0.5F;
+}
+
+/// Those of one colour together, colours and triangles in the order of the mesh; all of them where there are
+/// no colours. Of bark, the old and the young.
+Order orderOf(const MeshPart& part)
+{
+    const TriangleMesh& mesh = *part.mesh;
+    std::vector<std::size_t> of;
+    of.reserve(mesh.triangles.size());
+    if (writing::hasAges(part)) {
+        for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+            of.push_back(isYoung(part, i) ? 1 : 0);
+        return grouped(of, 2);
+    }
+    if (!hasOwnColours(part))
+        return {{{0, mesh.triangles.size()}}, {}};
+    const auto number = [](const glm::u8vec3& c) {
+        return Index(c.r) << 16U | Index(c.g) << 8U | Index(c.b);
+    };
+    std::unordered_map<Index, std::size_t> runOf;
+    for (const glm::u8vec3& colour : mesh.colours)
+        of.push_back(runOf.try_emplace(number(colour), runOf.size()).first->second);
+    return grouped(of, runOf.size());
 }
 
 /// Faces v, v/vt, v//vn or v/vt/vn.
@@ -130,6 +149,8 @@ bool writeFaces(FileWriter& out, const TriangleMesh& mesh, const Order& order, c
 /// Of a triangle.
 Material materialOf(const MeshPart& part, std::size_t triangle)
 {
+    if (writing::hasAges(part) && isYoung(part, triangle))
+        return {part.material.name + "_young", youngColour(part.material.bark), false, false};
     return hasOwnColours(part) ? surfaceMaterial(part.mesh->colours[triangle]) : part.material;
 }
 
@@ -225,7 +246,8 @@ void writeMaterials(FileWriter& out, std::span<const MeshPart> parts, const Writ
         for (const Run& run : order.runs) {
             const Material material = materialOf(part, order[run.begin]);
             if (written.insert(material.name).second)
-                writeMaterial(out, material, hasMaps(part, options) ? options.mapSize : 0);
+                writeMaterial(out, material,
+                              material == part.material && hasMaps(part, options) ? options.mapSize : 0);
         }
     }
 }

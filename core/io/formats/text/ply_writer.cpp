@@ -1,5 +1,6 @@
 #include "core/base/version.h"
 #include "core/io/write_parts.h"
+#include "core/surface/bark/bark_maps.h"
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -81,10 +82,24 @@ glm::u8vec3 toned(const glm::u8vec3& colour, const glm::u8vec3& tone)
     return {(glm::uvec3(colour) * glm::uvec3(tone) + 127u) / 255u};
 }
 
+/// Of bark, by the radius of the wood.
+std::vector<glm::u8vec3> agedColours(const MeshPart& part)
+{
+    const BarkParams& bark = part.material.bark;
+    const glm::vec3 young(youngColour(bark)), old(part.material.colour);
+    std::vector<glm::u8vec3> out;
+    out.reserve(part.mesh->radius.size());
+    for (const float radius : part.mesh->radius)
+        out.emplace_back(glm::mix(young, old, barkAge(bark.family, double(radius))) + 0.5F);
+    return out;
+}
+
 /// Of each vertex, from the last triangle that has it; empty where the triangles have no colours.
 std::vector<glm::u8vec3> vertexColours(const MeshPart& part)
 {
     const TriangleMesh& mesh = *part.mesh;
+    if (writing::hasAges(part))
+        return agedColours(part);
     if (!writing::hasColours(mesh))
         return {};
     std::vector<glm::u8vec3> out(mesh.positions.size(), part.material.colour);

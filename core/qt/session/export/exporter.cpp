@@ -140,8 +140,7 @@ Expected<void> addTexture(TreeMeshes& meshes, const TextureStage& texture, const
         const auto made = texture.coordinates(params.texture, progress);
         RAMURE_TRY(made);
         const auto branches = std::make_shared<TriangleMesh>(*meshes.branches);
-        branches->uv = (*made)->uv;
-        branches->uvTriangles = (*made)->corners;
+        wear(*branches, **made);
         meshes.branches = branches;
     }
     if (meshes.leaves) {

@@ -112,6 +112,22 @@ private slots:
         QVERIFY(made(other, 48).height != one.height);
     }
 
+    void barkAgesAsWoodThickens_data() { everyFamily(); }
+    void barkAgesAsWoodThickens()
+    {
+        QFETCH(int, family);
+        const BarkMaps maps = made(of(BarkFamily(family)), 16);
+        QCOMPARE(maps.young, youngColour(of(BarkFamily(family))));
+        float last = 0.0F;
+        for (double radius = 0.0; radius < 0.3; radius += 0.001) {
+            const float age = barkAge(BarkFamily(family), radius);
+            QVERIFY(age >= last && age <= 1.0F);
+            last = age;
+        }
+        QCOMPARE(barkAge(BarkFamily(family), double(maps.youngRadius)), 0.0F);
+        QCOMPARE(barkAge(BarkFamily(family), 1.01 * double(maps.oldRadius)), 1.0F);
+    }
+
     void familiesDiffer()
     {
         std::set<QByteArray> seen;
