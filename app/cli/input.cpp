@@ -111,6 +111,12 @@ Expected<void> applySettings(Scene& scene, const QStringList& sets)
     return {};
 }
 
+const char* stateName(EditState state)
+{
+    constexpr const char* names[] = {"off", "placed", "matched", "unplaced", "idle"};
+    return names[static_cast<std::size_t>(state)];
+}
+
 Expected<Input> loadInput(const QString& text, const QStringList& sets, const Progress& progress)
 {
     const QString presetPrefix = QStringLiteral("preset:"), demoPrefix = QStringLiteral("demo:");

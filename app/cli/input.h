@@ -38,6 +38,9 @@ QJsonArray jsonWarnings(const Scene& scene);
 /// key.
 Expected<void> applySettings(Scene& scene, const QStringList& sets);
 
+/// What became of a step of a recipe, as commands print it: "placed".
+const char* stateName(EditState state);
+
 /// The trees of a scene, shown or not, in its order; at least one. Error: Invalid.
 Expected<std::vector<const Node*>> treesOf(const Scene& scene);
 

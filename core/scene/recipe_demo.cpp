@@ -29,6 +29,14 @@ TreeEdit stepOf(EditOperation operation, Change&& change, const NodeParams* like
     return step;
 }
 
+/// A twig that the axiom draws alone.
+void growOnce(GrammarParams& grammar, const char* axiom)
+{
+    grammar.axiom = axiom;
+    grammar.rules.clear();
+    grammar.iterations = 0;
+}
+
 NodeParams drawnTrunk()
 {
     NodeParams params = presetOf("EnglishOak");
@@ -54,9 +62,7 @@ NodeParams colonisedWithTwigs()
                v.step.where = "order > 0 and length > 0.5";
                v.step.stand.count = 8;
                v.step.stand.size = 0.25;
-               v.grammar.axiom = "FF[+F]F[-F]F[^F]F";
-               v.grammar.rules.clear();
-               v.grammar.iterations = 0;
+               growOnce(v.grammar, "FF[+F]F[-F]F[^F]F");
            }));
     return params;
 }
@@ -77,9 +83,7 @@ NodeParams twoOnOneParent()
     append(params, stepOf(EditOperation::Grammar, [](NodeParams& v) {
                v.step.where = "order = 1";
                v.step.stand.count = 10;
-               v.grammar.axiom = "F[+F]F[-F]F";
-               v.grammar.rules.clear();
-               v.grammar.iterations = 0;
+               growOnce(v.grammar, "F[+F]F[-F]F");
            }));
     return params;
 }

@@ -129,14 +129,12 @@ QJsonObject jsonTree(const TreeFacts& tree)
 /// The edits of a tree in their order, and what became of them.
 QJsonArray jsonEdits(const std::vector<TreeEdit>& edits, const EditReport* report)
 {
-    constexpr const char* states[] = {"off", "placed", "matched", "unplaced", "idle"};
     QJsonArray list;
     for (std::size_t i = 0; report && i < report->size(); ++i) {
         const EditOutcome& outcome = (*report)[i];
-        QJsonObject entry{
-            {QStringLiteral("id"), json::branchKey(outcome.id)},
-            {QStringLiteral("op"), QLatin1String(infoOf(edits[i].operation).key)},
-            {QStringLiteral("state"), QLatin1String(states[static_cast<std::size_t>(outcome.state)])}};
+        QJsonObject entry{{QStringLiteral("id"), json::branchKey(outcome.id)},
+                          {QStringLiteral("op"), QLatin1String(infoOf(edits[i].operation).key)},
+                          {QStringLiteral("state"), QLatin1String(stateName(outcome.state))}};
         if (!edits[i].name.empty())
             entry.insert(QStringLiteral("name"), fromText(edits[i].name));
         if (outcome.address != 0)

@@ -41,7 +41,6 @@ Expected<std::vector<StepFacts>> factsOf(const Node& node, TreePipeline& pipelin
 {
     const auto result = evaluateTree(pipeline, node, isOneOfSeveral, Stage::Skeleton);
     RAMURE_TRY(result);
-    constexpr const char* states[] = {"off", "placed", "matched", "unplaced", "idle"};
     const NodeParams usual;
     const QString first = fromText(stepName(node.params, 0));
     std::vector<StepFacts> steps{
@@ -57,8 +56,8 @@ Expected<std::vector<StepFacts>> factsOf(const Node& node, TreePipeline& pipelin
         const EditOutcome outcome = result->edits ? (*result->edits)[i] : EditOutcome();
         steps.push_back(
             {QLatin1String(infoOf(edits[i].operation).key), fromText(stepName(node.params, i + 1)),
-             QLatin1String(states[static_cast<std::size_t>(outcome.state)]), fromText(outcome.why.plain()),
-             edits[i].enabled, outcome.seconds,
+             QLatin1String(stateName(outcome.state)), fromText(outcome.why.plain()), edits[i].enabled,
+             outcome.seconds,
              valuesOf(*edits[i].values, edits[i].operation, *newStep(edits[i].operation).values)});
     }
     return steps;

@@ -75,7 +75,6 @@ std::vector<std::uint64_t> addressesOf(const Skeleton& skeleton)
 
 double meanTipHeight(const Skeleton& s)
 {
-    const SkeletonStats stats = skeletonStats(s);
     double sum = 0.0, count = 0.0;
     const ChildLists children = childLists(s);
     for (Index i = 0; i < s.size(); ++i)
@@ -83,7 +82,6 @@ double meanTipHeight(const Skeleton& s)
             sum += s.p1[i].y;
             ++count;
         }
-    Q_UNUSED(stats)
     return sum / count;
 }
 
