@@ -88,7 +88,7 @@ public:
         for (const ForkVertex& fork : mesh.forkVertices)
             walls[fork.parent] = std::max(walls[fork.parent], fork.along);
         for (const TubeRange& tube : mesh.tubes) {
-            if (tube.parent == noIndex)
+            if (tube.parent == noIndex || tube.parent == tube.branch) // or the upper part of a branch
                 continue;
             const double length = skeleton.length(tube.branch);
             const double radius = skeleton.a1[tube.parent];

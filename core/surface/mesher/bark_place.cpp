@@ -38,7 +38,8 @@ std::vector<std::span<const glm::uvec3>> trianglesOfTubes(const BranchMesh& mesh
     for (std::size_t i = 0; i < mesh.tubes.size(); ++i) {
         const std::size_t first = mesh.tubes[i].firstTriangle;
         const std::size_t end = i + 1 < mesh.tubes.size() ? mesh.tubes[i + 1].firstTriangle : all.size();
-        out[mesh.tubes[i].branch] = all.subspan(first, end - first);
+        if (auto& tube = out[mesh.tubes[i].branch]; tube.empty())
+            tube = all.subspan(first, end - first);
     }
     return out;
 }

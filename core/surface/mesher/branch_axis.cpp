@@ -45,9 +45,12 @@ BranchCurve meshCurve(const NormalSkeleton& skeleton, Index branch, bool clampOv
 {
     const MeshBranch& own = skeleton.branches[branch];
     BranchCurve curve{own.p0, own.p1, own.p1 - own.p0, own.p1 - own.p0};
-    if (own.parent != noIndex && !own.isLimb) {
+    if (own.parent != noIndex && !own.isLimb && !own.isPiece) {
         const MeshBranch& parent = skeleton.branches[own.parent];
-        curve.v0 = parent.p1 - parent.p0;
+        Index whole = own.parent;
+        while (skeleton.branches[whole].isPiece)
+            whole = skeleton.branches[whole].parent;
+        curve.v0 = parent.p1 - skeleton.branches[whole].p0;
         if (clampOvershoot || parent.isLimb) { // a limb is longer than what shows of it
             const double most = overshootLimit * glm::length(curve.v1);
             const double has = glm::length(curve.v0);

@@ -14,10 +14,10 @@ namespace {
 constexpr double farthest = 12.7; ///< a child straight back has no stereographic place
 constexpr int spreadRounds = 60;
 // A stem and the limbs that leave it.
-constexpr double leastStem = 0.75;    ///< of the parent's radius
 constexpr double mostLimb = 0.7;      ///< of the stem's radius
 constexpr double stemCosine = 0.82;   ///< of the angle between the parent and the stem
 constexpr double limbCosine = 0.94;   ///< of the angle between the stem and a limb, either way
+constexpr double slantCosine = 0.985; ///< the same, where limbs may run along the stem
 constexpr double limbWidth = 1.06;    ///< of its diameter, on the ring
 constexpr double leastLimbGap = 0.15; ///< of the ring's pitch, at least, for a limb's foot
 constexpr double roomOnRing = 1.1;    ///< of the width, from limb to limb
@@ -159,7 +159,7 @@ Index ForkPlanner::findStem() const
         if (i == stem)
             continue;
         if (limb.radius > mostLimb * m_limbs[stem].radius ||
-            std::abs(glm::dot(limb.chord, m_limbs[stem].chord)) > limbCosine)
+            std::abs(glm::dot(limb.chord, m_limbs[stem].chord)) > (m_maySlant ? slantCosine : limbCosine))
             return noIndex;
         taken.emplace_back(azimuthOf(limb.chord), halfWidth(limb.radius));
     }

@@ -34,12 +34,17 @@ struct ForkLayout
     std::vector<Index> splitPoint;
 };
 
+/// Of the parent's radius: a child that others leave to its side.
+inline constexpr double leastStem = 0.75;
+
 /// Makes layouts; keeps its buffers. Give it the children, then let it plan.
 class ForkPlanner
 {
 public:
-    void begin()
+    /// \param maySlant limbs at a small angle leave the stem to its side as well: their feet are long.
+    void begin(bool maySlant = false)
     {
+        m_maySlant = maySlant;
         m_sites.clear();
         m_limbs.clear();
     }
@@ -48,6 +53,8 @@ public:
     /// The same, of a child that may be a stem or leave one to its side. \param chord unit, towards its end;
     /// \param radius m, where it starts, of the parent's end.
     void addChild(const Frame& frame, const glm::dvec3& direction, const glm::dvec3& chord, double radius);
+    /// The child that all others leave to its side; noIndex: there is none.
+    [[nodiscard]] Index findStem() const;
     /// At least two children. \param regular the ring without a fork.
     void plan(std::span<const RingPoint> regular, ForkLayout& layout);
 
@@ -57,7 +64,6 @@ private:
         glm::dvec3 chord; ///< unit, in the frame: normal, binormal, tangent
         double radius;    ///< of the parent's end
     };
-    [[nodiscard]] Index findStem() const;
     void planStar(ForkLayout& layout);
     void splitHull(const ForkTriangulation& triangulation);
     [[nodiscard]] double gapAfter(std::size_t split) const;
@@ -65,6 +71,7 @@ private:
     void spread(double gap);
     void fillRing(std::span<const RingPoint> regular, ForkLayout& layout);
 
+    bool m_maySlant = false;
     std::vector<glm::dvec2> m_sites;
     std::vector<Limb> m_limbs;    ///< of all children, or none: nothing is known of them
     std::vector<double> m_splits; ///< azimuths of the hull edges' outward normals, unwrapped

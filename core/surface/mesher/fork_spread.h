@@ -16,11 +16,17 @@ void spreadAboveForks(NormalSkeleton& skeleton, double length);
 
 /// The same of limbs beside a stem: they have a collar, so much wider than their own radius as \p collar says
 /// within the stem's wood and where they leave it, which falls to 1/e within collarLength times their
-/// diameter. A limb that hardly leaves the wood has none.
+/// diameter. Call it first: where a limb's first piece ends on its collar, what it carries goes on with it.
 void makeCollars(NormalSkeleton& skeleton, double collar);
 
 inline constexpr double collarLength = 0.75; ///< diameters
 
 inline constexpr double mostSpread = 2.0; ///< of a branch's own radius, beyond it
+
+/// Thin children that are no limbs around one stem leave as limbs a little below the fork. There the branch
+/// that forks is divided: its upper part (MeshBranch::isPiece) goes straight on, has the same source, and is
+/// the last child of the lower one. Those that point along the branch, would cross a sibling on their way, or
+/// find no room on it, stay.
+void partForks(NormalSkeleton& skeleton);
 
 } // namespace ramure

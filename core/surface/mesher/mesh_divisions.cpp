@@ -14,6 +14,8 @@ namespace {
 /// A little of thickness times length, as if every branch were bent that much: thick branches get
 /// cross-sections even where they are straight, for shading and motion.
 constexpr double bendShare = 0.1;
+constexpr double seenCollar = 0.01; ///< m, radius of a limb: one as thick shows its collar
+constexpr int collarSections = 4;   ///< its ends, and two on what narrows
 constexpr int bisections = 60;
 /// Of a tube as far as it is not clear of its nearest sibling: how much of it that one hides.
 constexpr double hiddenShare = 0.6;
@@ -92,7 +94,7 @@ int MeshDivisions::sections(Index branch) const
         return m_sections;
     const BranchShape& shape = m_shapes[branch];
     return static_cast<int>(
-        limited(1.0 + m_fineness * shape.spans + shape.spansThreshold, leastSections, mostSections));
+        limited(1.0 + m_fineness * shape.spans + shape.spansThreshold, shape.fewestSections, mostSections));
 }
 
 MeshBudget::MeshBudget(const NormalSkeleton& skeleton, const MeshParams& params)
@@ -133,6 +135,8 @@ void MeshBudget::measure(Index b)
     }
     shape.spans = std::sqrt(0.375 * aside + bendShare * radius * length);
     shape.spansThreshold = spread(b, std::numbers::sqrt2);
+    if (branch.spreadStart > 0.0 && branch.a0 >= seenCollar)
+        shape.fewestSections = collarSections;
     // A branch that only goes on from its parent is rounded as that one, or the sides would change to and
     // fro.
     shape.sidesThreshold = goesOn ? m_shapes[branch.parent].sidesThreshold : spread(b, std::numbers::phi);
@@ -175,7 +179,8 @@ double MeshBudget::triangles(double fineness) const
         const MeshBranch& branch = m_skeleton.branches[b];
         const double sides =
             limited(sidesAskedFor(0.5 * (branch.a0 + branch.a1), fineness), leastSides, mostSides);
-        const double spans = limited(fineness * m_shapes[b].spans, leastSections - 1, mostSections - 1);
+        const double spans =
+            limited(fineness * m_shapes[b].spans, m_shapes[b].fewestSections - 1, mostSections - 1);
         vertices +=
             sides * std::max(spans * (1.0 - m_shapes[b].hidden), 1.0) + (branch.childCount == 0 ? 1.0 : 0.0);
         if (branch.childCount > 1)

@@ -22,6 +22,7 @@ struct BranchShape
 {
     double spans = 0.0;          ///< between cross-sections, at a fineness of 1
     double spansThreshold = 0.0; ///< in [0, 1), added before the number is cut to a whole one
+    int fewestSections = leastSections;
     double sidesThreshold = 0.0;
     double hidden = 0.0; ///< share of its surface inside its siblings, about
     /// Of its fork: sides of the children, as a share of its own, and ForkLayout::stem's limbs, about.

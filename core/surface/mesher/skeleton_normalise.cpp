@@ -89,7 +89,6 @@ private:
     void appendChildren(Index from, Index to);
     [[nodiscard]] Index endOfFoot(Index root) const;
     void makeStub(Index root);
-    void linkChildren();
     Sibling sibling(Index id, const glm::dvec3& start) const;
     glm::dvec3 local(const glm::dvec3& p) const { return p - m_out.origin; }
     double radiusAt(Index id, double fraction) const { return m_a0[id] + (m_a1[id] - m_a0[id]) * fraction; }
@@ -518,28 +517,6 @@ void Normaliser::putOffChildren(Index parentOut)
     }
 }
 
-/// Depth-first order gives every branch a higher index than its parent; the lists follow from the parents.
-void Normaliser::linkChildren()
-{
-    std::vector<MeshBranch>& branches = m_out.branches;
-    for (const MeshBranch& branch : branches)
-        if (branch.parent != noIndex)
-            ++branches[branch.parent].childCount;
-    Index next = 0;
-    for (MeshBranch& branch : branches) {
-        branch.firstChild = next;
-        next += branch.childCount;
-        branch.childCount = 0;
-    }
-    m_out.children.resize(next);
-    for (Index i = 0; i < branches.size(); ++i) {
-        if (branches[i].parent == noIndex)
-            continue;
-        MeshBranch& parent = branches[branches[i].parent];
-        m_out.children[parent.firstChild + parent.childCount++] = i;
-    }
-}
-
 Expected<void> Normaliser::run(const Progress& progress)
 {
     measure();
@@ -576,11 +553,32 @@ Expected<void> Normaliser::run(const Progress& progress)
         m_out.branches[index].isLimb = pending.isLimb;
         putOffChildren(index);
     }
-    linkChildren();
+    linkChildren(m_out);
     return {};
 }
 
 } // namespace
+
+void linkChildren(NormalSkeleton& skeleton)
+{
+    std::vector<MeshBranch>& branches = skeleton.branches;
+    for (const MeshBranch& branch : branches)
+        if (branch.parent != noIndex)
+            ++branches[branch.parent].childCount;
+    Index next = 0;
+    for (MeshBranch& branch : branches) {
+        branch.firstChild = next;
+        next += branch.childCount;
+        branch.childCount = 0;
+    }
+    skeleton.children.resize(next);
+    for (Index i = 0; i < branches.size(); ++i) {
+        if (branches[i].parent == noIndex)
+            continue;
+        MeshBranch& parent = branches[branches[i].parent];
+        skeleton.children[parent.firstChild + parent.childCount++] = i;
+    }
+}
 
 Expected<NormalSkeleton> normaliseSkeleton(const Skeleton& skeleton, const BranchMeshOptions& options,
                                            const Progress& progress)
@@ -591,8 +589,10 @@ Expected<NormalSkeleton> normaliseSkeleton(const Skeleton& skeleton, const Branc
     NormalSkeleton result;
     Normaliser normaliser(skeleton, options, result);
     RAMURE_TRY(normaliser.run(progress));
-    spreadAboveForks(result, options.forkLength);
+    if (options.forkLength > 0.0)
+        partForks(result);
     makeCollars(result, options.collar);
+    spreadAboveForks(result, options.forkLength);
     return result;
 }
 

@@ -19,6 +19,7 @@ struct MeshBranch
     bool isSawn = false;    ///< its end is flat
     bool isLimb = false;    ///< it leaves a sibling to its side, and is straight until its end
     bool isPlate = false;   ///< no branch of the skeleton: what stems stand on that start together
+    bool isPiece = false;   ///< the upper part of its parent's source: see partForks
     Index foot = noIndex;   ///< of a trunk with roots: the branch of the skeleton that stands on the ground
     Index firstChild = 0;   ///< its children are children[firstChild .. firstChild + childCount)
     Index childCount = 0;
@@ -49,6 +50,9 @@ struct NormalSkeleton
     }
 };
 
+/// Fills the lists of children, which follow from the branches' parents.
+void linkChildren(NormalSkeleton& skeleton);
+
 /// In this order, parents first and per branch until nothing changes:
 /// - a branch shorter than 1e-6 of the scene, 1e-3 of its own radius or the least gap is contracted, its
 ///   children move to its parent;
@@ -62,6 +66,7 @@ struct NormalSkeleton
 /// - roots that start within a radius of each other become the children of one root plate: a stub at the
 ///   first one's start, turned away from all of them;
 /// - limbs start where limbStart() says;
+/// - where options.forkLength is set, forks of thick and thin branches are parted (partForks);
 /// - where options.roots asks for them, the first branches of a trunk on the ground become one as long as its
 ///   foot needs, as thick as the last of them is: a flare gives way to roots.
 /// Radii are at least 1e-4 of the scene and options.leastRadius, which is taken as 5e-4 of the scene where it

@@ -88,7 +88,7 @@ Index stemOf(std::span<const StemLimb> children)
     return static_cast<Index>(stem - children.begin());
 }
 
-bool standAroundStem(std::span<const StemLimb> children)
+bool standAroundStem(std::span<const StemLimb> children, double share)
 {
     const Index stem = stemOf(children);
     if (stem == noIndex)
@@ -99,7 +99,7 @@ bool standAroundStem(std::span<const StemLimb> children)
             if (i != stem && k != stem &&
                 glm::length(aroundStem(children[i], centre) - aroundStem(children[k], centre)) *
                         centre.radius <
-                    space * (children[i].radius + children[k].radius))
+                    share * space * (children[i].radius + children[k].radius))
                 return false;
     return true;
 }

@@ -34,7 +34,8 @@ double limbStart(const StemLimb& limb, const StemLimb& stem);
 bool areStemAndLimb(double oneRadius, double otherRadius);
 /// The thickest child, where all others are limbs of it; noIndex: they are not.
 Index stemOf(std::span<const StemLimb> children);
-/// Is there a stem, and room around it for all limbs beside each other?
-bool standAroundStem(std::span<const StemLimb> children);
+/// Is there a stem, and room around it for all limbs beside each other? \param share of the room that they
+/// need
+bool standAroundStem(std::span<const StemLimb> children, double share = 1.0);
 
 } // namespace ramure

@@ -12,7 +12,6 @@ namespace ramure {
 namespace {
 
 constexpr std::int64_t fewestRoots = 3;
-constexpr Index fewestSides = 3;     ///< of a trunk that shows roots
 constexpr double mostOfTrunk = 0.7;  ///< the foot's share of the trunk's first branch
 constexpr double steepest = 0.5;     ///< the least rise of a trunk that stands
 constexpr double sunkShare = 0.06;   ///< of the foot's height
@@ -30,7 +29,7 @@ constexpr double leastShare = 0.55;  ///< of the length and the height: the shor
 
 FootSize footSize(const MeshParams& params, Index sides)
 {
-    if (params.roots <= 0 || sides < fewestSides)
+    if (params.roots <= 0)
         return {};
     const auto roots = static_cast<Index>(std::max(params.roots, fewestRoots));
     const Index pairs = std::clamp<Index>((4 * sides / (5 * roots)), 0, 12);

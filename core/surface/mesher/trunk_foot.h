@@ -11,7 +11,7 @@
 
 namespace ramure {
 
-/// None where a trunk has too few sides to show roots. \param sides of the trunk above its foot
+/// None where no roots are asked for. \param sides of the trunk above its foot, at least leastSides
 FootSize footSize(const MeshParams& params, Index sides);
 
 /// A foot in place. Its rings follow each other from the lowest, which lies under the ground, to the highest,

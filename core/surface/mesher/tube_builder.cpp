@@ -68,12 +68,15 @@ double twistBetween(const AxisSection& first, const AxisSection& second)
 void planFork(const MesherContext& context, Index branch, const AxisSection& end, ForkPlanner& planner,
               ForkLayout& layout)
 {
-    planner.begin();
-    double shortest = std::numeric_limits<double>::max();
+    double shortest = std::numeric_limits<double>::max(), thickest = 0.0;
+    int stems = 0;
     for (const Index child : context.skeleton.childrenOf(branch)) {
         const MeshBranch& c = context.skeleton.branches[child];
         shortest = std::min(shortest, glm::length(c.p1 - c.p0));
+        thickest = std::max(thickest, c.a0);
+        stems += c.isLimb ? 0 : 1;
     }
+    planner.begin(context.options.forkLength > 0.0 && thickest >= leastStem * end.radius);
     for (const Index child : context.skeleton.childrenOf(branch)) {
         const MeshBranch& c = context.skeleton.branches[child];
         const BranchCurve curve = meshCurve(context.skeleton, child, context.clampOvershoot);
@@ -82,7 +85,7 @@ void planFork(const MesherContext& context, Index branch, const AxisSection& end
         const double length = glm::length(way);
         const glm::dvec3 chord = glm::normalize(c.p1 - c.p0);
         planner.addChild(end.frame, length > 1e-6 * shortest ? way / length : chord, chord,
-                         c.a0 / end.radius);
+                         (c.isLimb || stems > 1 ? c.a0 : c.radiusAt(0.0)) / end.radius);
     }
     planner.plan(context.divisions.ring(branch, end.radius), layout);
 }

@@ -240,14 +240,15 @@ Shared shareOf(const BranchMesh& mesh)
     Index branches = 0;
     for (const TubeRange& tube : mesh.tubes)
         branches = std::max(branches, tube.branch + 1);
-    std::vector<Index> tubeOf(branches, noIndex), wave(tubes, 0);
+    std::vector<Index> firstTubeOf(branches, noIndex), tubeOf(branches, noIndex), wave(tubes, 0);
     for (Index t = 0; t < tubes; ++t) {
         const TubeRange& tube = mesh.tubes[t];
         if (tube.parent != noIndex && tube.parent < branches && tubeOf[tube.parent] != noIndex) {
             shared.parent[t] = tubeOf[tube.parent];
             wave[t] = wave[shared.parent[t]] + 1;
         }
-        tubeOf[tube.branch] = t;
+        tubeOf[tube.branch] = t; // the upper part of a branch comes after all that leaves the lower one
+        firstTubeOf[tube.branch] = std::min(firstTubeOf[tube.branch], t);
         if (wave[t] >= shared.waves.size())
             shared.waves.emplace_back();
         shared.waves[wave[t]].push_back(t);
@@ -256,8 +257,8 @@ Shared shareOf(const BranchMesh& mesh)
     shared.isLimb.assign(tubes, 0);
     for (const ForkVertex& fork : mesh.forkVertices)
         if (fork.branch[2] == noIndex && fork.weight[0] == 0.0F && fork.branch[0] < branches &&
-            tubeOf[fork.branch[0]] != noIndex)
-            shared.isLimb[tubeOf[fork.branch[0]]] = 1;
+            firstTubeOf[fork.branch[0]] != noIndex)
+            shared.isLimb[firstTubeOf[fork.branch[0]]] = 1;
     return shared;
 }
 

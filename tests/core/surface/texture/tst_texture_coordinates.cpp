@@ -108,16 +108,20 @@ std::vector<Index> islandsOf(const BranchMesh& mesh, const TextureCoordinates& m
 /// The thickest tube that goes on from each, from the first one to a tip.
 std::vector<std::size_t> trunkOf(const BranchMesh& mesh)
 {
-    std::map<Index, std::size_t> next; // by branch: the tube that follows
-    for (std::size_t t = 0; t < mesh.tubes.size(); ++t)
-        if (mesh.tubes[t].parent != noIndex)
-            if (const auto [at, isNew] = next.try_emplace(mesh.tubes[t].parent, t);
-                !isNew && mesh.axes[t].a0 > mesh.axes[at->second].a0)
-                at->second = t;
+    constexpr auto none = std::size_t(-1);
+    std::map<Index, std::size_t> latest; // by branch: its upper part comes after all that leaves the lower one
+    std::vector<std::size_t> next(mesh.tubes.size(), none);
+    for (std::size_t t = 0; t < mesh.tubes.size(); ++t) {
+        if (const auto from = latest.find(mesh.tubes[t].parent); from != latest.end()) {
+            std::size_t& thickest = next[from->second];
+            if (thickest == none || mesh.axes[t].a0 > mesh.axes[thickest].a0)
+                thickest = t;
+        }
+        latest[mesh.tubes[t].branch] = t;
+    }
     std::vector<std::size_t> trunk{0};
-    for (auto at = next.find(mesh.tubes[0].branch); at != next.end();
-         at = next.find(mesh.tubes[at->second].branch))
-        trunk.push_back(at->second);
+    while (next[trunk.back()] != none)
+        trunk.push_back(next[trunk.back()]);
     return trunk;
 }
 
