@@ -492,6 +492,20 @@
             <numerusform>Bend of %n branches</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n chosen axis(es)</source>
+        <translation>
+            <numerusform>%n chosen axis</numerusform>
+            <numerusform>%n chosen axes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hand edit(s)</source>
+        <translation>
+            <numerusform>%n hand edit</numerusform>
+            <numerusform>%n hand edits</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ramure::RollEditor</name>

@@ -1510,6 +1510,10 @@
             <numerusform>Dupliquer %n étapes</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Freeze the steps above</source>
+        <translation>Geler les étapes du dessus</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -7920,10 +7924,6 @@
         <translation>Où</translation>
     </message>
     <message>
-        <source>A condition for the axes on which the step acts, as &quot;order = 1 and share &gt; 0.4&quot;. Names: order (0 is the trunk), share and s (where the axis starts on its parent), length, radius, azimuth, angle, height, forks. Empty: every axis.</source>
-        <translation>Une condition sur les axes où l’étape agit, comme « order = 1 and share &gt; 0.4 ». Noms : order (0 est le tronc), share et s (où l’axe part de son parent), length (longueur), radius (rayon), azimuth, angle, height (hauteur), forks (fourches). Vide : tous les axes.</translation>
-    </message>
-    <message>
         <source>Seed of the step</source>
         <translation>Graine de l’étape</translation>
     </message>
@@ -8144,10 +8144,6 @@
         <translation>une recette garde la source par laquelle elle commence</translation>
     </message>
     <message>
-        <source>enabled, values, move or remove is expected here</source>
-        <translation>enabled, values, move ou remove est attendu ici</translation>
-    </message>
-    <message>
         <source>a step goes to a number from 2 to that of the last step</source>
         <translation>une étape va à un numéro de 2 à celui de la dernière</translation>
     </message>
@@ -8178,6 +8174,38 @@
     <message>
         <source>Five recipes</source>
         <translation>Cinq recettes</translation>
+    </message>
+    <message>
+        <source>A condition for the axes on which the step acts, as &quot;order = 1 and share &gt; 0.4&quot;. Names: order (0 is the trunk), share and s (where the axis starts on its parent), length, radius, azimuth, angle, height, forks. Empty: every axis. &quot;axes&quot; and addresses: those alone.</source>
+        <translation>Une condition sur les axes où l’étape agit, comme « order = 1 and share &gt; 0.4 ». Noms : order (0 est le tronc), share et s (où l’axe part de son parent), length (longueur), radius (rayon), azimuth, angle, height (hauteur), forks (fourches). Vide : tous les axes. « axes » et des adresses : ceux-là seuls.</translation>
+    </message>
+    <message>
+        <source>Frozen tree</source>
+        <translation>Arbre gelé</translation>
+    </message>
+    <message>
+        <source>Holds what the steps above have made: they do not run until it is switched off or deleted</source>
+        <translation>Garde ce que les étapes du dessus ont fait : elles ne s’exécutent pas tant qu’elle n’est pas désactivée ou supprimée</translation>
+    </message>
+    <message>
+        <source>the tree is missing</source>
+        <translation>l’arbre manque</translation>
+    </message>
+    <message>
+        <source>a step behind it is frozen already</source>
+        <translation>une étape qui la suit est déjà gelée</translation>
+    </message>
+    <message>
+        <source>enabled, values, move, remove or freeze is expected here</source>
+        <translation>enabled, values, move, remove ou freeze est attendu ici</translation>
+    </message>
+    <message>
+        <source>the address of an axis is expected here: digits 0-9, a-f</source>
+        <translation>l’adresse d’un axe est attendue ici : chiffres 0-9, a-f</translation>
+    </message>
+    <message>
+        <source>these are not the bytes of a tree</source>
+        <translation>ces octets ne sont pas ceux d’un arbre</translation>
     </message>
 </context>
 <context>
@@ -12789,6 +12817,28 @@ restantes</translation>
         <source>Time</source>
         <translation>Temps</translation>
     </message>
+    <message numerus="yes">
+        <source>%n chosen axis(es)</source>
+        <translation>
+            <numerusform>%n axe choisi</numerusform>
+            <numerusform>%n axes choisis</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hand edit(s)</source>
+        <translation>
+            <numerusform>%n retouche à la main</numerusform>
+            <numerusform>%n retouches à la main</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Hand edits that follow each other. What is done to this row is done to all of them.</source>
+        <translation>Des retouches à la main qui se suivent. Ce qu’on fait à cette ligne, on le fait à toutes.</translation>
+    </message>
+    <message>
+        <source>It does not run: a step below holds what it has made</source>
+        <translation>Elle ne s’exécute pas : une étape plus bas garde ce qu’elle a fait</translation>
+    </message>
 </context>
 <context>
     <name>ramure::RecipePanel</name>
@@ -12860,6 +12910,18 @@ restantes</translation>
         <source>Keep as a preset of steps</source>
         <translation>Garder comme modèle d’étapes</translation>
     </message>
+    <message>
+        <source>Freeze up to here</source>
+        <translation>Geler jusqu’ici</translation>
+    </message>
+    <message>
+        <source>Act on the selected branches only</source>
+        <translation>N’agir que sur les branches sélectionnées</translation>
+    </message>
+    <message>
+        <source>Thaw: the steps above run again</source>
+        <translation>Dégeler : les étapes du dessus s’exécutent de nouveau</translation>
+    </message>
 </context>
 <context>
     <name>ramure::Recovery</name>
@@ -12921,6 +12983,14 @@ restantes</translation>
     <message>
         <source>never saved</source>
         <translation>jamais enregistré</translation>
+    </message>
+    <message>
+        <source>File saved later</source>
+        <translation>Fichier enregistré ensuite</translation>
+    </message>
+    <message>
+        <source>The file was saved after this change was kept. What “Recover” opens may be older than the file; compare the two before you save.</source>
+        <translation>Le fichier a été enregistré après que cette modification a été gardée. Ce qu’ouvre « Récupérer » peut être plus ancien que le fichier ; comparez les deux avant d’enregistrer.</translation>
     </message>
 </context>
 <context>

@@ -20,7 +20,7 @@ inline constexpr std::array stepRows{
         {"step.where", stepGroup, RAMURE_NOOP("Where"),
          RAMURE_NOOP("A condition for the axes on which the step acts, as \"order = 1 and share > 0.4\". Names: order (0 is the "
                      "trunk), share and s (where the axis starts on its parent), length, radius, azimuth, angle, height, forks. "
-                     "Empty: every axis.")},
+                     "Empty: every axis. \"axes\" and addresses: those alone.")},
         ParamUnit::None, {}, Stage::Skeleton, paramNone, stepOnly),
     row<&NodeParams::step, &StepParams::seed>(
         {"step.seed", stepGroup, RAMURE_NOOP("Seed of the step"),

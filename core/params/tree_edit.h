@@ -3,6 +3,7 @@
 /// (core/recipe/). Plain values; which of them an operation has stands in tree_edit_table.h.
 #pragma once
 
+#include "core/base/shared_value.h"
 #include "core/params/branch_place.h"
 #include <array>
 #include <cstdint>
@@ -43,6 +44,7 @@ enum class EditOperation : std::uint8_t {
     Grammar,
     WeberPenn,
     Colonisation,
+    Frozen,  ///< the tree as it was behind the steps before, which do not run
     Unknown, ///< of a file that a newer version has written: kept, and does nothing
 };
 inline constexpr std::size_t editOperationCount = static_cast<std::size_t>(EditOperation::Unknown) + 1;
@@ -105,6 +107,14 @@ struct LimbPiece
     bool operator==(const LimbPiece&) const = default;
 };
 
+/// A tree that a step has in its own right.
+struct FrozenTree
+{
+    std::string bytes; ///< core/skeleton/packed_skeleton.h
+    bool operator==(const FrozenTree&) const = default;
+};
+std::uint64_t hashOf(const FrozenTree& tree);
+
 struct NodeParams;
 
 /// Values of a step whose kind has rows in the parameter table: shared, and never changed in place.
@@ -158,6 +168,7 @@ struct TreeEdit
     std::vector<StrokePoint> points{};
     std::vector<LimbPiece> limb{};
     StepValues values{};
+    SharedValue<FrozenTree> frozen{};
     /// Of the algorithm: a saved tree grows as it did when a later version of the program grows others
     /// better.
     std::int64_t version = 1;

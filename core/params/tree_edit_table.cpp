@@ -63,6 +63,9 @@ constexpr EditOperationInfo operations[] = {
     {EditOperation::Colonisation, "colonisation", RAMURE_NOOP("Space colonisation"), "target", "", 0,
      StepGroup::Source, RAMURE_NOOP("Branches that fill a crown of your shape"), "step. stand. colonisation.",
      "order = 0"},
+    {EditOperation::Frozen, "frozen", RAMURE_NOOP("Frozen tree"), "target", "", editFrozen, StepGroup::Hand,
+     RAMURE_NOOP(
+         "Holds what the steps above have made: they do not run until it is switched off or deleted")},
     {EditOperation::Unknown, "", RAMURE_NOOP("Unknown step"), "target", "", 0, StepGroup::Unknown},
 };
 static_assert(std::size(operations) == editOperationCount);
@@ -301,6 +304,19 @@ bool StepValues::operator==(const StepValues& other) const
     return m_params == other.m_params || **this == *other;
 }
 
+std::uint64_t hashOf(const FrozenTree& tree)
+{
+    return StageHash(0).add(std::string_view(tree.bytes)).value();
+}
+
+std::size_t stepsFrozen(std::span<const TreeEdit> steps)
+{
+    std::size_t count = steps.size();
+    while (count > 0 && !(steps[count - 1].enabled && steps[count - 1].operation == EditOperation::Frozen))
+        --count;
+    return count;
+}
+
 std::span<const EditNumber> editNumbers()
 {
     return numbers;
@@ -351,6 +367,8 @@ Expected<void> checkTreeEdit(const TreeEdit& edit)
     if (info.fields & editShape)
         if (auto ok = checkShape(edit.shape); !ok)
             return ok;
+    if ((info.fields & editFrozen) && !edit.frozen)
+        return refuse("tree", RAMURE_NOOP("the tree is missing"));
     for (const ParamDef* def : stepParams(edit.operation))
         if (auto ok = checkValue(*def, def->get(*edit.values)); !ok) {
             ok.error().path = "values." + ok.error().path;

@@ -35,8 +35,9 @@ enum EditField : std::uint32_t {
     editTreeSpace = 524288,   ///< vectors are in tree space
     editMakesAxes = 1048576,  ///< names of axes come from TreeEdit::id
     editOrgan = 2097152,
-    editFalls = 4194304, ///< TreeEdit::falls and seconds
-    editPath = 8388608,  ///< points, or none
+    editFalls = 4194304,   ///< TreeEdit::falls and seconds
+    editPath = 8388608,    ///< points, or none
+    editFrozen = 16777216, ///< TreeEdit::frozen
 };
 
 /// Whose doing a step is.
@@ -69,6 +70,9 @@ std::span<const ParamDef* const> stepParams(EditOperation operation);
 TreeEdit newStep(EditOperation operation);
 /// The same with the values that \p like has of its kind: those of a preset, say.
 TreeEdit newStep(EditOperation operation, const NodeParams& like);
+
+/// How many steps do not run, because the last of them holds what they have made; 0: none is frozen.
+std::size_t stepsFrozen(std::span<const TreeEdit> steps);
 
 struct EditNumber
 {

@@ -110,10 +110,11 @@ StageHashes::StageHashes(const NodeParams& params)
         of(stage) = StageHash(before).add(of(stage)).value();
     };
     follow(Stage::Skeleton, of(Stage::Symbols));
-    m_grown = of(Stage::Skeleton);
+    const std::size_t frozen = stepsFrozen(params.edits);
+    m_grown = frozen > 0 ? params.edits[frozen - 1].frozen.hash() : of(Stage::Skeleton);
     StageHash edited(m_grown);
-    for (const TreeEdit& edit : params.edits)
-        add(edited, edit);
+    for (std::size_t i = frozen; i < params.edits.size(); ++i)
+        add(edited, params.edits[i]);
     of(Stage::Skeleton) = edited.value();
     follow(Stage::Simplified, of(Stage::Skeleton));
     StageHash bent(of(Stage::Simplified));

@@ -10,6 +10,7 @@
 #include "core/recipe/edit_context.h"
 #include "core/skeleton/bend.h"
 #include "core/skeleton/edit_places.h"
+#include "core/skeleton/packed_skeleton.h"
 #include "core/surface/mesher/cut_wood.h"
 #include "core/surface/mesher/mesh_divisions.h"
 #include <algorithm>
@@ -76,7 +77,8 @@ bool areSettled(const EditReport& report, std::span<const TreeEdit> steps)
     return std::ranges::equal(report, steps, [](const EditOutcome& outcome, const TreeEdit& step) {
         const bool isIdle =
             outcome.state == EditState::Idle && infoOf(step.operation).group != StepGroup::Hand;
-        return isIdle || outcome.state == EditState::ByAddress || outcome.state == EditState::Off;
+        return isIdle || outcome.state == EditState::ByAddress || outcome.state == EditState::Off ||
+               outcome.state == EditState::Frozen;
     });
 }
 
@@ -92,9 +94,10 @@ EditContext runRecipe(const Skeleton& grown, const NodeParams& params,
     const auto fromGround = [&](std::size_t count) {
         return EditContext(grown, steps.first(count), axes, treeSeed(params), progress);
     };
-    if (same == 0 || same == steps.size()) {
-        start.before.reset();
-        return fromGround(steps.size());
+    if (same <= stepsFrozen(steps) ||
+        same == steps.size()) { // the next change most likely comes behind the last step
+        start.before = fromGround(steps.size());
+        return EditContext(*start.before);
     }
     std::optional<EditContext> before =
         start.before ? start.before->upTo(steps.first(same), progress) : std::nullopt;
@@ -296,6 +299,8 @@ public:
         , m_cache(cache)
         , m_progress(progress)
     {
+        if (const std::size_t frozen = stepsFrozen(params.edits); frozen > 0)
+            m_frozen = params.edits[frozen - 1].frozen.pointer();
     }
 
     Expected<TreeResult> run(Stage last)
@@ -343,6 +348,11 @@ private:
     }
     Expected<void> symbols()
     {
+        if (m_frozen) {
+            m_grown = std::make_shared<const GrownSymbols>();
+            m_result.symbols = std::shared_ptr<const std::string>(m_grown, &m_grown->letters);
+            return {};
+        }
         return cached(m_cache.symbols, m_hashes[Stage::Symbols], m_progress,
                       [&] { return growSymbols(m_params, m_progress.part(0.0, 0.05)); })
             .map([&](auto made) {
@@ -353,7 +363,10 @@ private:
     Expected<void> skeleton()
     {
         return cached(m_cache.skeleton, m_hashes.grown(), m_progress,
-                      [&] { return growSkeleton(*m_grown, m_params, m_progress.part(0.05, 0.1)); })
+                      [&] {
+                          return m_frozen ? unpackSkeleton(m_frozen->bytes)
+                                          : growSkeleton(*m_grown, m_params, m_progress.part(0.05, 0.1));
+                      })
             .and_then([&](auto made) {
                 m_result.grown = made;
                 m_result.skeleton = std::move(made);
@@ -373,7 +386,7 @@ private:
                           if (m_cache.start.grown != m_hashes.grown())
                               m_cache.start = {m_hashes.grown(), {}, std::nullopt};
                           EditContext context =
-                              runRecipe(grown, m_params, *axes, m_cache.start, {m_progress.stop, {}});
+                              runRecipe(grown, m_params, *axes, m_cache.start, m_progress.part(0.05, 0.1));
                           if (m_progress.cancelled()) {
                               m_cache.start = {};
                               return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
@@ -459,6 +472,7 @@ private:
     C& m_cache;
     const Progress& m_progress;
     std::shared_ptr<const GrownSymbols> m_grown;
+    std::shared_ptr<const FrozenTree> m_frozen; ///< null: the tree grows
     TreeResult m_result;
     bool m_meshes = true; ///< there will be sections and a mesh
 };

@@ -33,15 +33,24 @@ static Expected<void> unknown(EditTree& /*tree*/, const TreeEdit& /*edit*/, Inde
     return fail(ErrorCode::Unknown, RAMURE_NOOP("a newer version of the program has made this step"));
 }
 
-Expected<std::vector<bool>> axesMeant(const EditTree& tree, const TreeEdit& edit, Index target)
+/// Applier does not run it.
+static Expected<void> frozen(EditTree& /*tree*/, const TreeEdit& /*edit*/, Index /*target*/, Index /*other*/)
+{
+    return {};
+}
+
+Expected<std::vector<bool>> axesMeant(EditTree& tree, const TreeEdit& edit, Index target)
 {
     const auto filter = AxisFilter::parse(edit.values->step.where);
     RAMURE_TRY(filter);
     std::vector<bool> axes = filter->axesOf(tree);
     for (Index a = 0; target != noIndex && a < axes.size(); ++a)
         axes[a] = axes[a] && tree.isOn(tree.axis(a).first, tree.axis(target).first);
-    if (std::ranges::count(axes, true) > 0)
+    if (std::ranges::count(axes, true) > 0) {
+        if (target != noIndex || !edit.values->step.where.empty())
+            tree.setMeant(axes);
         return axes;
+    }
     auto error = fail(ErrorCode::Invalid, RAMURE_NOOP("no axis meets the condition"));
     error.value().path = "step.where";
     return error;
@@ -55,9 +64,10 @@ Random chanceOf(const EditTree& tree, const TreeEdit& edit, Index axis)
 
 Expected<void> act(EditTree& tree, const TreeEdit& edit, Index target, Index other)
 {
-    constexpr Act* acts[] = {cut,    remove, keep,     bend, curl,  twist,   length, thickness, taper,  draw,
-                             extend, redraw, graft,    move, prune, attract, comb,   leaves,    root,   place,
-                             sag,    gnarl,  deadWood, pipe, flare, source,  source, source,    unknown};
+    constexpr Act* acts[] = {cut,   remove, keep,   bend,   curl,   twist,  length,   thickness,
+                             taper, draw,   extend, redraw, graft,  move,   prune,    attract,
+                             comb,  leaves, root,   place,  sag,    gnarl,  deadWood, pipe,
+                             flare, source, source, source, frozen, unknown};
     static_assert(std::size(acts) == editOperationCount);
     tree.setMaker(edit.id);
     Act* const act = acts[static_cast<std::size_t>(edit.operation)];
@@ -104,13 +114,20 @@ public:
                 *wanted[i] = {axes.axisOf[found[i].branch], found[i].byAddress};
     }
 
-    EditReport run()
+    EditReport run(const Progress& progress)
     {
         EditReport report;
         report.reserve(m_edits.size());
-        for (std::size_t i = 0; i < m_edits.size(); ++i)
-            report.push_back(m_edits[i].enabled && !m_tree.cancelled() ? timed(i)
-                                                                       : EditOutcome{m_edits[i].id});
+        const std::size_t frozen = stepsFrozen(m_edits);
+        for (std::size_t i = 0; i < m_edits.size(); ++i) {
+            progress.report(static_cast<double>(i) / static_cast<double>(m_edits.size()));
+            if (!m_edits[i].enabled || m_tree.cancelled())
+                report.push_back({m_edits[i].id});
+            else if (i < frozen)
+                report.push_back({m_edits[i].id, i + 1 < frozen ? EditState::Frozen : EditState::ByAddress});
+            else
+                report.push_back(timed(i));
+        }
         return report;
     }
 
@@ -132,11 +149,31 @@ private:
             outcome.address = m_tree.axis(target).address;
         if (outcome.state == EditState::Unplaced || outcome.state == EditState::Idle)
             return outcome;
+        m_tree.setMeant({});
         if (auto acted = edits::act(m_tree, edit, target, other); !acted) {
             outcome.state = EditState::Idle;
             outcome.why = std::move(acted.error());
         }
+        for (Index a = 0; a < m_tree.meant().size(); ++a)
+            if (m_tree.meant()[a])
+                outcome.axes.push_back(m_tree.axis(a).address);
         return outcome;
+    }
+
+    /// Of a tree whose axes are called by where they stand on others.
+    Index placed(const EditTarget& target, const GrownPlace& grown, EditOutcome& outcome) const
+    {
+        if (target.maker != 0 || target.place.way.empty()) {
+            Index axis = m_tree.madeAxisAt(target.address);
+            if (axis == noIndex && grown.axis != noIndex)
+                axis =
+                    m_tree.madeAxisAt(edits::graftedAddress(target.maker, m_tree.axis(grown.axis).address));
+            // Whoever knows an address alone may mean what has grown.
+            return axis == noIndex && target.maker == 0 ? m_tree.axisAt(target.address) : axis;
+        }
+        if (grown.axis != noIndex && !grown.byAddress)
+            outcome.state = EditState::ByLikeness;
+        return grown.axis;
     }
 
     /// noIndex with a state that is still good: the edit has none.
@@ -144,18 +181,9 @@ private:
     {
         if (target.address == 0)
             return noIndex;
-        Index axis = grown.axis;
-        if (target.maker != 0 || target.place.way.empty()) {
-            axis = m_tree.madeAxisAt(target.address);
-            if (axis == noIndex && grown.axis != noIndex)
-                axis =
-                    m_tree.madeAxisAt(edits::graftedAddress(target.maker, m_tree.axis(grown.axis).address));
-            // Whoever knows an address alone may mean what has grown.
-            if (axis == noIndex && target.maker == 0)
-                axis = m_tree.axisAt(target.address);
-        } else if (axis != noIndex && !grown.byAddress) {
-            outcome.state = EditState::ByLikeness;
-        }
+        Index axis = m_tree.hasOwnAddresses() ? m_tree.axisAt(target.address) : noIndex;
+        if (axis == noIndex)
+            axis = placed(target, grown, outcome);
         if (axis != noIndex && !m_tree.isGone(axis))
             return axis;
         outcome.state = axis == noIndex ? EditState::Unplaced : EditState::Idle;
@@ -177,7 +205,7 @@ EditReport applyEdits(EditTree& tree, const TreeAxes& axes, std::span<const Tree
                       const Progress& progress)
 {
     tree.setProgress(&progress);
-    EditReport report = Applier(tree, axes, edits).run();
+    EditReport report = Applier(tree, axes, edits).run(progress);
     tree.setProgress(nullptr);
     return report;
 }

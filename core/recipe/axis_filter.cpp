@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <charconv>
 #include <numbers>
 #include <unordered_map>
 
@@ -43,13 +44,61 @@ const std::vector<std::string>& factNames()
     return names;
 }
 
+constexpr std::string_view listWord = "axes", separators = " ,\t\n";
+
+/// Of a list: what stands behind its word.
+Expected<std::vector<std::uint64_t>> readAddresses(std::string_view text, std::size_t at)
+{
+    std::vector<std::uint64_t> addresses;
+    for (;;) {
+        at = std::min(text.find_first_not_of(separators, at), text.size());
+        const std::size_t end = std::min(text.find_first_of(separators, at), text.size());
+        std::uint64_t address = 0;
+        const char* const last = text.data() + end;
+        const auto [stop, problem] = std::from_chars(text.data() + at, last, address, 16);
+        if (at == text.size() && !addresses.empty())
+            break;
+        if (at == text.size() || problem != std::errc() || stop != last) {
+            auto error = fail(ErrorCode::Invalid,
+                              RAMURE_NOOP("the address of an axis is expected here: digits 0-9, a-f"));
+            error.value().path = path;
+            error.value().column = static_cast<int>(at) + 1;
+            return error;
+        }
+        addresses.push_back(address);
+        at = end;
+    }
+    std::ranges::sort(addresses);
+    return addresses;
+}
+
 } // namespace
+
+std::string AxisFilter::ofAxes(std::span<const std::uint64_t> addresses)
+{
+    std::string text(listWord);
+    for (const std::uint64_t address : addresses) {
+        char digits[16];
+        const auto end = std::to_chars(std::begin(digits), std::end(digits), address, 16).ptr;
+        text += (text.size() == listWord.size() ? " " : ", ") + std::string(digits, end);
+    }
+    return text;
+}
 
 Expected<AxisFilter> AxisFilter::parse(std::string_view text)
 {
     AxisFilter filter;
-    if (text.find_first_not_of(" \t\n") == std::string_view::npos)
+    const std::size_t first = text.find_first_not_of(" \t\n");
+    if (first == std::string_view::npos)
         return filter;
+    const std::size_t behind = first + listWord.size();
+    if (text.substr(first).starts_with(listWord) &&
+        (text.size() == behind || separators.find(text[behind]) != std::string_view::npos)) {
+        auto addresses = readAddresses(text, behind);
+        RAMURE_TRY(addresses);
+        filter.m_addresses = std::move(*addresses);
+        return filter;
+    }
     const std::string signs = withOperators(text);
     TextScanner scanner(signs, path, 1, true);
     ExpressionNames names;
@@ -67,7 +116,8 @@ std::vector<bool> AxisFilter::axesOf(const EditTree& tree) const
     std::vector<bool> marks(tree.axisCount(), false);
     if (m_condition.empty()) {
         for (Index a = 0; a < tree.axisCount(); ++a)
-            marks[a] = !tree.isGone(a);
+            marks[a] = !tree.isGone(a) &&
+                       (m_addresses.empty() || std::ranges::binary_search(m_addresses, tree.axis(a).address));
         return marks;
     }
     constexpr double degree = 180.0 / std::numbers::pi;

@@ -61,8 +61,10 @@ std::optional<EditContext> EditContext::upTo(std::span<const TreeEdit> edits, co
 {
     if (edits.size() < m_edits.size() || !std::ranges::equal(edits.first(m_edits.size()), m_edits))
         return std::nullopt;
-    EditContext copy = *this;
     const std::span<const TreeEdit> rest = edits.subspan(m_edits.size());
+    if (stepsFrozen(rest) > 0) // what has grown is another tree then
+        return std::nullopt;
+    EditContext copy = *this;
     const EditReport made = applyEdits(*copy.m_tree, *m_grown, rest, progress);
     copy.m_report.insert(copy.m_report.end(), made.begin(), made.end());
     copy.m_edits.insert(copy.m_edits.end(), rest.begin(), rest.end());

@@ -29,8 +29,8 @@ struct EditLoss
 class EditContext
 {
 public:
-    /// \param grown as the generator made it (TreeResult::grown); it is not kept. \param axes of it, where
-    /// somebody knows them \param seed of the tree (treeSeed)
+    /// \param grown as the generator made it, or as it is frozen (TreeResult::grown); it is not kept. \param
+    /// axes of it, where somebody knows them \param seed of the tree (treeSeed)
     EditContext(const Skeleton& grown, std::span<const TreeEdit> edits,
                 std::shared_ptr<const TreeAxes> axes = nullptr, std::uint64_t seed = 0,
                 const Progress& progress = {});

@@ -26,9 +26,10 @@ Act source;                                         // step_source.cpp
 Expected<void> act(EditTree& tree, const TreeEdit& edit, Index target, Index other);
 
 /// The axes that a modifier or a source acts on: those for which its condition holds, on a limb or anywhere.
+/// EditTree::meant() has them then, unless it is the whole tree.
 /// \param target of the limb; noIndex: the whole tree. Errors: those of AxisFilter::parse; Invalid where the
 /// condition names none.
-Expected<std::vector<bool>> axesMeant(const EditTree& tree, const TreeEdit& edit, Index target);
+Expected<std::vector<bool>> axesMeant(EditTree& tree, const TreeEdit& edit, Index target);
 /// What a step draws by chance on one axis.
 Random chanceOf(const EditTree& tree, const TreeEdit& edit, Index axis);
 

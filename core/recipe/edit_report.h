@@ -10,6 +10,7 @@ namespace ramure {
 
 enum class EditState : std::uint8_t {
     Off,        ///< switched off: nobody looked for its place
+    Frozen,     ///< did not run: a later step holds what it made
     ByAddress,  ///< acts where it was made
     ByLikeness, ///< acts on what looks like it
     Unplaced,   ///< there is nothing like it
@@ -23,6 +24,8 @@ struct EditOutcome
     Error why{};               ///< Unplaced and Idle
     std::uint64_t address = 0; ///< of the axis in this tree that its target is; 0: none
     double seconds = 0.0;      ///< that it took
+    /// Addresses of the axes that its condition named; empty where it has none.
+    std::vector<std::uint64_t> axes{};
 };
 
 /// One per edit, in their order.

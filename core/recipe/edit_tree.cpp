@@ -16,6 +16,7 @@ EditTree::EditTree(const Skeleton& grown, const TreeAxes& axes, std::uint64_t se
     : m_pieces(grown.size())
     , m_axes(axes.axes.size())
     , m_grownAxes(static_cast<Index>(axes.axes.size()))
+    , m_hasOwnAddresses(!grown.axisStarts.empty())
     , m_seed(seed)
     , m_size(grown.size())
 {

@@ -63,11 +63,17 @@ public:
     EditTree(const Skeleton& grown, const TreeAxes& axes, std::uint64_t seed = 0);
 
     [[nodiscard]] std::uint64_t seed() const { return m_seed; }
+    /// Whether the skeleton that it began with names its axes itself: their addresses hold, whatever stands
+    /// where on them by now.
+    [[nodiscard]] bool hasOwnAddresses() const { return m_hasOwnAddresses; }
     /// Long steps ask it whether to stop; it must live until the next call.
     void setProgress(const Progress* progress) { m_progress = progress; }
     [[nodiscard]] bool cancelled() const { return m_progress && m_progress->cancelled(); }
     [[nodiscard]] Progress progress() const { return m_progress ? *m_progress : Progress(); }
 
+    /// By axis: whether the step that acts now acts there; empty where it says nothing of axes.
+    [[nodiscard]] const std::vector<bool>& meant() const { return m_meant; }
+    void setMeant(std::vector<bool> axes) { m_meant = std::move(axes); }
     [[nodiscard]] const std::vector<EditPiece>& pieces() const { return m_pieces; }
     [[nodiscard]] EditPiece& piece(Index i) { return m_pieces[i]; }
     [[nodiscard]] const EditPiece& piece(Index i) const { return m_pieces[i]; }
@@ -179,7 +185,9 @@ private:
     std::vector<EditAxis> m_axes;
     std::vector<EditOrganSeat> m_organs;             ///< by piece
     std::unordered_map<std::uint64_t, Index> m_made; ///< axes that edits made, by address
+    std::vector<bool> m_meant;
     Index m_grownAxes = 0;
+    bool m_hasOwnAddresses = false;
     std::uint64_t m_seed = 0;
     const Progress* m_progress = nullptr;
     Index m_head = noIndex, m_tail = noIndex, m_size = 0;

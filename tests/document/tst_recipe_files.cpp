@@ -37,6 +37,9 @@ private slots:
                                       << QByteArray("edits[0].values.sag.amount");
         QTest::newRow("text for a number") << QByteArray(R"("op":"sag","values":{"sag.amount":"much"})")
                                            << QByteArray("edits[0].values.sag.amount");
+        QTest::newRow("no frozen tree") << QByteArray(R"("op":"frozen")") << QByteArray("edits[0].tree");
+        QTest::newRow("broken frozen tree")
+            << QByteArray(R"("op":"frozen","tree":"UlNLMQ==")") << QByteArray("edits[0].tree");
         QTest::newRow("values of a hand edit")
             << QByteArray(R"("op":"remove","target":{"id":"00000000000000aa"},"values":{})")
             << QByteArray("edits[0].values");
@@ -90,6 +93,9 @@ private slots:
                                    std::string("A -> F\nB -> A\n")));
         QVERIFY(edit::setStepParam(document, tree, list[6].id, *findParam("stand.offset"),
                                    glm::dvec3(1.0, 0.0, -0.5)));
+        QVERIFY(edit::freezeTree(document, tree, list[1].id));
+        QCOMPARE(document.scene().find(tree)->params.edits[2].operation, EditOperation::Frozen);
+        QVERIFY(!edit::freezeTree(document, tree, 0)); // below it
         const Project project = document.project();
         const auto again = readProject(writeProject(project));
         QVERIFY2(again, why(again).constData());
@@ -154,8 +160,12 @@ private slots:
         QVERIFY(!edits()[1].enabled);
         document.undo();
         QVERIFY(edits().empty());
-        for (const char* bad : {"{\"step\":\"#1\",\"remove\":true}", "{\"step\":\"sag\"}",
-                                "{\"op\":\"sag\"}\n{\"step\":\"sag\",\"move\":9}",
+        QVERIFY(replayEdits(document, tree,
+                            "{\"op\":\"gnarl\"}\n{\"op\":\"sag\"}\n{\"step\":\"gnarl\",\"freeze\":true}\n"));
+        QCOMPARE(edits()[1].operation, EditOperation::Frozen);
+        document.undo();
+        for (const char* bad : {"{\"step\":\"#1\",\"remove\":true}", "{\"step\":\"#1\",\"freeze\":false}",
+                                "{\"step\":\"sag\"}", "{\"op\":\"sag\"}\n{\"step\":\"sag\",\"move\":9}",
                                 "{\"op\":\"sag\"}\n{\"step\":\"sag\",\"colour\":9}",
                                 "{\"op\":\"sag\"}\n{\"step\":\"sag\",\"values\":{\"sag.amount\":1e9}}"})
             QVERIFY2(!replayEdits(document, tree, bad), bad);

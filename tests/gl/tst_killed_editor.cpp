@@ -74,8 +74,15 @@ private:
     /// and brings that work back. Then everything is saved.
     void startAndRecover(Editor& editor)
     {
-        const auto lost = recoverableProjects(recoveryFolder()).size(); // the claims end here
-        const std::int64_t kept = safe();
+        std::size_t lost = 0;
+        std::int64_t kept = safe();
+        {
+            const auto found = recoverableProjects(recoveryFolder()); // the claims end here
+            lost = found.size();
+            // A kill between saving and clearing away leaves older work aside: the question says so.
+            if (lost == 1 && found.front().savedLater.isValid())
+                kept = seedOf(*loadRecoverable(found.front()));
+        }
         QVERIFY(lost <= 1);
         editor.start({project()});
         if (lost == 1) {

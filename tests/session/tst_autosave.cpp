@@ -35,6 +35,7 @@ private slots:
     void whatAKillLeavesWithoutARecoveryFileGoes();
     void nothingUnsavedNoFile();
     void runningProgramsAreNotOffered();
+    void aProjectThatWasSavedLaterIsTold();
     void timerSavesInTheBackground();
     void savingAndClosingRemoveTheFile();
 };
@@ -162,6 +163,33 @@ void TestAutosave::runningProgramsAreNotOffered()
     QVERIFY(autosave.saveNow());
     QVERIFY(QFile::exists(autosave.recoveryPath()));
     QVERIFY(recoverableProjects(folder.path()).empty());
+}
+
+void TestAutosave::aProjectThatWasSavedLaterIsTold()
+{
+    QTemporaryDir folder;
+    const QString project = folder.filePath("oak.ramure");
+    QVERIFY(saveProjectFile({oneTree(), {}}, project));
+    Document document;
+    document.reset(oneTree(), project);
+    Autosave autosave(&document, folder.filePath("running"));
+    setSeed(document, 5);
+    QVERIFY(autosave.saveNow());
+    const QString left = folder.filePath("left");
+    QVERIFY(QDir().mkpath(left) &&
+            QFile::copy(autosave.recoveryPath(), left + "/one.ramure")); // as a kill does
+    const auto savedAt = [&](int secondsFromNow) {
+        QFile file(project);
+        return file.open(QIODevice::ReadWrite) &&
+               file.setFileTime(QDateTime::currentDateTime().addSecs(secondsFromNow),
+                                QFileDevice::FileModificationTime);
+    };
+    QVERIFY(savedAt(-60));
+    QVERIFY(!recoverableProjects(left).front().savedLater.isValid());
+    QVERIFY(savedAt(60));
+    QVERIFY(recoverableProjects(left).front().savedLater.isValid());
+    QVERIFY(QFile::remove(project));
+    QVERIFY(!recoverableProjects(left).front().savedLater.isValid());
 }
 
 void TestAutosave::timerSavesInTheBackground()

@@ -13,8 +13,9 @@ enum class Severity { Info, Warning, Error };
 /// A document that a crash left behind.
 struct RecoveryEntry
 {
-    QString file;   ///< path of its own file; empty: it was never saved
-    QDateTime time; ///< of the last change that was kept
+    QString file;           ///< path of its own file; empty: it was never saved
+    QDateTime time;         ///< of the last change that was kept
+    QDateTime savedLater{}; ///< when its own file was saved after that; else invalid
 };
 
 struct RecoveryAnswer

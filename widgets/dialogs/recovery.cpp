@@ -42,7 +42,7 @@ bool Recovery::offer()
     while (!lost.empty()) {
         QList<RecoveryEntry> entries;
         for (const Recoverable& each : lost)
-            entries += {each.originalPath, each.time};
+            entries += {each.originalPath, each.time, each.savedLater};
         const RecoveryAnswer answer = m_chooser->recovery(entries);
         const auto chosen = static_cast<std::size_t>(answer.index);
         if (answer.action == RecoveryAnswer::Action::Later || chosen >= lost.size())

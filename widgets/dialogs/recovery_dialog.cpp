@@ -68,8 +68,12 @@ RecoveryDialog::RecoveryDialog(const QList<RecoveryEntry>& entries, QWidget* par
 void RecoveryDialog::addEntries(const QList<RecoveryEntry>& entries)
 {
     m_list->setAccessibleName(windowTitle());
-    m_list->setColumnCount(3);
-    m_list->setHeaderLabels({tr("File"), tr("Folder"), tr("Last change kept")});
+    m_list->setColumnCount(4);
+    m_list->setHeaderLabels({tr("File"), tr("Folder"), tr("Last change kept"), tr("File saved later")});
+    const auto shown = [](const QDateTime& time) {
+        return QLocale().toString(time.toLocalTime(), QLocale::ShortFormat);
+    };
+    bool isOld = false;
     m_list->setRootIsDecorated(false);
     m_list->setUniformRowHeights(true);
     m_list->setMinimumSize(filesSize);
@@ -81,13 +85,22 @@ void RecoveryDialog::addEntries(const QList<RecoveryEntry>& entries)
         item->setText(0, entry.file.isEmpty() ? tr("Untitled") : file.fileName());
         item->setText(1, entry.file.isEmpty() ? tr("never saved")
                                               : QDir::toNativeSeparators(file.absolutePath()));
-        item->setText(2, QLocale().toString(entry.time.toLocalTime(), QLocale::ShortFormat));
+        item->setText(2, shown(entry.time));
+        if (entry.savedLater.isValid()) {
+            item->setText(3, shown(entry.savedLater));
+            item->setToolTip(3,
+                             tr("The file was saved after this change was kept. What “Recover” opens may be "
+                                "older than the file; compare the two before you save."));
+            isOld = true;
+        }
         item->setToolTip(1, QDir::toNativeSeparators(entry.file));
     }
     m_list->header()->setStretchLastSection(false);
     m_list->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
     m_list->header()->setSectionResizeMode(1, QHeaderView::Stretch);
     m_list->header()->setSectionResizeMode(2, QHeaderView::ResizeToContents);
+    m_list->header()->setSectionResizeMode(3, QHeaderView::ResizeToContents);
+    m_list->setColumnHidden(3, !isOld);
     m_list->setCurrentItem(m_list->topLevelItem(0));
 }
 

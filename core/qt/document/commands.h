@@ -121,6 +121,9 @@ Expected<void> setTreeEdits(Document& document, NodeId tree, std::vector<TreeEdi
 /// has no such parameter), path = the key.
 Expected<void> setStepParam(Document& document, NodeId tree, std::uint64_t step, const ParamDef& def,
                             const ParamValue& value, GestureId gesture = 0);
+/// Keeps the tree as it is behind a step, or, of 0, behind the source that the recipe begins with: a further
+/// step holds it, and what is before does not run. Errors: those of core/pipeline/freeze.h.
+Expected<void> freezeTree(Document& document, NodeId tree, std::uint64_t step);
 /// A copy behind each of these steps, with an id of its own.
 Expected<void> duplicateTreeEdits(Document& document, NodeId tree, const std::vector<std::uint64_t>& ids);
 Expected<void> removeTreeEdits(Document& document, NodeId tree, const std::vector<std::uint64_t>& ids,

@@ -1,5 +1,6 @@
 // The edits of trees: every command leads from one list to another.
 #include "core/params/tree_edit_table.h"
+#include "core/pipeline/freeze.h"
 #include "core/qt/document/document_command.h"
 
 #include <QCoreApplication>
@@ -207,6 +208,17 @@ Expected<void> edit::setStepParam(Document& document, NodeId id, std::uint64_t s
     const QString text = DocumentCommand::tr("Change %1 of %2", "a parameter, a step")
                              .arg(QCoreApplication::translate("core", def.label), labelOf(edit));
     pushLists(document, {{id, std::move(*list)}}, text, gesture);
+    return {};
+}
+
+Expected<void> edit::freezeTree(Document& document, NodeId id, std::uint64_t step)
+{
+    const auto list = editsWith(document, id, step == 0 ? Ids() : Ids{step});
+    RAMURE_TRY(list);
+    const auto at = step == 0 ? 0 : std::ranges::find(*list, step, &TreeEdit::id) - list->begin() + 1;
+    auto frozen = frozenBehind(document.scene().find(id)->params, static_cast<std::size_t>(at));
+    RAMURE_TRY(frozen);
+    pushLists(document, {{id, std::move(*frozen)}}, DocumentCommand::tr("Freeze the steps above"));
     return {};
 }
 

@@ -3,6 +3,8 @@
 #include "core/base/plain_text.h"
 #include "core/params/recipe.h"
 #include "core/params/tree_edit_table.h"
+#include "core/pipeline/freeze.h"
+#include "core/pipeline/tree_pipeline.h"
 #include "core/qt/document/commands.h"
 #include "core/qt/document/project/project_edits.h"
 #include "core/recipe/edit_context.h"
@@ -70,12 +72,17 @@ Expected<void> addLine(const json::ScriptEdits& script, EditContext& context, st
 /// The lists of a script so far, and the tree that they lead to.
 struct Replay
 {
-    const NodeParams& tree;
-    const Skeleton& grown;
-    EditContext context;
-    std::vector<TreeEdit> list;
+    NodeParams tree; ///< as it was, but for the steps that it has now
+    EditContext context{Skeleton(), {}};
+    TreePipeline pipeline{};
 
-    void renew() { context = EditContext(grown, list, nullptr, treeSeed(tree)); }
+    Expected<void> renew()
+    {
+        const auto grown = pipeline.evaluate(tree, Stage::Skeleton);
+        RAMURE_TRY(grown);
+        context = EditContext(*grown->grown, tree.edits, nullptr, treeSeed(tree));
+        return {};
+    }
 };
 
 tl::unexpected<Error> refusedAt(const char* path, const char* text)
@@ -85,37 +92,42 @@ tl::unexpected<Error> refusedAt(const char* path, const char* text)
     return error;
 }
 
-/// {"step": "#3", ...}: switches a step of the recipe on or off, changes its values, moves or removes it.
+/// {"step": "#3", ...}: switches a step of the recipe on or off, changes its values, moves, removes or
+/// freezes it with all before.
 Expected<void> changeStep(QJsonObject line, Replay& replay)
 {
-    NodeParams named = replay.tree;
-    named.edits = replay.list;
-    const auto step = findStep(named, line.take(QLatin1String("step")).toString().toStdString());
+    std::vector<TreeEdit>& list = replay.tree.edits;
+    const auto step = findStep(replay.tree, line.take(QLatin1String("step")).toString().toStdString());
     RAMURE_TRY(step);
+    if (line == QJsonObject{{QStringLiteral("freeze"), true}}) {
+        auto frozen = frozenBehind(replay.tree, *step);
+        RAMURE_TRY(frozen);
+        list = std::move(*frozen);
+        return replay.renew();
+    }
     if (*step == 0)
         return refusedAt("step", RAMURE_NOOP("a recipe keeps the source that it begins with"));
-    const auto at = replay.list.begin() + static_cast<std::ptrdiff_t>(*step - 1);
+    const auto at = list.begin() + static_cast<std::ptrdiff_t>(*step - 1);
     const QJsonValue enabled = line.take(QLatin1String("enabled")),
                      remove = line.take(QLatin1String("remove"));
     const QJsonValue move = line.take(QLatin1String("move")), values = line.take(QLatin1String("values"));
     if (!line.isEmpty())
         return refusedAt(line.begin().key().toUtf8().constData(),
-                         RAMURE_NOOP("enabled, values, move or remove is expected here"));
+                         RAMURE_NOOP("enabled, values, move, remove or freeze is expected here"));
     at->enabled = enabled.toBool(at->enabled);
     if (values.isObject())
         RAMURE_TRY(json::readStepValues(values.toObject(), *at));
     if (remove.toBool()) {
-        replay.list.erase(at);
+        list.erase(at);
     } else if (move.isDouble()) {
-        const qint64 to = move.toInteger(0), count = std::ssize(replay.list);
+        const qint64 to = move.toInteger(0), count = std::ssize(list);
         if (to < 2 || to > count + 1)
             return refusedAt("move", RAMURE_NOOP("a step goes to a number from 2 to that of the last step"));
         TreeEdit moved = std::move(*at);
-        replay.list.erase(at);
-        replay.list.insert(replay.list.begin() + (to - 2), std::move(moved));
+        list.erase(at);
+        list.insert(list.begin() + (to - 2), std::move(moved));
     }
-    replay.renew();
-    return {};
+    return replay.renew();
 }
 
 Expected<void> runLine(const QByteArray& line, const Scene& scene, NodeId tree, Replay& replay)
@@ -125,7 +137,7 @@ Expected<void> runLine(const QByteArray& line, const Scene& scene, NodeId tree, 
         return changeStep(object, replay);
     const auto edits = parsed(line, scene, tree);
     RAMURE_TRY(edits);
-    return addLine(*edits, replay.context, replay.list);
+    return addLine(*edits, replay.context, replay.tree.edits);
 }
 
 } // namespace
@@ -135,12 +147,8 @@ Expected<void> replayEdits(Document& document, NodeId id, const QByteArray& scri
     const Node* const tree = document.scene().find(id);
     if (!tree || tree->kind != NodeKind::Tree)
         return fail(ErrorCode::Unknown, RAMURE_NOOP("there is no such tree"));
-    TreePipeline pipeline;
-    const auto grown = pipeline.evaluate(tree->params, Stage::Skeleton);
-    RAMURE_TRY(grown);
-    const NodeParams params = tree->params;
-    Replay replay{params, *grown->grown, EditContext(*grown->grown, {}), params.edits};
-    replay.renew();
+    Replay replay{tree->params};
+    RAMURE_TRY(replay.renew());
     int number = 0;
     const PlainText plain({script.constData(), static_cast<std::size_t>(script.size())});
     const QByteArray text(plain.view().data(), static_cast<qsizetype>(plain.view().size()));
@@ -153,8 +161,8 @@ Expected<void> replayEdits(Document& document, NodeId id, const QByteArray& scri
             return done;
         }
     }
-    const int change = static_cast<int>(std::ssize(replay.list) - std::ssize(params.edits));
-    return edit::setTreeEdits(document, id, std::move(replay.list),
+    const int change = static_cast<int>(std::ssize(replay.tree.edits) - std::ssize(tree->params.edits));
+    return edit::setTreeEdits(document, id, std::move(replay.tree.edits),
                               QCoreApplication::translate("ramure::DocumentCommand", "Shape %n limb(s)",
                                                           nullptr, std::max(change, 1)));
 }

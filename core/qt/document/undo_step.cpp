@@ -108,6 +108,8 @@ void MemoryCount::add(const TreeEdit& edit)
                edit.shape.points.size() * sizeof(glm::dvec3) +
                edit.shape.triangles.size() * sizeof(edit.shape.triangles[0]) +
                edit.limb.size() * sizeof(LimbPiece);
+    if (edit.frozen)
+        addShared(edit.frozen.pointer().get(), edit.frozen->bytes.size());
 }
 
 void MemoryCount::add(const Node& node)

@@ -22,6 +22,9 @@ private slots:
         QTest::newRow("two conditions") << QByteArray("order = 1 share > 0.2") << 11;
         QTest::newRow("bracket") << QByteArray("(order = 1") << 11;
         QTest::newRow("word alone") << QByteArray("and") << 1;
+        QTest::newRow("list of none") << QByteArray("axes ") << 6;
+        QTest::newRow("no address") << QByteArray("axes 1f, trunk") << 10;
+        QTest::newRow("too many digits") << QByteArray("axes 12345678901234567") << 6;
         QTest::newRow("too deep") << QByteArray(200, '(') + "1" << 102;
     }
     void badTextIsRefused()
@@ -63,6 +66,16 @@ private slots:
         for (const bool isMeant : filter->axesOf(tree))
             found += isMeant ? '1' : '0';
         QCOMPARE(found, axes);
+    }
+    void listsNameAxes()
+    {
+        const Skeleton grown = *grownTree(plainTree(), Stage::Skeleton).grown;
+        const TreeAxes axes = axesOf(grown);
+        const EditTree tree(grown, axes);
+        const std::array addresses{axes.axes[3].address, axes.axes[1].address, std::uint64_t(7)};
+        const auto filter = AxisFilter::parse(AxisFilter::ofAxes(addresses));
+        QVERIFY2(filter, why(filter).constData());
+        QCOMPARE(filter->axesOf(tree), (std::vector{false, true, false, true}));
     }
 };
 

@@ -1,3 +1,4 @@
+#include "core/pipeline/freeze.h"
 #include "tests/support/mesh_checker.h"
 #include "tests/support/shaped_tree.h"
 
@@ -109,8 +110,8 @@ private slots:
         for (int recipe = 0; recipe < recipes; ++recipe) {
             Random random(20431, RandomStream::Test, std::uint64_t(recipe));
             NodeParams params = plain[random.below(std::uint32_t(plain.size()))];
-            const auto steps = 1 + random.below(9);
-            while (params.edits.size() < steps) {
+            const auto count = 1 + random.below(9);
+            while (params.edits.size() < count) {
                 const Skeleton now = *grownTree(params, Stage::Skeleton).skeleton;
                 if (now.size() > most)
                     break;
@@ -129,6 +130,11 @@ private slots:
             const TreeResult skeleton = grownTree(params, Stage::Skeleton);
             if (skeleton.skeleton->size() > most)
                 continue;
+            NodeParams frozen = params;
+            const auto steps = frozenBehind(params, random.below(std::uint32_t(params.edits.size() + 1)));
+            QVERIFY2(steps, why(steps).constData());
+            frozen.edits = *steps;
+            QVERIFY(grownTree(frozen, Stage::Skeleton).skeleton->p1 == skeleton.skeleton->p1);
             TreePipeline pipeline;
             const auto tree = pipeline.evaluate(params, Stage::Mesh);
             QVERIFY2(tree, why(tree).constData());

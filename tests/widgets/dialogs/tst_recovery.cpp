@@ -192,6 +192,10 @@ private slots:
         const QList<RecoveryEntry> entries = {
             {QStringLiteral("/home/anna/oak.ramure"), QDateTime::currentDateTimeUtc()},
             {QString(), QDateTime::currentDateTimeUtc()}};
+        auto saved = entries;
+        saved.last().savedLater = QDateTime::currentDateTimeUtc();
+        QVERIFY(RecoveryDialog(entries).findChild<QTreeWidget*>()->isColumnHidden(3));
+        QVERIFY(!RecoveryDialog(saved).findChild<QTreeWidget*>()->isColumnHidden(3));
         const std::pair<const char*, Action> buttons[] = {
             {"recover", Action::Recover}, {"discard", Action::Discard}, {"later", Action::Later}};
         for (const auto& [name, action] : buttons) {

@@ -12,11 +12,13 @@
 #include <QMimeData>
 #include <QPalette>
 #include <algorithm>
+#include <numeric>
 
 namespace ramure {
 namespace {
 
 const auto rowType = QStringLiteral("application/x-ramure-edit-row");
+constexpr int leastOfGroup = 10;
 
 QString percent(double share)
 {
@@ -63,7 +65,7 @@ const char* iconOf(const TreeEdit& edit)
     case StepGroup::Hand:
         break;
     }
-    return "hand-bend";
+    return edit.operation == EditOperation::Frozen ? "lock" : "hand-bend";
 }
 
 /// Where a step without a limb acts.
@@ -73,13 +75,18 @@ QString whereText(const TreeEdit& edit)
     const bool isSource = infoOf(edit.operation).group == StepGroup::Source;
     if (isSource && step.stand.way == StandWay::Ground)
         return RecipeModel::tr("on the ground");
+    if (edit.operation == EditOperation::Frozen)
+        return {};
+    const auto addresses = std::ranges::count(step.where, ',') + 1;
+    if (step.where.starts_with("axes "))
+        return RecipeModel::tr("%n chosen axis(es)", nullptr, static_cast<int>(addresses));
     return step.where.empty() ? RecipeModel::tr("everywhere") : QString::fromStdString(step.where);
 }
 
 } // namespace
 
 RecipeModel::RecipeModel(Document* document, QObject* parent)
-    : QAbstractTableModel(parent)
+    : QAbstractItemModel(parent)
     , m_document(document)
 {
     connect(document, &Document::changed, this, &RecipeModel::follow);
@@ -130,11 +137,91 @@ void RecipeModel::update()
     m_bends = std::move(bends);
     m_report = std::move(report);
     updateLimbs();
-    if (!sameRows)
+    if (!sameRows) {
+        fillGroups();
         endResetModel();
-    else if (rowCount() > 0)
+    } else if (rowCount() > 0) {
         emit dataChanged(index(0, 0), index(rowCount() - 1, Columns - 1));
+        for (const Group& group : m_groups)
+            emit dataChanged(indexOf(group.first), indexOf(group.first + group.count - 1, Columns - 1));
+    }
     emit listChanged();
+}
+
+void RecipeModel::fillGroups()
+{
+    m_groups.clear();
+    m_rows.clear();
+    const auto isByHand = [this](int place) {
+        return place >= 1 && place <= editCount() &&
+               infoOf(editAt(place).operation).group == StepGroup::Hand &&
+               editAt(place).operation != EditOperation::Frozen;
+    };
+    for (int place = 0; place < placeCount();) {
+        int count = 0;
+        while (isByHand(place + count))
+            ++count;
+        if (count >= leastOfGroup) {
+            m_groups.push_back({place, count, static_cast<int>(m_rows.size())});
+            m_rows.push_back(-static_cast<int>(m_groups.size()));
+            place += count;
+        } else {
+            for (const int end = place + std::max(count, 1); place < end; ++place)
+                m_rows.push_back(place);
+        }
+    }
+}
+
+bool RecipeModel::isGroup(const QModelIndex& index) const
+{
+    return index.isValid() && index.internalId() == 0 && m_rows[std::size_t(index.row())] < 0;
+}
+
+const RecipeModel::Group& RecipeModel::groupOf(const QModelIndex& index) const
+{
+    return m_groups[std::size_t(-1 - m_rows[std::size_t(index.row())])];
+}
+
+int RecipeModel::placeOf(const QModelIndex& index) const
+{
+    return index.internalId() == 0 ? m_rows[std::size_t(index.row())]
+                                   : m_groups[index.internalId() - 1].first + index.row();
+}
+
+std::vector<int> RecipeModel::placesOf(const QModelIndex& index) const
+{
+    if (!index.isValid())
+        return {};
+    if (!isGroup(index))
+        return {placeOf(index)};
+    std::vector<int> places(std::size_t(groupOf(index).count));
+    std::iota(places.begin(), places.end(), groupOf(index).first);
+    return places;
+}
+
+QModelIndex RecipeModel::indexOf(int place, int column) const
+{
+    for (std::size_t g = 0; g < m_groups.size(); ++g)
+        if (place >= m_groups[g].first && place < m_groups[g].first + m_groups[g].count)
+            return createIndex(place - m_groups[g].first, column, quintptr(g + 1));
+    const auto row = std::ranges::find(m_rows, place);
+    return row == m_rows.end() ? QModelIndex()
+                               : createIndex(static_cast<int>(row - m_rows.begin()), column, quintptr(0));
+}
+
+QModelIndex RecipeModel::index(int row, int column, const QModelIndex& parent) const
+{
+    if (row < 0 || row >= rowCount(parent) || column < 0 || column >= Columns)
+        return {};
+    return createIndex(row, column,
+                       parent.isValid() ? quintptr(-m_rows[std::size_t(parent.row())]) : quintptr(0));
+}
+
+QModelIndex RecipeModel::parent(const QModelIndex& index) const
+{
+    return index.isValid() && index.internalId() > 0
+               ? createIndex(m_groups[index.internalId() - 1].row, 0, quintptr(0))
+               : QModelIndex();
 }
 
 void RecipeModel::updateLimbs()
@@ -168,14 +255,18 @@ std::vector<Index> RecipeModel::branchesAt(int row) const
 {
     if (const BendRow* bend = bendAt(row))
         return bend->branches;
-    if (row == 0 || addressAt(row) == 0)
+    if (row == 0)
         return {};
-    return LimbFinder().limb(*m_document, m_tree, addressAt(row));
+    const EditOutcome* what = outcome(row);
+    std::vector<std::uint64_t> addresses = what ? what->axes : std::vector<std::uint64_t>();
+    if (addressAt(row) != 0 && addresses.empty())
+        addresses.push_back(addressAt(row));
+    return LimbFinder().axesAt(*m_document, m_tree, std::move(addresses));
 }
 
 int RecipeModel::rowOf(std::uint64_t id) const
 {
-    for (int row = 0; row < rowCount(); ++row)
+    for (int row = 0; row < placeCount(); ++row)
         if (idAt(row) == id)
             return row;
     return -1;
@@ -195,6 +286,11 @@ bool RecipeModel::isLost(int row) const
     return what && (what->state == EditState::Unplaced || what->state == EditState::Idle);
 }
 
+bool RecipeModel::isFrozen(int row) const
+{
+    return row < static_cast<int>(stepsFrozen(m_edits));
+}
+
 std::uint64_t RecipeModel::addressAt(int row) const
 {
     const TreeEdit& edit = editAt(row);
@@ -204,53 +300,103 @@ std::uint64_t RecipeModel::addressAt(int row) const
     return what ? what->address : edit.target.address;
 }
 
-int RecipeModel::rowCount(const QModelIndex& parent) const
+int RecipeModel::placeCount() const
 {
     const std::size_t first = m_tree == noNode ? 0 : 1;
-    return parent.isValid() ? 0 : static_cast<int>(first + m_edits.size() + m_bends.size());
+    return static_cast<int>(first + m_edits.size() + m_bends.size());
+}
+
+int RecipeModel::rowCount(const QModelIndex& parent) const
+{
+    if (parent.isValid())
+        return isGroup(parent) && parent.column() == Name ? groupOf(parent).count : 0;
+    return static_cast<int>(m_rows.size());
 }
 
 int RecipeModel::columnCount(const QModelIndex& parent) const
 {
-    return parent.isValid() ? 0 : Columns;
+    return parent.isValid() && !isGroup(parent) ? 0 : Columns;
 }
 
 QVariant RecipeModel::data(const QModelIndex& index, int role) const
 {
-    if (const BendRow* bend = bendAt(index.row()))
+    if (!index.isValid())
+        return {};
+    if (isGroup(index))
+        return groupData(groupOf(index), index.column(), role);
+    const int place = placeOf(index);
+    if (const BendRow* bend = bendAt(place))
         return bendData(*bend, index.column(), role);
-    if (index.row() == 0)
-        return sourceData(index.column(), role);
-    const TreeEdit& edit = editAt(index.row());
-    const QString& limb = m_limbs[std::size_t(index.row() - 1)];
-    const bool isByHand = infoOf(edit.operation).group == StepGroup::Hand;
-    const bool lost = edit.enabled && isLost(index.row());
+    return place == 0 ? sourceData(index.column(), role) : stepData(place, index.column(), role);
+}
+
+QVariant RecipeModel::groupData(const Group& group, int column, int role) const
+{
+    const auto first = m_edits.begin() + (group.first - 1);
+    const auto on =
+        std::count_if(first, first + group.count, [](const TreeEdit& edit) { return edit.enabled; });
+    double seconds = 0.0;
+    for (int place = group.first; place < group.first + group.count; ++place)
+        if (const EditOutcome* what = outcome(place))
+            seconds += what->seconds;
     switch (role) {
     case Qt::DisplayRole:
-        if (index.column() == Name)
+        return column == Name   ? tr("%n hand edit(s)", nullptr, group.count)
+               : column == Time ? timeText(seconds)
+                                : QString();
+    case Qt::CheckStateRole:
+        return column != Name ? QVariant()
+                              : QVariant(on == 0             ? Qt::Unchecked
+                                         : on == group.count ? Qt::Checked
+                                                             : Qt::PartiallyChecked);
+    case Qt::DecorationRole:
+        return column == Name ? QVariant(icon("hand-bend")) : QVariant();
+    case Qt::TextAlignmentRole:
+        return column == Time ? QVariant(int(Qt::AlignRight | Qt::AlignVCenter)) : QVariant();
+    case Qt::ToolTipRole:
+        return tr("Hand edits that follow each other. What is done to this row is done to all of them.");
+    default:
+        return {};
+    }
+}
+
+QVariant RecipeModel::stepData(int place, int column, int role) const
+{
+    const TreeEdit& edit = editAt(place);
+    const QString& limb = m_limbs[std::size_t(place - 1)];
+    const bool isByHand =
+        infoOf(edit.operation).group == StepGroup::Hand && edit.operation != EditOperation::Frozen;
+    const bool lost = edit.enabled && isLost(place);
+    switch (role) {
+    case Qt::DisplayRole:
+        if (column == Name)
             return edit.name.empty() ? editText(edit) : QString::fromStdString(edit.name);
-        if (index.column() == Time)
-            return timeText(index.row());
+        if (column == Time)
+            return outcome(place) ? timeText(outcome(place)->seconds) : QString();
         return lost && isByHand              ? tr("no place at present")
                : limb.isEmpty() && !isByHand ? whereText(edit)
                                              : limb;
     case Qt::EditRole:
         return edit.name.empty() ? coreText(infoOf(edit.operation).label) : QString::fromStdString(edit.name);
     case Qt::CheckStateRole:
-        return index.column() == Name ? QVariant(edit.enabled ? Qt::Checked : Qt::Unchecked) : QVariant();
+        return column == Name ? QVariant(edit.enabled ? Qt::Checked : Qt::Unchecked) : QVariant();
     case Qt::DecorationRole:
-        return index.column() == Name           ? QVariant(icon(iconOf(edit)))
-               : lost && index.column() == Limb ? QVariant(icon("warning"))
-                                                : QVariant();
+        return column == Name           ? QVariant(icon(iconOf(edit)))
+               : lost && column == Limb ? QVariant(icon("warning"))
+                                        : QVariant();
     case Qt::TextAlignmentRole:
-        return index.column() == Time ? QVariant(int(Qt::AlignRight | Qt::AlignVCenter)) : QVariant();
+        return column == Time ? QVariant(int(Qt::AlignRight | Qt::AlignVCenter)) : QVariant();
     case Qt::ForegroundRole:
-        return edit.enabled && !lost ? QVariant() : QApplication::palette().brush(QPalette::PlaceholderText);
+        return edit.enabled && !lost && !isFrozen(place)
+                   ? QVariant()
+                   : QApplication::palette().brush(QPalette::PlaceholderText);
     case Qt::ToolTipRole:
         if (lost)
             return isByHand ? tr("It is kept, and acts again as soon as there is such a limb: %1")
-                                  .arg(errorText(outcome(index.row())->why))
-                            : tr("It changes nothing now: %1").arg(errorText(outcome(index.row())->why));
+                                  .arg(errorText(outcome(place)->why))
+                            : tr("It changes nothing now: %1").arg(errorText(outcome(place)->why));
+        if (isFrozen(place))
+            return tr("It does not run: a step below holds what it has made");
         if (*infoOf(edit.operation).tip != '\0')
             return coreText(infoOf(edit.operation).tip);
         return edit.name.empty() ? limb : editText(edit);
@@ -265,20 +411,21 @@ QVariant RecipeModel::sourceData(int column, int role) const
         return column == Name ? m_source : column == Limb ? tr("on the ground") : QString();
     if (role == Qt::DecorationRole && column == Name)
         return icon("tree");
+    if (role == Qt::ForegroundRole && isFrozen(0))
+        return QApplication::palette().brush(QPalette::PlaceholderText);
     if (role == Qt::ToolTipRole)
         return tr("The source that the recipe begins with: its values are those of the tree");
     return {};
 }
 
 /// Empty where it took no time that anybody would notice.
-QString RecipeModel::timeText(int row) const
+QString RecipeModel::timeText(double seconds)
 {
-    constexpr double least = 0.5e-3; // s
-    const EditOutcome* what = outcome(row);
-    if (!what || what->seconds < least)
+    constexpr double least = 0.5e-3;
+    if (seconds < least)
         return {};
-    return what->seconds < 1.0 ? tr("%1 ms").arg(QLocale().toString(1e3 * what->seconds, 'f', 0))
-                               : tr("%1 s").arg(QLocale().toString(what->seconds, 'f', 1));
+    return seconds < 1.0 ? tr("%1 ms").arg(QLocale().toString(1e3 * seconds, 'f', 0))
+                         : tr("%1 s").arg(QLocale().toString(seconds, 'f', 1));
 }
 
 QVariant RecipeModel::bendData(const BendRow& bend, int column, int role) const
@@ -318,23 +465,27 @@ bool RecipeModel::report(const Expected<void>& done)
 
 bool RecipeModel::setData(const QModelIndex& index, const QVariant& value, int role)
 {
-    if (bendAt(index.row()) || index.row() == 0)
+    std::vector<std::uint64_t> ids;
+    for (const int place : placesOf(index))
+        if (place > 0 && !bendAt(place))
+            ids.push_back(idAt(place));
+    if (ids.empty())
         return false;
-    const std::uint64_t id = idAt(index.row());
     if (role == Qt::CheckStateRole)
-        return report(
-            edit::setTreeEditsEnabled(*m_document, m_tree, {id}, value.toInt() == int(Qt::Checked)));
-    if (role != Qt::EditRole || value == data(index, Qt::EditRole))
+        return report(edit::setTreeEditsEnabled(*m_document, m_tree, ids, value.toInt() == int(Qt::Checked)));
+    if (role != Qt::EditRole || isGroup(index) || value == data(index, Qt::EditRole))
         return false;
-    return report(edit::renameTreeEdit(*m_document, m_tree, id, value.toString().trimmed()));
+    return report(edit::renameTreeEdit(*m_document, m_tree, ids.front(), value.toString().trimmed()));
 }
 
 Qt::ItemFlags RecipeModel::flags(const QModelIndex& index) const
 {
     if (!index.isValid())
         return Qt::ItemIsDropEnabled;
-    if (bendAt(index.row()) || index.row() == 0)
-        return Qt::ItemIsEnabled | Qt::ItemIsSelectable;
+    const int place = placesOf(index).front();
+    if (isGroup(index) || bendAt(place) || place == 0)
+        return Qt::ItemIsEnabled | Qt::ItemIsSelectable |
+               (isGroup(index) && index.column() == Name ? Qt::ItemIsUserCheckable : Qt::NoItemFlags);
     const Qt::ItemFlags all = Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsDragEnabled;
     return index.column() == Name ? all | Qt::ItemIsUserCheckable | Qt::ItemIsEditable : all;
 }
@@ -349,7 +500,7 @@ QMimeData* RecipeModel::mimeData(const QModelIndexList& indexes) const
     if (indexes.empty())
         return nullptr;
     auto* data = new QMimeData;
-    data->setData(rowType, QByteArray::number(indexes.front().row()));
+    data->setData(rowType, QByteArray::number(placesOf(indexes.front()).front()));
     return data;
 }
 
@@ -360,7 +511,12 @@ bool RecipeModel::dropMimeData(const QMimeData* data, Qt::DropAction, int row, i
     const int from = data->data(rowType).toInt(&good);
     if (!good || from < 1 || from > editCount())
         return false;
-    int to = std::clamp(row >= 0 ? row : parent.isValid() ? parent.row() : rowCount(), 1, editCount() + 1);
+    const QModelIndex before = row >= 0 ? index(row, Name, parent) : parent;
+    const auto above = before.isValid() ? placesOf(before) : std::vector<int>();
+    const auto group = parent.isValid() ? placesOf(parent) : std::vector<int>();
+    // Below the last row of a group, or of the list.
+    int to = !above.empty() ? above.front() : !group.empty() ? group.back() + 1 : placeCount();
+    to = std::clamp(to, 1, editCount() + 1);
     to -= to > from ? 1 : 0;
     if (to != from)
         report(edit::moveTreeEdit(*m_document, m_tree, idAt(from), to - 1));

@@ -1,14 +1,15 @@
 /// \file
 /// The recipe of one tree: the source that it begins with, then its steps in the order in which they act, a
 /// row each, to be renamed, switched on and off and moved. Behind them its bends (bend_rows.h), which can
-/// only be chosen and deleted.
+/// only be chosen and deleted. Ten hand edits and more that follow each other have a row of their own above
+/// them, to be folded. Places in the list count from 0, the source, whatever is folded.
 #pragma once
 
 #include "core/params/tree_edit.h"
 #include "core/qt/document/document.h"
 #include "core/recipe/edit_report.h"
 #include "widgets/panels/recipe/bend_rows.h"
-#include <QAbstractTableModel>
+#include <QAbstractItemModel>
 
 namespace ramure {
 
@@ -17,7 +18,7 @@ QString editText(const TreeEdit& edit);
 /// "Weber and Penn": the source that a recipe begins with.
 QString sourceText(const NodeParams& params);
 
-class RecipeModel : public QAbstractTableModel
+class RecipeModel : public QAbstractItemModel
 {
     Q_OBJECT
 public:
@@ -31,22 +32,33 @@ public:
     /// The tree that is selected, or the only one; noNode where there is none.
     [[nodiscard]] NodeId tree() const { return m_tree; }
     [[nodiscard]] const std::vector<TreeEdit>& edits() const { return m_edits; }
-    [[nodiscard]] std::uint64_t idAt(int row) const;
-    /// -1: there is none.
+    [[nodiscard]] std::uint64_t idAt(int place) const;
+    /// A place in the list; -1: there is none.
     [[nodiscard]] int rowOf(std::uint64_t id) const;
+    /// The places of a row: one, or those of all edits below it.
+    [[nodiscard]] std::vector<int> placesOf(const QModelIndex& index) const;
+    [[nodiscard]] QModelIndex indexOf(int place, int column = Name) const;
+    [[nodiscard]] bool isGroup(const QModelIndex& index) const;
+    [[nodiscard]] bool hasGroups() const { return !m_groups.empty(); }
+    /// Of a source, a step, or a bend; all of them.
+    [[nodiscard]] int placeCount() const;
     /// Steps behind the source; the rows of bends follow.
     [[nodiscard]] int editCount() const { return static_cast<int>(m_edits.size()); }
     /// Null: it is the source or a step.
-    [[nodiscard]] const BendRow* bendAt(int row) const;
-    /// \pre the row is a step's, from 1 on.
-    [[nodiscard]] const TreeEdit& editAt(int row) const { return m_edits[std::size_t(row - 1)]; }
+    [[nodiscard]] const BendRow* bendAt(int place) const;
+    /// \pre it is a step's, from 1 on.
+    [[nodiscard]] const TreeEdit& editAt(int place) const { return m_edits[std::size_t(place - 1)]; }
     /// Of the simplified skeleton: what the row is about.
-    [[nodiscard]] std::vector<Index> branchesAt(int row) const;
+    [[nodiscard]] std::vector<Index> branchesAt(int place) const;
     /// Without a place in the tree as it is now.
-    [[nodiscard]] bool isLost(int row) const;
+    [[nodiscard]] bool isLost(int place) const;
+    /// Of the source or a step: a step below holds what it has made, and it does not run.
+    [[nodiscard]] bool isFrozen(int place) const;
     /// Of the axis that the edit acts on; 0: none.
-    [[nodiscard]] std::uint64_t addressAt(int row) const;
+    [[nodiscard]] std::uint64_t addressAt(int place) const;
 
+    [[nodiscard]] QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QModelIndex parent(const QModelIndex& index) const override;
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
@@ -65,13 +77,26 @@ signals:
     void refused(const QString& why);
 
 private:
+    /// Hand edits that follow each other.
+    struct Group
+    {
+        int first = 0, count = 0; ///< places
+        int row = 0;              ///< of the list
+    };
+
     void follow(const Change& change);
+    void fillGroups();
+    /// Of a row that is no group's.
+    [[nodiscard]] int placeOf(const QModelIndex& index) const;
+    [[nodiscard]] const Group& groupOf(const QModelIndex& index) const;
+    [[nodiscard]] QVariant groupData(const Group& group, int column, int role) const;
+    [[nodiscard]] QVariant stepData(int place, int column, int role) const;
     void update();
     void updateLimbs();
     [[nodiscard]] NodeId treeMeant() const;
-    [[nodiscard]] const EditOutcome* outcome(int row) const;
+    [[nodiscard]] const EditOutcome* outcome(int place) const;
     [[nodiscard]] QVariant sourceData(int column, int role) const;
-    [[nodiscard]] QString timeText(int row) const;
+    [[nodiscard]] static QString timeText(double seconds);
     [[nodiscard]] QVariant bendData(const BendRow& bend, int column, int role) const;
     bool report(const Expected<void>& done);
 
@@ -81,7 +106,9 @@ private:
     std::vector<TreeEdit> m_edits;
     std::vector<BendRow> m_bends;
     std::shared_ptr<const EditReport> m_report;
-    std::vector<QString> m_limbs; ///< by row: what it acts on
+    std::vector<QString> m_limbs; ///< by step: what it acts on
+    std::vector<Group> m_groups;
+    std::vector<int> m_rows; ///< of the list: a place; below 0: -1 - the number of a group
 };
 
 } // namespace ramure

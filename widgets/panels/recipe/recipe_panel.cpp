@@ -1,10 +1,13 @@
 #include "widgets/panels/recipe/recipe_panel.h"
 
+#include "core/params/tree_edit_table.h"
 #include "core/qt/document/commands.h"
+#include "core/recipe/axis_filter.h"
 #include "widgets/base/empty_page.h"
 #include "widgets/base/texts/core_text.h"
 #include "widgets/base/theme/icons.h"
 #include "widgets/panels/recipe/recipe_model.h"
+#include "widgets/view/tools/limb_finder.h"
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
@@ -34,8 +37,12 @@ RecipePanel::RecipePanel(Document* document, QWidget* parent)
     connect(m_model, &QAbstractItemModel::modelAboutToBeReset, this, [this] {
         const auto ids = selectedIds();
         m_kept = {ids.begin(), ids.end()};
-        const QModelIndex current = m_view->currentIndex();
-        m_current = current.isValid() ? m_model->idAt(current.row()) : 0;
+        const auto places = m_model->placesOf(m_view->currentIndex());
+        m_current = places.empty() ? 0 : m_model->idAt(places.front());
+        m_open.clear();
+        for (int row = 0; row < m_model->rowCount(); ++row)
+            if (const QModelIndex index = m_model->index(row, 0); m_view->isExpanded(index))
+                m_open.insert(m_model->idAt(m_model->placesOf(index).front()));
     });
     connect(m_model, &RecipeModel::listChanged, this, &RecipePanel::follow);
     connect(m_view->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
@@ -124,15 +131,25 @@ void RecipePanel::follow()
                         "other."));
     if (node)
         m_title->setText(QString::fromStdString(node->name));
+    m_view->setRootIsDecorated(m_model->hasGroups());
+    for (int row = 0; row < m_model->rowCount(); ++row)
+        if (const QModelIndex index = m_model->index(row, 0); m_model->isGroup(index))
+            m_view->setExpanded(index, m_open.contains(m_model->idAt(m_model->placesOf(index).front())));
     QItemSelection again;
     for (const std::uint64_t id : m_kept)
         if (const int row = m_model->rowOf(id); row >= 0)
-            again.select(m_model->index(row, 0), m_model->index(row, RecipeModel::Columns - 1));
+            again.select(m_model->indexOf(row), m_model->indexOf(row, RecipeModel::Columns - 1));
+    for (int row = 0; row < m_model->rowCount(); ++row) {
+        const QModelIndex index = m_model->index(row, 0);
+        const auto isKept = [this](int place) { return m_kept.contains(m_model->idAt(place)); };
+        if (m_model->isGroup(index) && std::ranges::all_of(m_model->placesOf(index), isKept))
+            again.select(index, m_model->index(row, RecipeModel::Columns - 1));
+    }
     if (!m_view->selectionModel()->hasSelection() && !again.isEmpty()) {
         m_restores = true; // nobody has chosen anything
         m_view->selectionModel()->select(again, QItemSelectionModel::ClearAndSelect);
         if (const int row = m_model->rowOf(m_current); row >= 0)
-            m_view->selectionModel()->setCurrentIndex(m_model->index(row, 0), QItemSelectionModel::NoUpdate);
+            m_view->selectionModel()->setCurrentIndex(m_model->indexOf(row), QItemSelectionModel::NoUpdate);
         m_restores = false;
     }
     updateButtons();
@@ -149,7 +166,7 @@ void RecipePanel::chooseStep()
 void RecipePanel::select(quint64 step)
 {
     if (const int row = m_model->rowOf(step); row >= 0)
-        m_view->setCurrentIndex(m_model->index(row, 0));
+        m_view->setCurrentIndex(m_model->indexOf(row));
 }
 
 void RecipePanel::setAddMenu(QMenu* menu)
@@ -159,14 +176,14 @@ void RecipePanel::setAddMenu(QMenu* menu)
 
 std::vector<std::uint64_t> RecipePanel::selectedIds() const
 {
-    std::vector<int> rows;
+    std::set<int> places; // a group and an edit in it may both be selected
     for (const QModelIndex& index : m_view->selectionModel()->selectedRows())
-        rows.push_back(index.row());
-    std::ranges::sort(rows);
+        for (const int place : m_model->placesOf(index))
+            places.insert(place);
     std::vector<std::uint64_t> ids;
-    for (const int row : rows)
-        if (row < m_model->rowCount() && m_model->idAt(row) != RecipeModel::sourceId)
-            ids.push_back(m_model->idAt(row));
+    for (const int place : places)
+        if (m_model->idAt(place) != RecipeModel::sourceId)
+            ids.push_back(m_model->idAt(place));
     return ids;
 }
 
@@ -237,6 +254,28 @@ void RecipePanel::selectBranches()
     m_document->setSelection(std::move(next));
 }
 
+std::vector<std::uint64_t> RecipePanel::chosenAxes() const
+{
+    std::vector<std::uint64_t> addresses;
+    for (const LimbHit& limb : LimbFinder().selected(*m_document))
+        if (limb.node == m_model->tree())
+            addresses.push_back(limb.address);
+    return addresses;
+}
+
+void RecipePanel::actOnChosenAxes(std::uint64_t step)
+{
+    report(edit::setStepParam(*m_document, m_model->tree(), step, *findParam("step.where"),
+                              AxisFilter::ofAxes(chosenAxes())));
+}
+
+void RecipePanel::freeze()
+{
+    const auto places = m_model->placesOf(m_view->currentIndex());
+    if (!places.empty() && !m_model->bendAt(places.back()))
+        report(edit::freezeTree(*m_document, m_model->tree(), m_model->idAt(places.back())));
+}
+
 void RecipePanel::fillCopyMenu()
 {
     m_copyMenu->clear();
@@ -254,9 +293,19 @@ void RecipePanel::fillCopyMenu()
 void RecipePanel::showMenu(const QPoint& at)
 {
     const auto ids = selectedIds();
-    if (ids.empty())
+    if (!m_view->indexAt(at).isValid())
         return;
     QMenu menu(this);
+    const auto addFreeze = [&] {
+        menu.addAction(icon("lock"), tr("Freeze up to here"), this, &RecipePanel::freeze)
+            ->setEnabled(ids.size() <= 1 && !hasBend(ids) &&
+                         !m_model->isFrozen(m_view->currentIndex().row()));
+    };
+    if (ids.empty()) { // the source
+        addFreeze();
+        menu.exec(m_view->viewport()->mapToGlobal(at));
+        return;
+    }
     QAction* rename = menu.addAction(icon("rename"), tr("Rename"), this,
                                      [this] { m_view->edit(m_view->currentIndex().siblingAtColumn(0)); });
     const bool edits = !hasBend(ids);
@@ -270,6 +319,17 @@ void RecipePanel::showMenu(const QPoint& at)
                            report(edit::setTreeEditsEnabled(*m_document, m_model->tree(), selectedIds(), on));
                        })
             ->setEnabled(edits);
+    const int row = ids.size() == 1 && edits ? m_model->rowOf(ids.front()) : 0;
+    const bool hasWhere = row > 0 && std::ranges::count(stepParams(m_model->editAt(row).operation),
+                                                        findParam("step.where")) > 0;
+    menu.addAction(icon("tool-select"), tr("Act on the selected branches only"), this,
+                   [this, &ids] { actOnChosenAxes(ids.front()); })
+        ->setEnabled(hasWhere && !chosenAxes().empty());
+    if (row > 0 && m_model->editAt(row).operation == EditOperation::Frozen)
+        menu.addAction(icon("unlock"), tr("Thaw: the steps above run again"), this,
+                       &RecipePanel::removeSelected);
+    else
+        addFreeze();
     menu.addSeparator();
     menu.addAction(m_up->icon(), tr("Earlier"), this, [this] { moveCurrent(-1); })
         ->setEnabled(m_up->isEnabled());

@@ -36,6 +36,7 @@ public slots:
     void removeSelected();
     void moveCurrent(int rows); ///< up where negative
     void selectBranches();      ///< of the selected edits, in the document
+    void freeze();              ///< what the current row and those above it have made
 
 signals:
     void messageRaised(const QString& text);
@@ -54,6 +55,9 @@ private:
     void showMenu(const QPoint& at);
     [[nodiscard]] bool hasBend(const std::vector<std::uint64_t>& ids) const;
     void chooseStep();
+    /// Of the branches that are selected in the tree.
+    [[nodiscard]] std::vector<std::uint64_t> chosenAxes() const;
+    void actOnChosenAxes(std::uint64_t step);
     void updateButtons();
     void report(const Expected<void>& done);
     /// Without the source, which stays where it is.
@@ -69,6 +73,7 @@ private:
     QToolButton *m_add, *m_up, *m_down, *m_copy, *m_delete;
     QMenu* m_copyMenu;
     std::set<std::uint64_t> m_kept; ///< selected before the list became another one
+    std::set<std::uint64_t> m_open; ///< the first edits of groups that were unfolded then
     std::uint64_t m_current = 0;
     bool m_restores = false;
 };

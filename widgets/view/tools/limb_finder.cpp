@@ -224,14 +224,16 @@ std::vector<LimbSpan> LimbFinder::spans(const Document& document, NodeId node)
     return spans;
 }
 
-std::vector<Index> LimbFinder::limb(const Document& document, NodeId node, std::uint64_t address)
+std::vector<Index> LimbFinder::axesAt(const Document& document, NodeId node,
+                                      std::vector<std::uint64_t> addresses)
 {
     std::vector<Index> branches;
-    if (!take(document, node))
+    if (addresses.empty() || !take(document, node))
         return branches;
+    std::ranges::sort(addresses);
     const Skeleton& seen = m_simplified->skeleton;
     for (Index b = 0; b < seen.size(); ++b)
-        if (m_axes.axes[m_axes.axisOf[seen.source[b]]].address == address)
+        if (std::ranges::binary_search(addresses, m_axes.axes[m_axes.axisOf[seen.source[b]]].address))
             branches.push_back(b);
     return branches;
 }

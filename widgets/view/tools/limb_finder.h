@@ -74,7 +74,12 @@ public:
     /// whole from the foot of the limb on
     std::vector<Index> above(const Document& document, const LimbHit& hit, bool whole);
     /// All branches of the limb that an edit acts on; empty: there is no such axis.
-    std::vector<Index> limb(const Document& document, NodeId node, std::uint64_t address);
+    std::vector<Index> limb(const Document& document, NodeId node, std::uint64_t address)
+    {
+        return axesAt(document, node, {address});
+    }
+    /// The branches of all axes that have these addresses.
+    std::vector<Index> axesAt(const Document& document, NodeId node, std::vector<std::uint64_t> addresses);
     /// By branch of the simplified skeleton; empty where there is none.
     std::vector<LimbSpan> spans(const Document& document, NodeId node);
 

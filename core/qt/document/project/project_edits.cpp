@@ -3,6 +3,7 @@
 #include "core/params/tree_edit_table.h"
 #include "core/qt/document/project/project_json.h"
 #include "core/qt/document/project/project_places.h"
+#include "core/skeleton/packed_skeleton.h"
 
 #include <cmath>
 #include <numbers>
@@ -140,6 +141,9 @@ QJsonObject writeEdit(const TreeEdit& edit)
         object.insert(QStringLiteral("points"), writePoints(edit.points));
     if ((info.fields & editLimb) && !edit.limb.empty())
         object.insert(QStringLiteral("limb"), writeLimb(edit.limb));
+    if (edit.frozen)
+        object.insert(QStringLiteral("tree"),
+                      QString::fromLatin1(QByteArray::fromStdString(edit.frozen->bytes).toBase64()));
     if (const QJsonObject values = writeValues(edit, usual); !values.isEmpty())
         object.insert(QStringLiteral("values"), values);
     if (edit.version != 1 && info.group != StepGroup::Unknown)
@@ -164,9 +168,10 @@ public:
             m_edit.kept = extrasText(m_rest);
             return std::move(m_edit);
         }
-        for (const auto step : {&EditReader::readTargets, &EditReader::readNumbers, &EditReader::readVectors,
-                                &EditReader::readFlags, &EditReader::readOrgan, &EditReader::readShape,
-                                &EditReader::readPoints, &EditReader::readLimb, &EditReader::readValues})
+        for (const auto step :
+             {&EditReader::readTargets, &EditReader::readNumbers, &EditReader::readVectors,
+              &EditReader::readFlags, &EditReader::readOrgan, &EditReader::readShape, &EditReader::readPoints,
+              &EditReader::readLimb, &EditReader::readFrozen, &EditReader::readValues})
             RAMURE_TRY((this->*step)());
         if (!m_rest.isEmpty())
             return failAt(m_rest.begin().key().toStdString(), ErrorCode::Unknown,
@@ -430,6 +435,18 @@ private:
         return {};
     }
 
+    Expected<void> readFrozen()
+    {
+        const QString key = QStringLiteral("tree");
+        if (!(m_info->fields & editFrozen) || !m_rest.contains(key))
+            return {};
+        const QByteArray text = m_rest.take(key).toString().toLatin1();
+        std::string bytes = QByteArray::fromBase64(text).toStdString();
+        if (auto tree = unpackSkeleton(bytes); !tree)
+            return failInside("tree", std::move(tree.error()));
+        m_edit.frozen = SharedValue<FrozenTree>(FrozenTree{std::move(bytes)});
+        return {};
+    }
     Expected<void> readValues()
     {
         if (stepParams(m_edit.operation).empty() || !m_rest.contains(QLatin1String("values")))

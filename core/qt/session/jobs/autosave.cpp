@@ -231,6 +231,9 @@ std::vector<Recoverable> recoverableProjects(const QString& folder)
         const QJsonObject note = objectOf(project->extras).value(noteKey).toObject();
         entry.originalPath = note.value(QLatin1String("path")).toString();
         entry.time = QDateTime::fromString(note.value(QLatin1String("time")).toString(), Qt::ISODateWithMs);
+        // A program may be killed between saving the project and clearing away what it had kept aside.
+        if (const QFileInfo own(entry.originalPath); own.exists() && own.lastModified() > entry.time)
+            entry.savedLater = own.lastModified();
         found.push_back(std::move(entry));
     }
     std::stable_sort(found.begin(), found.end(),

@@ -61,6 +61,7 @@ struct Recoverable
     QString originalPath; ///< of the project, empty where it was never saved
     QDateTime time;       ///< when it was written
     std::shared_ptr<QLockFile> claim;
+    QDateTime savedLater{}; ///< when the project was written, where that was after this; else invalid
 };
 
 /// Newest first. Files that cannot be read are passed over, not deleted.

@@ -162,6 +162,80 @@ private slots:
         QCOMPARE(bench.text(2), QStringLiteral("Sag"));
         QVERIFY(bench.edits()[1].id != bench.edits()[0].id);
     }
+    void manyHandEditsHaveOneRow()
+    {
+        Bench bench;
+        const std::uint64_t limb = bench.limb(bench.twig()).address;
+        std::vector<TreeEdit> edits(12, test::editOf(EditOperation::Thickness, limb));
+        edits.push_back(newStep(EditOperation::Gnarl));
+        QVERIFY(edit::putTreeEdits(bench.document, 1, edits));
+        bench.grow();
+        RecipeModel& model = *bench.panel.model();
+        QCOMPARE(model.rowCount(), 3); // the source, the edits, the modifier
+        const QModelIndex group = model.index(1, 0);
+        QVERIFY(model.isGroup(group) && model.rowCount(group) == 12);
+        QVERIFY(bench.text(1).startsWith(QStringLiteral("12 hand edit")));
+        QVERIFY(!bench.panel.view()->isExpanded(group));
+        QCOMPARE(model.rowOf(bench.edits()[11].id), 12);
+        QCOMPARE(model.indexOf(12).parent(), group);
+        // One of them off, then all on, as one step.
+        QVERIFY(edit::setTreeEditsEnabled(bench.document, 1, {bench.edits()[4].id}, false));
+        QCOMPARE(group.data(Qt::CheckStateRole).toInt(), int(Qt::PartiallyChecked));
+        const int steps = bench.steps();
+        QVERIFY(model.setData(group, Qt::Checked, Qt::CheckStateRole));
+        QCOMPARE(group.data(Qt::CheckStateRole).toInt(), int(Qt::Checked));
+        QCOMPARE(bench.steps(), steps + 1);
+        // Whoever asks for an edit sees it, also behind another change of the list.
+        bench.panel.select(bench.edits()[7].id);
+        QVERIFY(bench.panel.view()->isExpanded(model.index(1, 0)));
+        QVERIFY(edit::removeTreeEdits(bench.document, 1, {bench.edits()[11].id}));
+        QVERIFY(bench.panel.view()->isExpanded(model.index(1, 0)));
+        // A modifier that is dropped among them parts them.
+        const std::unique_ptr<QMimeData> data(model.mimeData({model.index(2, 0)}));
+        model.dropMimeData(data.get(), Qt::MoveAction, 3, 0, model.index(1, 0));
+        QCOMPARE(bench.edits()[3].operation, EditOperation::Gnarl);
+        QCOMPARE(model.rowCount(), 13);
+        bench.document.undo();
+        bench.choose(1);
+        bench.button("editDelete")->click();
+        QCOMPARE(bench.edits().size(), std::size_t(1));
+    }
+    void stepsAreFrozen()
+    {
+        Bench bench;
+        TreeEdit gnarl = newStep(EditOperation::Gnarl);
+        QVERIFY(edit::putTreeEdits(bench.document, 1, {gnarl, newStep(EditOperation::Sag)}));
+        bench.grow();
+        const auto before = bench.skeleton().p1;
+        bench.choose(1);
+        bench.panel.freeze();
+        bench.grow();
+        QCOMPARE(bench.panel.model()->rowCount(), 4);
+        QCOMPARE(bench.text(2), QStringLiteral("Frozen tree"));
+        QVERIFY(bench.panel.model()->isFrozen(0) && bench.panel.model()->isFrozen(1));
+        QVERIFY(!bench.panel.model()->isFrozen(2) && !bench.panel.model()->isFrozen(3));
+        QVERIFY(!bench.panel.model()->index(1, 0).data(Qt::ForegroundRole).isNull());
+        QVERIFY(bench.skeleton().p1 == before);
+        bench.document.undo();
+        QVERIFY(!bench.panel.model()->isFrozen(0));
+    }
+    void aRowSelectsTheAxesOfItsCondition()
+    {
+        Bench bench;
+        TreeEdit gnarl = newStep(EditOperation::Gnarl);
+        NodeParams values = *gnarl.values;
+        values.step.where = "order = 2";
+        gnarl.values = StepValues(std::move(values));
+        QVERIFY(edit::putTreeEdits(bench.document, 1, {gnarl}));
+        bench.grow();
+        bench.choose(1);
+        bench.panel.selectBranches();
+        const std::vector<Index> chosen = bench.document.selection().branches;
+        QVERIFY(!chosen.empty() && chosen.size() < bench.skeleton().size());
+        const TreeAxes axes = axesOf(*bench.document.result(1)->tree.skeleton);
+        for (const Index branch : chosen)
+            QCOMPARE(axes.axes[axes.axisOf[bench.skeleton().source[branch]]].order, Index(2));
+    }
     void namesAreGiven()
     {
         Bench bench;
