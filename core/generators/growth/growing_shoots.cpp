@@ -1,0 +1,268 @@
+// Shoots: who grows, how long and where to.
+#include "core/generators/growth/growing_tree.h"
+
+#include "core/math/random.h"
+#include "core/math/reproducible.h"
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numbers>
+
+namespace ramure::growth {
+namespace {
+
+const glm::dvec3 up(0.0, 1.0, 0.0);
+
+glm::dvec3 unit(const glm::dvec3& v, const glm::dvec3& otherwise)
+{
+    const double length = glm::length(v);
+    return length > 1e-9 ? v / length : otherwise;
+}
+
+/// What of \p side stands square on \p direction.
+glm::dvec3 square(const glm::dvec3& side, const glm::dvec3& direction)
+{
+    const glm::dvec3 other = std::abs(direction.x) < 0.7 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 0.0, 1.0);
+    return unit(side - glm::dot(side, direction) * direction, unit(glm::cross(direction, other), other));
+}
+
+} // namespace
+
+void GrowingTree::growShoots(const YearFactors& factors)
+{
+    if (m_history.parent.empty()) {
+        for (unsigned k = 0; k < unsigned(m_params.stems); ++k) {
+            const Index axis = newAxis(noIndex, k, 0, false, factors.year);
+            const std::uint64_t address = m_history.axisAddress[axis];
+            const double turn = 2.0 * std::numbers::pi *
+                                (double(k) / double(m_params.stems) + 0.5 * chance(address, 2));
+            const auto [sine, cosine] = maths::sincos(turn);
+            const double lean = m_params.stems > 1 ? 0.25 + 0.2 * chance(address, 3) : 0.0;
+            const glm::dvec3 side(cosine, 0.0, sine);
+            grow({noIndex, axis, glm::dvec3(0.0), unit(up + lean * side, up), side, true}, 1, 1.0, factors);
+        }
+        return;
+    }
+    const std::size_t before = m_alive.size(); // those born now shoot next year
+    for (std::size_t k = 0; k < before; ++k)
+        growFrom(m_alive[k], factors);
+}
+
+void GrowingTree::growFrom(Index metamer, const YearFactors& factors)
+{
+    const Flow flow = m_flow[metamer];
+    const Index axis = m_history.axis[metamer];
+    const double lambda = m_history.axisOrder[axis] == 0 || m_axes[axis].upright ? factors.trunkLambda
+                                                                                 : factors.limbLambda;
+    const double sum = lambda * flow.main + (1.0 - lambda) * flow.side;
+    const bool tip = isTip(metamer);
+    if (sum > 0.0) {
+        const double main = tip ? flow.vigour * lambda * flow.main / sum + double(m_axes[axis].claim) : 0.0;
+        const double side = flow.vigour * (1.0 - lambda) * flow.ownSide / sum;
+        m_year.vigourSpent += main + side;
+        if (tip)
+            growTip(metamer, main, factors);
+        if (m_nodes[metamer].buds != 0)
+            growSide(metamer, side / double(std::popcount(m_nodes[metamer].buds)), factors);
+    }
+    if (m_nodes[metamer].dormant != 0 && m_params.reiteration > 0.0)
+        reiterate(metamer, factors);
+}
+
+/// \param stretch becomes the length of each metamer over the usual one.
+int GrowingTree::shootLength(double vigour, unsigned order, double& stretch, const YearFactors& factors) const
+{
+    double longest = factors.longest;
+    for (unsigned k = 0; k < order; ++k)
+        longest *= m_params.sideLength;
+    const double pays = std::min(vigour, std::max(1.0, longest));
+    if (pays >= 1.0) {
+        const int nodes = std::min(250, int(pays));
+        stretch = std::min(1.5, pays / double(nodes));
+        return nodes;
+    }
+    stretch = std::max(pays, 0.3);
+    return vigour >= 1.0 - m_params.shortShoots ? 1 : 0;
+}
+
+void GrowingTree::growTip(Index metamer, double vigour, const YearFactors& factors)
+{
+    const Index axis = m_history.axis[metamer];
+    const unsigned order = m_history.axisOrder[axis];
+    AxisState& state = m_axes[axis];
+    const std::uint64_t address = nodeAddress(metamer);
+    if (m_params.sympodial > 0.0 && factors.year > 2 && state.nodes > 3 &&
+        chance(address, 4 + 8 * std::uint64_t(factors.year)) < m_params.sympodial) {
+        state.tipLives = false;
+        return;
+    }
+    double stretch = 1.0;
+    const int nodes = shootLength(vigour, order, stretch, factors);
+    if (nodes == 0)
+        return;
+    const Node& node = m_nodes[metamer];
+    const glm::dvec3 side = node.frame * glm::dvec3(node.side);
+    const glm::dvec3 next =
+        m_nextCosine * side + m_nextSine * glm::cross(node.direction, side); // where the next bud looks
+    grow({metamer, axis, node.at, node.direction, next, false}, nodes, stretch, factors);
+}
+
+void GrowingTree::growSide(Index metamer, double vigour, const YearFactors& factors)
+{
+    const Index axis = m_history.axis[metamer];
+    const unsigned order = m_history.axisOrder[axis] + 1u;
+    if (order >= unsigned(m_params.orders))
+        return;
+    double stretch = 1.0;
+    const int nodes = shootLength(vigour, order, stretch, factors);
+    if (nodes == 0)
+        return;
+    const unsigned buds = m_nodes[metamer].buds;
+    m_nodes[metamer].buds = 0;
+    const int all = std::popcount(buds);
+    for (int k = 0; k < all; ++k) {
+        const Node node = m_nodes[metamer]; // the arrays move
+        const glm::dvec3 first = node.frame * glm::dvec3(node.side);
+        const Index child = newAxis(metamer, unsigned(k), order, false, factors.year);
+        const std::uint64_t address = m_history.axisAddress[child];
+        const auto [turnSine, turnCosine] = maths::sincos(
+            2.0 * std::numbers::pi * double(k) / double(all) + m_params.wander * (chance(address, 5) - 0.5));
+        const glm::dvec3 side = turnCosine * first + turnSine * glm::cross(node.direction, first);
+        double axil = m_params.axil * (0.8 + 0.4 * chance(address, 6));
+        if (!m_axes[axis].tipLives && m_axes[axis].tip == metamer)
+            axil *= 0.5; // it takes the place of the end
+        const auto [sine, cosine] = maths::sincos(std::clamp(axil, 0.05, 2.6));
+        const glm::dvec3 direction = unit(cosine * node.direction + sine * side, side);
+        // The buds of a side shoot begin outside and beside it.
+        const glm::dvec3 beside = square(glm::cross(node.direction, side), direction);
+        grow({metamer, child, node.at, direction, beside, true}, nodes, stretch, factors);
+    }
+}
+
+/// A bud that slept on an old limb in the light begins the tree anew (Oldeman 1974; Halle et al. 1978).
+void GrowingTree::reiterate(Index metamer, const YearFactors& factors)
+{
+    constexpr int oldEnough = 8;
+    constexpr float lit = 0.45f;
+    const std::uint64_t address = nodeAddress(metamer);
+    if (factors.year - int(m_history.birth[metamer]) < oldEnough || m_nodes[metamer].light < lit ||
+        chance(address, 7 + 8 * std::uint64_t(factors.year)) >= m_params.reiteration)
+        return;
+    const Node node = m_nodes[metamer];
+    m_nodes[metamer].dormant = 0;
+    const unsigned order = m_history.axisOrder[m_history.axis[metamer]] + 1u;
+    if (order >= unsigned(m_params.orders))
+        return;
+    const Index child = newAxis(metamer, 7, order, true, factors.year);
+    const glm::dvec3 side = node.frame * glm::dvec3(node.side);
+    const glm::dvec3 direction = unit(0.8 * up + 0.6 * square(side, node.direction), up);
+    const int nodes = std::max(1, int(0.6 * factors.longest));
+    grow({metamer, child, node.at, direction, square(side, direction), true}, nodes, 1.0, factors);
+}
+
+Index GrowingTree::newAxis(Index parent, unsigned bud, unsigned order, bool upright, int year)
+{
+    const auto axis = Index(m_axes.size());
+    const std::uint64_t below = parent == noIndex ? 0x52616D757265ull : nodeAddress(parent);
+    m_history.axisAddress.push_back(
+        mixBits(mixBits(below + 0x9E3779B97F4A7C15ull * (std::uint64_t(year) + 1)) + bud));
+    m_history.axisOrder.push_back(std::uint8_t(std::min(order, 255u)));
+    m_axes.push_back({});
+    m_axes.back().upright = upright;
+    return axis;
+}
+
+std::uint8_t GrowingTree::budsOf(unsigned order, int rank, int nodes) const
+{
+    if (m_params.whorl > 0) {
+        if (rank + 1 < nodes)
+            return order > 1 ? std::uint8_t(1) : std::uint8_t(0);
+        const auto most = order == 0 ? m_params.whorl : std::max<std::int64_t>(2, m_params.whorl / 2);
+        return std::uint8_t((1u << std::min<std::int64_t>(most, 8)) - 1u);
+    }
+    return m_params.phyllotaxis == Phyllotaxis::Opposite ? std::uint8_t(3) : std::uint8_t(1);
+}
+
+/// Where an internode grows: on, to the light, up or down, and by chance.
+glm::dvec3 GrowingTree::turned(const ShootStart& start, const glm::dvec3& light, std::uint64_t address) const
+{
+    const GrowthParams& p = m_params;
+    const unsigned order = m_history.axisOrder[start.axis];
+    const bool erect = order == 0 || m_axes[start.axis].upright;
+    const double share = p.internode / 0.2; // of what an internode of 0.2 m turns
+    const glm::dvec3 random(chance(address, 11) - 0.5, chance(address, 12) - 0.5, chance(address, 13) - 0.5);
+    glm::dvec3 sum = start.direction + p.wander * 1.2 * random * (erect ? 0.5 : 1.0);
+    const double rise = erect ? 0.25 : p.upright - p.weeping * (order > 1 ? 0.5 : 0.12);
+    sum += share * rise * up;
+    sum += share * (erect ? 0.35 : 1.0) * p.light * light;
+    glm::dvec3 direction = unit(sum, start.direction);
+    if (!erect && p.plagiotropy > 0.0) {
+        direction.y *= 1.0 - 0.35 * p.plagiotropy;
+        direction = unit(direction, start.direction);
+    }
+    // Nothing grows into the ground.
+    const double low = 0.02 * p.height;
+    if (start.at.y < 3.0 * low && direction.y < 0.0)
+        direction = unit({direction.x, direction.y * std::max(0.0, (start.at.y - low) / (2.0 * low)), direction.z},
+                         start.direction);
+    return direction;
+}
+
+void GrowingTree::grow(ShootStart start, int nodes, double stretch, const YearFactors& factors)
+{
+    glm::dvec3 light(0.0);
+    if (!m_alive.empty()) {
+        light = m_shadows.lighter(start.at, factors.shade) * glm::dvec3(1.0, 0.35, 1.0);
+        light /= std::max(glm::length(light), 0.25);
+    }
+    const unsigned order = m_history.axisOrder[start.axis];
+    for (int rank = 0; rank < nodes; ++rank) {
+        AxisState& axis = m_axes[start.axis];
+        const std::uint64_t address =
+            mixBits(m_history.axisAddress[start.axis] +
+                    0x9E3779B97F4A7C15ull * (std::uint64_t(factors.year) * 256 + std::uint64_t(rank) + 1));
+        const glm::dvec3 direction =
+            start.isNew && rank == 0 ? start.direction : turned(start, light, address);
+        const double length = m_params.internode * stretch * (0.8 + 0.4 * chance(address, 14));
+        start.side = square(start.side, direction);
+        const Index metamer = addMetamer(start, direction, length, factors.year);
+        Node& node = m_nodes[metamer];
+        node.buds = budsOf(order, rank, nodes);
+        node.rank = std::uint8_t(rank);
+        node.of = std::uint8_t(nodes);
+        axis.tip = metamer;
+        axis.tipDark = 0;
+        axis.nodes = std::uint16_t(std::min(65535, axis.nodes + 1));
+        if (axis.base == noIndex)
+            axis.base = metamer;
+        start.from = metamer;
+        start.at = node.at;
+        start.direction = direction;
+        start.side = m_nextCosine * start.side + m_nextSine * glm::cross(direction, start.side);
+    }
+}
+
+Index GrowingTree::addMetamer(const ShootStart& start, const glm::dvec3& direction, double length, int year)
+{
+    const auto metamer = Index(m_nodes.size());
+    const glm::dquat frame =
+        start.from == noIndex ? glm::dquat(1.0, 0.0, 0.0, 0.0) : m_nodes[start.from].frame;
+    const glm::dquat back = glm::conjugate(frame);
+    m_history.parent.push_back(start.from);
+    m_history.axis.push_back(start.axis);
+    m_history.birth.push_back(std::uint16_t(year));
+    m_history.death.push_back(GrowthHistory::lives);
+    m_history.direction.push_back(glm::vec3(back * direction));
+    m_history.length.push_back(float(length));
+    Node node;
+    node.at = start.at + direction * double(float(length));
+    node.direction = direction;
+    node.frame = frame;
+    node.side = glm::vec3(back * start.side);
+    m_nodes.push_back(node);
+    m_alive.push_back(metamer);
+    ++m_year.born;
+    return metamer;
+}
+
+} // namespace ramure::growth

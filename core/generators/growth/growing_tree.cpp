@@ -1,0 +1,200 @@
+// Light and vigour.
+#include "core/generators/growth/growing_tree.h"
+
+#include "core/math/random.h"
+#include "core/math/reproducible.h"
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numbers>
+
+namespace ramure::growth {
+
+namespace {
+
+constexpr std::uint64_t golden = 0x9E3779B97F4A7C15ull;
+constexpr int leafWeight = 16, woodWeight = 3; // in the shadows
+constexpr int leafYears = 2;
+
+} // namespace
+
+GrowingTree::GrowingTree(GrowthHistory& history, std::uint64_t seed)
+    : m_history(history)
+    , m_params(history.params)
+    , m_seed(mixBits(seed * golden + 0x47726F777468ull))
+{
+    const double turns[] = {m_params.divergence, std::numbers::pi / 2.0, std::numbers::pi};
+    const auto [sine, cosine] = maths::sincos(turns[std::size_t(m_params.phyllotaxis)]);
+    m_nextSine = sine;
+    m_nextCosine = cosine;
+}
+
+double GrowingTree::chance(std::uint64_t address, std::uint64_t purpose) const
+{
+    return double(mixBits(mixBits(address + purpose * golden) ^ m_seed) >> 11) * 0x1.0p-53;
+}
+
+std::uint64_t GrowingTree::nodeAddress(Index metamer) const
+{
+    const std::uint64_t axis = m_history.axisAddress[m_history.axis[metamer]];
+    return mixBits(axis + golden * (std::uint64_t(m_history.birth[metamer]) * 256 + m_nodes[metamer].rank + 1));
+}
+
+bool GrowingTree::isTip(Index metamer) const
+{
+    const AxisState& axis = m_axes[m_history.axis[metamer]];
+    return axis.tip == metamer && axis.tipLives;
+}
+
+/// How much of the light counts near the limits of the crown, which the grown tree fills.
+double GrowingTree::envelope(const glm::dvec3& at, unsigned order) const
+{
+    const GrowthParams& p = m_params;
+    const double y = at.y / p.height;
+    const double base = p.crownBase * std::min(1.0, m_top / p.height);
+    const double widest = std::clamp(p.crownWidest, 0.05, 0.95);
+    const double up = std::clamp((y - base) / std::max(1.0 - base, 0.05), 0.0, 1.2);
+    double wide = 1.0;
+    if (up > widest)
+        wide = maths::pow(std::max(0.0, 1.0 - std::min(1.0, (up - widest) / (1.08 - widest))), p.crownTop);
+    else
+        wide = 0.55 + 0.45 * std::sqrt(up / widest);
+    const double aside = std::sqrt(at.x * at.x + at.z * at.z) / (0.5 * p.crownWidth);
+    double room = std::min(wide + 0.04 - aside, 1.03 - y) * 4.0;
+    if (order > 0)
+        room = std::min(room, (y - 0.75 * base) / (0.25 * base + 0.01));
+    return std::clamp(room, 0.0, 1.0);
+}
+
+/// Buds near the end of a year's shoot come first; those that wait lose their rank.
+double GrowingTree::budWeight(Index metamer) const
+{
+    const Node& node = m_nodes[metamer];
+    const double share = double(node.rank + 1) / double(node.of);
+    const double acrotony = 1.0 - m_params.acrotony * (1.0 - share * share);
+    return acrotony / double(1 + node.budYears);
+}
+
+void GrowingTree::lightOf(Index metamer, const YearFactors& factors)
+{
+    Node& node = m_nodes[metamer];
+    Flow& flow = m_flow[metamer];
+    flow = {};
+    const bool tip = isTip(metamer);
+    if (node.buds == 0 && !tip) {
+        if (node.dormant != 0 && m_params.reiteration > 0.0)
+            node.light = float(std::clamp(m_params.sunlight - m_shadows.shadowAt(node.at, factors.shade), 0.0, 1.0));
+        return;
+    }
+    const double sky = std::clamp(m_params.sunlight, 0.0, 1.0);
+    const double shadow = m_shadows.shadowAt(node.at, factors.shade);
+    const std::uint64_t address = nodeAddress(metamer);
+    const double jitter = 0.85 + 0.3 * chance(address, 1 + 8 * std::uint64_t(factors.year));
+    const double own = std::clamp(sky - shadow + factors.shade, 0.0, sky) * jitter *
+                       envelope(node.at, m_history.axisOrder[m_history.axis[metamer]]);
+    node.light = float(own);
+    if (tip)
+        flow.main = own;
+    flow.ownSide = own * double(std::popcount(node.buds)) * budWeight(metamer);
+    flow.side = flow.ownSide;
+    flow.light = float(own);
+    flow.active = 1;
+    age(metamer, factors);
+}
+
+/// Buds that wait too long fall asleep, ends that see no light die.
+void GrowingTree::age(Index metamer, const YearFactors& /*factors*/)
+{
+    constexpr int waits = 3, darkYears = 3;
+    constexpr float dark = 0.03f;
+    Node& node = m_nodes[metamer];
+    if (node.buds != 0 && ++node.budYears > waits) {
+        node.dormant |= node.buds;
+        node.buds = 0;
+    }
+    AxisState& axis = m_axes[m_history.axis[metamer]];
+    if (axis.tip == metamer && axis.tipLives) {
+        axis.tipDark = node.light < dark ? std::uint8_t(axis.tipDark + 1) : std::uint8_t(0);
+        axis.tipLives = axis.tipDark < darkYears;
+    }
+}
+
+bool GrowingTree::gatherLight(const YearFactors& factors)
+{
+    m_flow.resize(m_nodes.size());
+    glm::dvec3 min(0.0), max(0.0);
+    for (const Index i : m_alive) {
+        min = glm::min(min, m_nodes[i].at);
+        max = glm::max(max, m_nodes[i].at);
+    }
+    m_top = max.y;
+    const double voxel = std::max(m_params.internode, m_params.height / 80.0);
+    if (!m_shadows.reset(min, max, voxel))
+        return false;
+    for (const Index i : m_alive) {
+        const bool leafy = factors.year - int(m_history.birth[i]) <= leafYears || isTip(i);
+        m_shadows.add(m_nodes[i].at, leafy ? leafWeight : woodWeight);
+    }
+    m_shadows.sum();
+    m_year = {};
+    for (const Index i : m_alive) {
+        lightOf(i, factors);
+        m_year.light += m_flow[i].main + m_flow[i].ownSide;
+    }
+    sumLight();
+    return true;
+}
+
+void GrowingTree::sumLight()
+{
+    for (std::size_t k = m_alive.size(); k-- > 0;) {
+        const Index i = m_alive[k], parent = m_history.parent[i];
+        if (parent == noIndex)
+            continue;
+        const Flow& own = m_flow[i];
+        Flow& below = m_flow[parent];
+        (m_history.axis[i] == m_history.axis[parent] ? below.main : below.side) += own.main + own.side;
+        below.light += own.light;
+        below.active += own.active;
+    }
+}
+
+/// Borchert and Honda, "Control of development in the bifurcating branch system of Tabebuia rosea" (1984), as
+/// in section 4.2 of Palubicki et al.
+void GrowingTree::shareVigour(const YearFactors& factors)
+{
+    double all = 0.0;
+    for (const Index i : m_alive)
+        if (m_history.parent[i] == noIndex)
+            all += m_flow[i].main + m_flow[i].side;
+    const double alpha = 2.0;
+    const double seedling = std::min({double(factors.year + 1), factors.longest, 4.0 * all});
+    const double whole = std::min(std::max(alpha * all, seedling), factors.vigourCap);
+    m_year.vigour = all > 0.0 ? whole : 0.0;
+    for (AxisState& axis : m_axes)
+        if (axis.tip != noIndex)
+            axis.claim = 0.0f;
+    for (const Index i : m_alive)
+        if (isTip(i) && m_history.axisOrder[m_history.axis[i]] == 0) {
+            m_axes[m_history.axis[i]].claim = float(factors.claim * std::min(1.0, 2.0 * m_flow[i].main));
+            m_year.vigour += double(m_axes[m_history.axis[i]].claim);
+        }
+    for (const Index i : m_alive) {
+        Flow& flow = m_flow[i];
+        const Index parent = m_history.parent[i];
+        const double light = flow.main + flow.side;
+        if (parent == noIndex) {
+            flow.vigour = all > 0.0 ? whole * light / all : 0.0;
+            continue;
+        }
+        const Flow& below = m_flow[parent];
+        const Index axis = m_history.axis[parent];
+        const double lambda = m_history.axisOrder[axis] == 0 || m_axes[axis].upright ? factors.trunkLambda
+                                                                                     : factors.limbLambda;
+        const double sum = lambda * below.main + (1.0 - lambda) * below.side;
+        const double share = m_history.axis[i] == axis ? lambda : 1.0 - lambda;
+        flow.vigour = sum > 0.0 ? below.vigour * share * light / sum : 0.0;
+    }
+}
+
+} // namespace ramure::growth

@@ -1,0 +1,123 @@
+/// \file
+/// The tree while it grows: what growHistory() does in a year, step by step. Nobody else includes this.
+#pragma once
+
+#include "core/generators/growth/growth_history.h"
+#include "core/generators/growth/shadow_grid.h"
+#include <glm/gtc/quaternion.hpp>
+
+namespace ramure::growth {
+
+/// The numbers of the model that follow from what an artist says, for one year.
+struct YearFactors
+{
+    int year = 0;
+    double shade = 0.1;       ///< a of the shadows
+    double trunkLambda = 0.5; ///< Borchert and Honda's, of axes of order 0
+    double limbLambda = 0.5;
+    double vigourCap = 1.0; ///< metamers that the roots pay for
+    double longest = 1.0;   ///< metamers of the longest shoot
+    double claim = 0.0;     ///< metamers that a leader takes before all others
+};
+
+/// Rotation by what wood has bent down since its birth. \param direction unit, at birth.
+glm::dquat bendOf(const glm::dvec3& direction, double angle);
+
+class GrowingTree
+{
+public:
+    GrowingTree(GrowthHistory& history, std::uint64_t seed);
+
+    /// False: the shadows would need more voxels than there may be.
+    bool gatherLight(const YearFactors& factors);
+    void shareVigour(const YearFactors& factors);
+    void growShoots(const YearFactors& factors);
+    void shed(const YearFactors& factors);
+    void thicken(const YearFactors& factors);
+    void record();
+    [[nodiscard]] bool empty() const { return m_alive.empty(); }
+    /// All that is left goes, at \p age.
+    void die(int age);
+    [[nodiscard]] const GrowthYear& seen() const { return m_year; }
+
+private:
+    struct AxisState
+    {
+        Index base = noIndex, tip = noIndex; ///< metamers
+        std::uint16_t nodes = 0;             ///< grown so far
+        std::uint8_t dark = 0;               ///< years in the shade, of all it carries
+        std::uint8_t tipDark = 0;            ///< years that its end could not grow
+        float claim = 0.0f; ///< vigour for its end alone
+        bool tipLives = true;
+        bool upright = false; ///< begins the tree anew
+    };
+    /// A metamer's, beside what the history keeps.
+    struct Node
+    {
+        glm::dvec3 at{0.0};        ///< its upper end
+        glm::dvec3 direction{0.0}; ///< as it is bent now
+        glm::dquat frame{1.0, 0.0, 0.0, 0.0};
+        glm::vec3 side{0.0f}; ///< unit, at birth: where the first bud looks
+        float bend = 0.0f;    ///< rad
+        float pipes = 0.0f, lost = 0.0f; ///< tips it carries, and those of shed branches
+        float moment = 0.0f;             ///< N m, of its load a year ago
+        float light = 0.0f;              ///< at its buds
+        std::uint8_t buds = 0, dormant = 0; ///< alive; asleep
+        std::uint8_t budYears = 0, bare = 0;
+        std::uint8_t rank = 0, of = 1; ///< within its year's shoot
+    };
+    /// What flows, for one year.
+    struct Flow
+    {
+        double main = 0.0, side = 0.0, ownSide = 0.0; ///< light above: along the axis, aside, of own buds
+        double vigour = 0.0;
+        float light = 0.0f; ///< of all that is above
+        Index active = 0;   ///< nodes above with living buds
+    };
+    struct ShootStart
+    {
+        Index from = noIndex; ///< metamer; noIndex: the ground
+        Index axis = 0;
+        glm::dvec3 at{0.0}, direction{0.0};
+        glm::dvec3 side{0.0};
+        bool isNew = false;
+    };
+
+    [[nodiscard]] double envelope(const glm::dvec3& at, unsigned order) const;
+    [[nodiscard]] double chance(std::uint64_t address, std::uint64_t purpose) const; ///< 0 .. 1
+    [[nodiscard]] std::uint64_t nodeAddress(Index metamer) const;
+    [[nodiscard]] double budWeight(Index metamer) const;
+    [[nodiscard]] bool isTip(Index metamer) const;
+    void lightOf(Index metamer, const YearFactors& factors);
+    void sumLight();
+    void age(Index metamer, const YearFactors& factors);
+    void growFrom(Index metamer, const YearFactors& factors);
+    void growTip(Index metamer, double vigour, const YearFactors& factors);
+    void growSide(Index metamer, double vigour, const YearFactors& factors);
+    void reiterate(Index metamer, const YearFactors& factors);
+    Index newAxis(Index parent, unsigned bud, unsigned order, bool upright, int year);
+    [[nodiscard]] int shootLength(double vigour, unsigned order, double& stretch,
+                                  const YearFactors& factors) const;
+    void grow(ShootStart start, int nodes, double length, const YearFactors& factors);
+    glm::dvec3 turned(const ShootStart& start, const glm::dvec3& light, std::uint64_t address) const;
+    std::uint8_t budsOf(unsigned order, int rank, int nodes) const;
+    Index addMetamer(const ShootStart& start, const glm::dvec3& direction, double length, int year);
+    void bend(const YearFactors& factors);
+    void place();
+    void remove(Index base, int age);
+
+    GrowthHistory& m_history;
+    const GrowthParams& m_params;
+    std::uint64_t m_seed;
+    ShadowGrid m_shadows;
+    std::vector<AxisState> m_axes;
+    std::vector<Node> m_nodes;
+    std::vector<Flow> m_flow;
+    std::vector<Index> m_alive; ///< ascending
+    std::vector<glm::dvec4> m_load; ///< kg, and kg m in x, y, z
+    double m_top = 0.0;
+    double m_nextSine = 0.0, m_nextCosine = 1.0; ///< of the turn from bud to bud
+    GrowthYear m_year;
+};
+
+} // namespace ramure::growth

@@ -1,0 +1,176 @@
+// Shedding, thickness, and what the weight leaves in the wood.
+#include "core/generators/growth/growing_tree.h"
+
+#include "core/math/reproducible.h"
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace ramure::growth {
+
+glm::dquat bendOf(const glm::dvec3& direction, double angle)
+{
+    const double flat = std::sqrt(direction.x * direction.x + direction.z * direction.z);
+    if (angle == 0.0 || flat < 1e-6)
+        return {1.0, 0.0, 0.0, 0.0};
+    // Half the angle's tangent by two terms: what is stored is an angle by name only, and the same everywhere.
+    const double half = 0.5 * angle, t = half * (1.0 + half * half / 3.0);
+    const double scale = 1.0 / std::sqrt(1.0 + t * t);
+    return {scale, scale * t * direction.z / flat, 0.0, -scale * t * direction.x / flat};
+}
+
+void GrowingTree::remove(Index base, int age)
+{
+    m_history.death[base] = std::uint16_t(age);
+    const Index parent = m_history.parent[base];
+    if (parent != noIndex && m_history.axis[parent] != m_history.axis[base])
+        m_nodes[parent].lost += float(m_params.girth) * m_nodes[base].pipes;
+    else if (parent != noIndex)
+        m_nodes[parent].bare = 0;
+}
+
+void GrowingTree::shed(const YearFactors& factors)
+{
+    constexpr std::uint8_t darkYears = 2, bareYears = 3;
+    const double least = 0.3 * m_params.shedding * m_params.shedding;
+    const int age = factors.year + 1;
+    std::size_t kept = 0;
+    for (const Index i : m_alive) {
+        const Index parent = m_history.parent[i];
+        if (parent != noIndex && m_history.death[parent] != GrowthHistory::lives) {
+            m_history.death[i] = std::uint16_t(age); // with what carried it
+            ++m_year.shed;
+            continue;
+        }
+        const bool isNew = int(m_history.birth[i]) == factors.year;
+        if (!isNew) {
+            const Flow& flow = m_flow[i];
+            Node& node = m_nodes[i];
+            node.bare = flow.active == 0 ? std::uint8_t(std::min(255, node.bare + 1)) : std::uint8_t(0);
+            AxisState& axis = m_axes[m_history.axis[i]];
+            bool goes = node.bare >= bareYears && parent != noIndex;
+            if (axis.base == i && parent != noIndex) {
+                const double mean = flow.active > 0 ? double(flow.light) / double(flow.active) : 0.0;
+                axis.dark = mean < least ? std::uint8_t(axis.dark + 1) : std::uint8_t(0);
+                goes = goes || axis.dark >= darkYears;
+            }
+            if (goes) {
+                remove(i, age);
+                ++m_year.shed;
+                continue;
+            }
+        }
+        m_alive[kept++] = i;
+    }
+    m_alive.resize(kept);
+}
+
+void GrowingTree::die(int age)
+{
+    for (const Index i : m_alive)
+        m_history.death[i] = std::uint16_t(age);
+    m_alive.clear();
+}
+
+/// Pipes are never lost: what shed branches carried stays in the wood in part, and no section gets thinner.
+void GrowingTree::thicken(const YearFactors& factors)
+{
+    constexpr float leafTrace = 0.12f;
+    m_load.resize(m_nodes.size());
+    for (const Index i : m_alive)
+        m_load[i] = glm::dvec4(0.0); // in x: the pipes of those it carries
+    for (std::size_t k = m_alive.size(); k-- > 0;) {
+        const Index i = m_alive[k], parent = m_history.parent[i];
+        Node& node = m_nodes[i];
+        const double carried = m_load[i].x;
+        const float own = carried > 0.0 ? leafTrace : 1.0f;
+        const float now = std::max({float(carried) + own + node.lost, node.pipes, 1.0f});
+        m_load[i].y = double(now) / std::max(double(node.pipes), 1.0) - 1.0; // growth in girth
+        node.pipes = now;
+        if (parent != noIndex)
+            m_load[parent].x += double(now);
+    }
+    // The lost pipes of a branch are lost all the way down: nodes below see them through their children.
+    if (m_params.droop > 0.0 || m_params.reaction > 0.0)
+        bend(factors);
+}
+
+/// The new weight of a year bends the wood by M / (E I), and the ring that grows over it keeps a share; wood
+/// that grows in girth turns up again (reaction wood).
+void GrowingTree::bend(const YearFactors& factors)
+{
+    constexpr double elasticity = 8e9, density = 900.0, leaf = 0.012, gravity = 9.81; // Pa, kg/m3, kg, m/s2
+    constexpr double mostAYear = 0.012, most = 0.4;
+    const double tip = m_params.tipRadius;
+    std::vector<double> girth(m_alive.size());
+    for (std::size_t k = 0; k < m_alive.size(); ++k) {
+        const Index i = m_alive[k];
+        girth[k] = m_load[i].y;
+        m_load[i] = glm::dvec4(0.0);
+    }
+    const double power = 2.0 / m_params.pipeExponent;
+    for (std::size_t k = m_alive.size(); k-- > 0;) {
+        const Index i = m_alive[k], parent = m_history.parent[i];
+        Node& node = m_nodes[i];
+        const double r2 = tip * tip * maths::pow(double(node.pipes), power);
+        const double length = double(m_history.length[i]);
+        const bool leafy = factors.year - int(m_history.birth[i]) <= 1;
+        const double mass = density * std::numbers::pi * r2 * length + (leafy ? leaf : 0.0);
+        m_load[i] += glm::dvec4(mass * (node.at - 0.5 * length * node.direction), mass);
+        const glm::dvec4 load = m_load[i];
+        if (parent != noIndex)
+            m_load[parent] += load;
+        const glm::dvec3 d = node.direction;
+        const double flat = std::sqrt(d.x * d.x + d.z * d.z);
+        if (flat < 1e-6 || m_history.axisOrder[m_history.axis[i]] == 0)
+            continue;
+        const glm::dvec3 foot = node.at - length * d;
+        const double arm = ((load.x - load.w * foot.x) * d.x + (load.z - load.w * foot.z) * d.z) / flat;
+        const double moment = gravity * arm;
+        const double stiff = elasticity * 0.25 * std::numbers::pi * r2 * r2;
+        double turn = m_params.droop * (moment - double(node.moment)) / stiff * length;
+        turn = std::clamp(turn, 0.0, mostAYear * length / 0.2);
+        node.moment = float(std::max(moment, double(node.moment)));
+        // Limbs turn to where they were born and a little higher.
+        const double wants = std::max(0.0, double(node.bend)) * 0.5 + 0.02 * flat;
+        turn -= m_params.reaction * std::min(1.0, girth[k] * 2.0) * wants * 0.3 * std::min(1.0, length / 0.2);
+        // The angle counts about the horizontal at birth, from which bends below may have turned it.
+        const glm::dvec3 rest(m_history.direction[i]);
+        const glm::dvec3 born = node.frame * glm::dvec3(rest.z, 0.0, -rest.x);
+        const double same = (born.x * d.z - born.z * d.x) / (flat * std::max(glm::length(born), 1e-6));
+        node.bend = float(std::clamp(double(node.bend) + turn * same, -0.25 * most, most));
+    }
+    place();
+}
+
+/// Where everything stands, from the ground up.
+void GrowingTree::place()
+{
+    for (const Index i : m_alive) {
+        const Index parent = m_history.parent[i];
+        Node& node = m_nodes[i];
+        const glm::dvec3 rest(m_history.direction[i]);
+        // As the rows keep it.
+        const double angle = 1e-4 * double(std::lround(1e4 * double(node.bend)));
+        const glm::dquat own = bendOf(rest, angle);
+        const glm::dquat below =
+            parent == noIndex ? glm::dquat(1.0, 0.0, 0.0, 0.0) : m_nodes[parent].frame;
+        node.frame = below * own;
+        node.direction = node.frame * rest;
+        const glm::dvec3 foot = parent == noIndex ? glm::dvec3(0.0) : m_nodes[parent].at;
+        node.at = foot + node.direction * double(m_history.length[i]);
+    }
+}
+
+void GrowingTree::record()
+{
+    for (const Index i : m_alive) {
+        m_history.pipes.push_back(packedPipes(m_nodes[i].pipes));
+        m_history.bends.push_back(std::int16_t(std::lround(1e4 * double(m_nodes[i].bend))));
+    }
+    m_history.rowStart.push_back(m_history.pipes.size());
+    m_year.living = Index(m_alive.size());
+    m_history.years.push_back(m_year);
+}
+
+} // namespace ramure::growth

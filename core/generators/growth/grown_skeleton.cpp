@@ -1,0 +1,201 @@
+#include "core/generators/growth/grown_skeleton.h"
+
+#include "core/generators/growth/growing_tree.h"
+#include "core/math/random.h"
+#include "core/math/reproducible.h"
+#include <algorithm>
+#include <cmath>
+
+namespace ramure {
+namespace {
+
+class AgeCutter
+{
+public:
+    AgeCutter(const GrowthHistory& history, double age)
+        : m_history(history)
+        , m_whole(std::clamp(int(age), 0, history.grownYears()))
+        , m_part(m_whole < history.grownYears() ? std::clamp(age - double(m_whole), 0.0, 1.0) : 0.0)
+    {
+    }
+
+    Skeleton run()
+    {
+        choose();
+        pose();
+        smooth();
+        draw();
+        return std::move(m_skeleton);
+    }
+
+private:
+    struct Piece
+    {
+        Index metamer;
+        Index parent;        ///< piece
+        Index next = noIndex; ///< piece that goes on
+        double radius;
+        double reach = 0.0; ///< m to the farthest tip, itself counted
+        glm::dvec3 at{0.0};
+    };
+
+    /// What lives, with its radius between the rows of the two years.
+    void choose()
+    {
+        const GrowthHistory& h = m_history;
+        const auto before = h.pipesAt(m_whole);
+        const bool part = m_part > 0.0;
+        const auto after = part ? h.pipesAt(m_whole + 1) : before;
+        const auto bendBefore = h.bendsAt(m_whole);
+        const auto bendAfter = part ? h.bendsAt(m_whole + 1) : bendBefore;
+        const double power = 1.0 / h.params.pipeExponent;
+        std::vector<Index> pieceOf(h.size(), noIndex);
+        m_pieces.reserve(after.size());
+        std::size_t b = 0, a = 0;
+        for (Index i = 0; i < h.size() && int(h.birth[i]) <= m_whole; ++i) {
+            const bool stood = int(h.birth[i]) < m_whole && int(h.death[i]) > m_whole;
+            const bool stands = part && int(h.death[i]) > m_whole + 1;
+            if (!stood && !stands)
+                continue;
+            const double from = stood ? double(pipesOf(before[b])) : 1.0;
+            const double to = stands ? double(pipesOf(after[a])) : from;
+            double bend = stood ? double(bendBefore[b]) : double(bendAfter[a]);
+            if (stood && stands)
+                bend += m_part * (double(bendAfter[a]) - bend);
+            b += stood ? 1 : 0;
+            a += stands ? 1 : 0;
+            const double pipes = stood ? from + m_part * (to - from) : to;
+            const double young = stood ? 1.0 : 0.5 + 0.5 * m_part;
+            const Index parent = h.parent[i] == noIndex ? noIndex : pieceOf[h.parent[i]];
+            pieceOf[i] = Index(m_pieces.size());
+            m_pieces.push_back({i, parent, noIndex, young * h.params.tipRadius * maths::pow(pipes, power)});
+            m_bends.push_back(1e-4 * bend);
+            m_grown.push_back(stood ? 1.0 : m_part);
+            if (parent != noIndex && h.axis[i] == h.axis[h.parent[i]])
+                m_pieces[parent].next = pieceOf[i];
+        }
+    }
+
+    void pose()
+    {
+        std::vector<glm::dquat> frames(m_pieces.size());
+        for (std::size_t k = 0; k < m_pieces.size(); ++k) {
+            Piece& piece = m_pieces[k];
+            const glm::dvec3 rest(m_history.direction[piece.metamer]);
+            const glm::dquat own = growth::bendOf(rest, m_bends[k]);
+            const bool root = piece.parent == noIndex;
+            frames[k] = root ? own : frames[piece.parent] * own;
+            piece.at = (root ? glm::dvec3(0.0) : m_pieces[piece.parent].at) +
+                       frames[k] * rest * (m_grown[k] * double(m_history.length[piece.metamer]));
+        }
+        for (std::size_t k = m_pieces.size(); k-- > 0;) {
+            Piece& piece = m_pieces[k];
+            piece.reach += m_grown[k] * double(m_history.length[piece.metamer]);
+            if (piece.parent != noIndex)
+                m_pieces[piece.parent].reach = std::max(m_pieces[piece.parent].reach, piece.reach);
+        }
+    }
+
+    /// Rings fill what is hollow and lie thin on what stands out: the thicker, the straighter.
+    void smooth()
+    {
+        constexpr int rounds = 4;
+        std::vector<glm::dvec3> moved(m_pieces.size());
+        for (int round = 0; round < rounds; ++round) {
+            for (std::size_t k = 0; k < m_pieces.size(); ++k) {
+                const Piece& piece = m_pieces[k];
+                moved[k] = piece.at;
+                if (piece.next == noIndex)
+                    continue;
+                const glm::dvec3 foot = piece.parent == noIndex ? glm::dvec3(0.0) : m_pieces[piece.parent].at;
+                const glm::dvec3& next = m_pieces[piece.next].at;
+                const double step = 0.5 * glm::length(next - foot);
+                const double share = std::clamp(1.5 * piece.radius / std::max(step, 1e-6), 0.1, 0.9);
+                moved[k] += share * (0.5 * (foot + next) - piece.at);
+            }
+            for (std::size_t k = 0; k < m_pieces.size(); ++k)
+                m_pieces[k].at = moved[k];
+        }
+    }
+
+    /// A branch from the last node that was kept to this one; what starts at nodes that are left out starts at
+    /// the one before.
+    void draw()
+    {
+        constexpr double least = 0.0005; // m
+        const GrowthHistory& h = m_history;
+        m_branch.assign(m_pieces.size(), noIndex);
+        m_out.assign(m_pieces.size(), false);
+        m_skeleton.reserve(m_pieces.size());
+        for (std::size_t k = 0; k < m_pieces.size(); ++k) {
+            const Piece& piece = m_pieces[k];
+            const bool root = piece.parent == noIndex;
+            const bool goesOn = !root && m_pieces[piece.parent].next == Index(k);
+            if (!root && m_out[piece.parent]) {
+                m_out[k] = true;
+                continue;
+            }
+            const Index below = root ? noIndex : m_branch[piece.parent];
+            if (!root && !goesOn && piece.reach < std::max(0.02, 1.6 * m_pieces[piece.parent].radius)) {
+                m_out[k] = true; // it does not leave the wood
+                continue;
+            }
+            if (!root && !goesOn && below == noIndex) {
+                m_out[k] = true;
+                continue;
+            }
+            const glm::dvec3 from = below == noIndex ? glm::dvec3(0.0) : m_skeleton.p1[below];
+            const double length = glm::length(piece.at - from);
+            const double room = goesOn || root ? 0.0 : 1.5 * m_pieces[piece.parent].radius;
+            const bool isTip = piece.next == noIndex;
+            if (length < least || (!isTip && length < std::max(room, 1.2 * piece.radius))) {
+                m_branch[k] = goesOn || root ? below : noIndex;
+                if (!goesOn && !root) {
+                    m_waiting.push_back({Index(k), below});
+                    m_branch[k] = below;
+                }
+                continue;
+            }
+            add(Index(k), below, from, h);
+        }
+    }
+
+    void add(Index k, Index below, const glm::dvec3& from, const GrowthHistory& h)
+    {
+        const Piece& piece = m_pieces[k];
+        const Index axis = h.axis[piece.metamer];
+        const bool goesOn = below != noIndex && axisOf(below) == axis;
+        double start = goesOn ? m_skeleton.a1[below] : piece.radius;
+        if (below != noIndex)
+            start = std::min(start, m_skeleton.a1[below]);
+        double end = piece.next == noIndex ? 0.6 * piece.radius : m_pieces[piece.next].radius;
+        end = std::min(end, start);
+        const Index branch = m_skeleton.add(below, from, piece.at, start, end, h.axisOrder[axis]);
+        m_axes.push_back(axis);
+        m_skeleton.key[branch] = mixBits(h.axisAddress[axis] + 0x9E3779B97F4A7C15ull * (piece.metamer + 1));
+        if (!goesOn)
+            m_skeleton.axisStarts.emplace_back(branch, h.axisAddress[axis]);
+        m_branch[k] = branch;
+    }
+    [[nodiscard]] Index axisOf(Index branch) const { return m_axes[branch]; }
+
+    const GrowthHistory& m_history;
+    int m_whole;
+    double m_part;
+    std::vector<Piece> m_pieces;
+    std::vector<double> m_bends, m_grown;
+    std::vector<Index> m_branch; ///< by piece: that ends at it or before
+    std::vector<bool> m_out;
+    std::vector<std::pair<Index, Index>> m_waiting;
+    std::vector<Index> m_axes; ///< by branch
+    Skeleton m_skeleton;
+};
+
+} // namespace
+
+Skeleton skeletonAtAge(const GrowthHistory& history, double age)
+{
+    return AgeCutter(history, age).run();
+}
+
+} // namespace ramure

@@ -1,0 +1,170 @@
+#include "core/generators/growth/growth_history.h"
+
+#include "core/generators/growth/growing_tree.h"
+#include "core/math/reproducible.h"
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+namespace ramure {
+namespace {
+
+using growth::GrowingTree;
+using growth::YearFactors;
+
+tl::unexpected<Error> refuse(ErrorCode code, const char* text, const char* path,
+                             std::vector<std::string> args = {})
+{
+    auto error = fail(code, text, std::move(args));
+    error.value().path = path;
+    return error;
+}
+
+struct Limit
+{
+    double GrowthParams::*value;
+    const char* path;
+    double low, high;
+};
+
+constexpr Limit limits[] = {
+    {&GrowthParams::height, "growth.height", 0.05, 150.0},
+    {&GrowthParams::crownWidth, "growth.crownWidth", 0.02, 150.0},
+    {&GrowthParams::crownBase, "growth.crownBase", 0.0, 0.95},
+    {&GrowthParams::crownWidest, "growth.crownWidest", 0.0, 1.0},
+    {&GrowthParams::crownTop, "growth.crownTop", 0.05, 3.0},
+    {&GrowthParams::maturity, "growth.maturity", 2.0, 2000.0},
+    {&GrowthParams::density, "growth.density", 0.05, 10.0},
+    {&GrowthParams::leaderUntil, "growth.leaderUntil", 0.0, 1e5},
+    {&GrowthParams::apicalControl, "growth.apicalControl", 0.0, 1.0},
+    {&GrowthParams::sideLength, "growth.sideLength", 0.1, 1.0},
+    {&GrowthParams::internode, "growth.internode", 0.001, 5.0},
+    {&GrowthParams::divergence, "growth.divergence", -6.3, 6.3},
+    {&GrowthParams::axil, "growth.axil", 0.0, 2.6},
+    {&GrowthParams::acrotony, "growth.acrotony", 0.0, 1.0},
+    {&GrowthParams::shortShoots, "growth.shortShoots", 0.0, 1.0},
+    {&GrowthParams::sympodial, "growth.sympodial", 0.0, 1.0},
+    {&GrowthParams::shadeTolerance, "growth.shadeTolerance", 0.0, 1.0},
+    {&GrowthParams::shedding, "growth.shedding", 0.0, 1.0},
+    {&GrowthParams::light, "growth.light", 0.0, 2.0},
+    {&GrowthParams::upright, "growth.upright", -1.0, 1.0},
+    {&GrowthParams::weeping, "growth.weeping", 0.0, 2.0},
+    {&GrowthParams::plagiotropy, "growth.plagiotropy", 0.0, 1.0},
+    {&GrowthParams::wander, "growth.wander", 0.0, 2.0},
+    {&GrowthParams::droop, "growth.droop", 0.0, 2.0},
+    {&GrowthParams::reaction, "growth.reaction", 0.0, 1.0},
+    {&GrowthParams::reiteration, "growth.reiteration", 0.0, 1.0},
+    {&GrowthParams::pipeExponent, "growth.pipeExponent", 1.5, 4.0},
+    {&GrowthParams::tipRadius, "growth.tipRadius", 0.0001, 0.1},
+    {&GrowthParams::girth, "growth.girth", 0.0, 1.0},
+    {&GrowthParams::sunlight, "growth.sunlight", 0.0, 1.0},
+};
+
+Expected<void> check(const GrowthParams& params)
+{
+    if (!std::isfinite(params.age) || params.age < 0.0)
+        return refuse(ErrorCode::Invalid, RAMURE_NOOP("an age is 0 years or more"), "growth.age");
+    if (params.age > maxGrowthAge)
+        return refuse(ErrorCode::Limit, RAMURE_NOOP("no tree here gets older than %1 years"), "growth.age",
+                      {std::to_string(int(maxGrowthAge))});
+    for (const Limit& limit : limits)
+        if (const double value = params.*limit.value; !(value >= limit.low && value <= limit.high))
+            return refuse(ErrorCode::Invalid, RAMURE_NOOP("the value is not one that a tree can grow with"),
+                          limit.path);
+    if (params.whorl < 0 || params.whorl > 8)
+        return refuse(ErrorCode::Invalid, RAMURE_NOOP("a whorl has at most 8 limbs"), "growth.whorl");
+    if (params.orders < 1 || params.orders > 12)
+        return refuse(ErrorCode::Invalid, RAMURE_NOOP("a tree has 1 to 12 orders of axes"), "growth.orders");
+    if (params.stems < 1 || params.stems > 12)
+        return refuse(ErrorCode::Invalid, RAMURE_NOOP("a tree has 1 to 12 stems"), "growth.stems");
+    const double voxel = std::max(params.internode, params.height / 80.0);
+    const double voxels = params.height * params.crownWidth * params.crownWidth / (voxel * voxel * voxel);
+    if (voxels > double(ShadowGrid::maxVoxels))
+        return refuse(ErrorCode::Limit, RAMURE_NOOP("the crown is too wide for its height: its shadows need more than %1 voxels"),
+                      "growth.crownWidth", {std::to_string(ShadowGrid::maxVoxels)});
+    return {};
+}
+
+/// lambda is a switch: below 0.5 the trunk ends low, above it goes to the top. So it falls through 0.5 within
+/// four years of the one that the artist names.
+YearFactors factorsOf(const GrowthParams& p, int year)
+{
+    YearFactors f;
+    f.year = year;
+    f.shade = (0.17 - 0.13 * p.shadeTolerance) / std::sqrt(p.density);
+    const double lost = std::clamp((double(year) - p.leaderUntil) / 4.0, 0.0, 1.0);
+    f.trunkLambda = 0.54 - 0.08 * lost;
+    f.limbLambda = 0.44 + 0.11 * p.apicalControl;
+    const double youth = 2.0 * p.height / p.maturity / p.internode;
+    f.longest = std::max(1.0, youth * (0.45 + 0.55 * maths::exp(-double(year) / p.maturity)));
+    f.claim = f.longest * (1.0 - lost);
+    // The leaves of a crown are its surface: about as many shoots a year as it has places in the sun.
+    const double grown = 1.0 - maths::exp(-2.0 * double(year + 1) / p.maturity);
+    const double places = std::numbers::pi * p.height * p.crownWidth / (p.internode * p.internode);
+    f.vigourCap = std::max(f.longest, std::min(0.2 * p.density * places * grown * grown, 200'000.0));
+    return f;
+}
+
+} // namespace
+
+std::uint16_t packedPipes(float pipes)
+{
+    constexpr std::uint32_t one = 0x3F800000u;
+    const std::uint32_t bits = std::bit_cast<std::uint32_t>(std::max(pipes, 1.0f)) - one;
+    return std::uint16_t(std::min(bits >> 12, 0xFFFFu));
+}
+
+float pipesOf(std::uint16_t packed)
+{
+    return std::bit_cast<float>((std::uint32_t(packed) << 12) + 0x3F800000u);
+}
+
+std::size_t GrowthHistory::bytes() const
+{
+    const auto of = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
+    return of(parent) + of(axis) + of(birth) + of(death) + of(direction) + of(length) + of(axisAddress) +
+           of(axisOrder) + of(rowStart) + of(pipes) + of(bends) + of(years);
+}
+
+Expected<GrowthHistory> growHistory(const GrowthParams& params, std::uint64_t seed, const Progress& progress)
+{
+    if (auto checked = check(params); !checked)
+        return fail(std::move(checked.error()));
+    GrowthHistory history;
+    history.params = params;
+    history.seed = seed;
+    history.rowStart = {0, 0}; // nothing stands at age 0
+    GrowingTree tree(history, seed);
+    const int years = int(std::ceil(params.age));
+    int dark = 0;
+    for (int year = 0; year < years; ++year) {
+        if (progress.cancelled())
+            return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
+        const YearFactors factors = factorsOf(params, year);
+        if (!tree.gatherLight(factors))
+            return refuse(ErrorCode::Limit, RAMURE_NOOP("the crown's shadows need more than %1 voxels"),
+                          "growth.internode", {std::to_string(ShadowGrid::maxVoxels)});
+        dark = year > 0 && tree.seen().light <= 0.0 ? dark + 1 : 0;
+        tree.shareVigour(factors);
+        tree.growShoots(factors);
+        tree.shed(factors);
+        constexpr int starves = 3;
+        if (dark >= starves || tree.empty()) {
+            tree.die(year + 1);
+            history.diedAt = year + 1;
+        }
+        tree.thicken(factors);
+        tree.record();
+        if (history.diedAt > 0)
+            break;
+        if (history.parent.size() > maxMetamers)
+            return refuse(ErrorCode::Limit, RAMURE_NOOP("the tree bears more pieces than the limit of %1"),
+                          "growth.density", {std::to_string(maxMetamers)});
+        progress.report(double(year + 1) / double(years));
+    }
+    return history;
+}
+
+} // namespace ramure

@@ -1,0 +1,91 @@
+/// \file
+/// A tree that has lived: one run of the self-organising model with everything that happened stamped by year,
+/// so that the tree of any age can be cut out of it (grown_skeleton.h).
+#pragma once
+
+#include "core/base/error.h"
+#include "core/base/index.h"
+#include "core/base/progress.h"
+#include "core/params/growth_params.h"
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+namespace ramure {
+
+/// Oldest age, in years.
+inline constexpr double maxGrowthAge = 2000.0;
+/// Most metamers that one tree may bear, living or shed.
+inline constexpr std::size_t maxMetamers = 4'000'000;
+
+/// What a year did.
+struct GrowthYear
+{
+    Index living = 0; ///< metamers at its end
+    Index born = 0, shed = 0;
+    double light = 0.0;       ///< of all buds
+    double vigour = 0.0;      ///< that left the roots
+    double vigourSpent = 0.0; ///< that arrived at buds: the same but for rounding
+    bool operator==(const GrowthYear&) const = default;
+};
+
+/// Metamers are internodes with the buds at their upper ends. Arrays run by birth: parents before children.
+struct GrowthHistory
+{
+    static constexpr std::uint16_t lives = 0xFFFF;
+
+    GrowthParams params;
+    std::uint64_t seed = 0;
+
+    // By metamer.
+    std::vector<Index> parent; ///< noIndex: a root
+    std::vector<Index> axis;   ///< the same as the parent's where it goes on
+    std::vector<std::uint16_t> birth; ///< the year that it grew in: it is there at ages above this one
+    std::vector<std::uint16_t> death; ///< the age at which it is no longer there; or lives
+    std::vector<glm::vec3> direction; ///< unit, at its birth, in the frame of its parent's bends
+    std::vector<float> length;        ///< m
+
+    // By axis.
+    std::vector<std::uint64_t> axisAddress; ///< hash of the parent's, the year, the node in it and the bud
+    std::vector<std::uint8_t> axisOrder;
+
+    // Rows: row a holds the metamers that live at the age of a years, in the order of their births.
+    std::vector<std::size_t> rowStart;
+    std::vector<std::uint16_t> pipes; ///< see pipesOf()
+    std::vector<std::int16_t> bends;  ///< 1e-4 rad, down about the horizontal at birth; since birth
+
+    std::vector<GrowthYear> years;
+    /// The age at which nothing lived any more; 0: it lives.
+    int diedAt = 0;
+
+    [[nodiscard]] Index size() const { return static_cast<Index>(parent.size()); }
+    /// Whole years that were grown.
+    [[nodiscard]] int grownYears() const { return static_cast<int>(years.size()); }
+    [[nodiscard]] std::span<const std::uint16_t> pipesAt(int age) const
+    {
+        return {pipes.data() + rowStart[std::size_t(age)], pipes.data() + rowStart[std::size_t(age) + 1]};
+    }
+    [[nodiscard]] std::span<const std::int16_t> bendsAt(int age) const
+    {
+        return {bends.data() + rowStart[std::size_t(age)], bends.data() + rowStart[std::size_t(age) + 1]};
+    }
+    [[nodiscard]] std::size_t bytes() const;
+};
+
+/// The number of tips whose sap a section carries, as a row stores it: 5 bits of exponent and 11 of mantissa,
+/// rounded down to 1 / 2048.
+std::uint16_t packedPipes(float pipes);
+float pipesOf(std::uint16_t packed);
+
+/// Grows a tree from the ground for params.age years, the last one begun as a whole. Each year: light at every
+/// bud (shadow_grid.h), vigour from the roots to the buds by Borchert and Honda, shoots, shedding, thickness
+/// by the pipe model (Shinozaki et al. 1964), and the bend that the new weight leaves in the wood. Nothing in
+/// a year knows of later ones: growing longer only adds.
+///
+/// Random numbers are keyed by the addresses of axes. Errors, path = "growth." and the parameter: Invalid (a
+/// number that is not finite or allowed), Limit (age above maxGrowthAge, more metamers than maxMetamers, more
+/// voxels than ShadowGrid has), Cancelled.
+Expected<GrowthHistory> growHistory(const GrowthParams& params, std::uint64_t seed,
+                                    const Progress& progress = {});
+
+} // namespace ramure
