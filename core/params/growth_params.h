@@ -45,7 +45,11 @@ struct GrowthParams
     double axil = 0.9;        ///< between an axis and its side shoots
     double acrotony = 0.6;    ///< 1: only buds near the end of a year's shoot grow, 0: all alike
     std::int64_t whorl = 0;   ///< limbs around the end of each year's shoot of the trunk; 0: none
-    std::int64_t orders = 6;  ///< of axes
+    std::int64_t endBuds = 2; ///< side buds around the end of each year's shoot, where there is no whorl
+    std::int64_t orders = 9;  ///< of axes
+    /// What a shoot in the light grows out of its own leaves, of what the strongest one grows: 0, all is shared
+    /// out from the roots; 1, each limb is a tree of its own.
+    double autonomy = 0.35;
     double shortShoots = 0.4; ///< how weak a bud still makes a short shoot: 0 none, 1 all
     double sympodial = 0.0;   ///< chance a year that an apex dies and side buds go on
     std::int64_t stems = 1;

@@ -57,8 +57,8 @@ void GrowingTree::growFrom(Index metamer, const YearFactors& factors)
     const double sum = lambda * flow.main + (1.0 - lambda) * flow.side;
     const bool tip = isTip(metamer);
     if (sum > 0.0) {
-        const double main = tip ? flow.vigour * lambda * flow.main / sum + double(m_axes[axis].claim) : 0.0;
-        const double side = flow.vigour * (1.0 - lambda) * flow.ownSide / sum;
+        const double main = tip ? flow.vigour * lambda * flow.main / sum + flow.mainClaim : 0.0;
+        const double side = flow.vigour * (1.0 - lambda) * flow.ownSide / sum + flow.sideClaim;
         m_year.vigourSpent += main + side;
         if (tip)
             growTip(metamer, main, factors);
@@ -72,10 +72,7 @@ void GrowingTree::growFrom(Index metamer, const YearFactors& factors)
 /// \param stretch becomes the length of each metamer over the usual one.
 int GrowingTree::shootLength(double vigour, unsigned order, double& stretch, const YearFactors& factors) const
 {
-    double longest = factors.longest;
-    for (unsigned k = 0; k < order; ++k)
-        longest *= m_params.sideLength;
-    const double pays = std::min(vigour, std::max(1.0, longest));
+    const double pays = std::min(vigour, std::max(1.0, sideLongest(order, factors)));
     if (pays >= 1.0) {
         const int nodes = std::min(250, int(pays));
         stretch = std::min(1.5, pays / double(nodes));
@@ -180,7 +177,9 @@ std::uint8_t GrowingTree::budsOf(unsigned order, int rank, int nodes) const
         const auto most = order == 0 ? m_params.whorl : std::max<std::int64_t>(2, m_params.whorl / 2);
         return std::uint8_t((1u << std::min<std::int64_t>(most, 8)) - 1u);
     }
-    return m_params.phyllotaxis == Phyllotaxis::Opposite ? std::uint8_t(3) : std::uint8_t(1);
+    const unsigned usual = m_params.phyllotaxis == Phyllotaxis::Opposite ? 2u : 1u;
+    const unsigned buds = rank + 1 < nodes ? usual : std::max(usual, unsigned(m_params.endBuds));
+    return std::uint8_t((1u << buds) - 1u);
 }
 
 /// Where an internode grows: on, to the light, up or down, and by chance.

@@ -46,6 +46,23 @@ bool GrowingTree::isTip(Index metamer) const
     return axis.tip == metamer && axis.tipLives;
 }
 
+/// Crowns are no solids of revolution: 0.75 to 1.15, by smooth chance in space.
+double GrowingTree::outline(const glm::dvec3& at) const
+{
+    const glm::dvec3 p = at / (0.22 * m_params.height) + 64.0;
+    const glm::dvec3 cell = glm::floor(p), in = p - cell, ease = in * in * (3.0 - 2.0 * in);
+    double sum = 0.0;
+    for (unsigned k = 0; k < 8; ++k) {
+        const unsigned x = k & 1u, y = k >> 1 & 1u, z = k >> 2;
+        const double weight =
+            (x ? ease.x : 1.0 - ease.x) * (y ? ease.y : 1.0 - ease.y) * (z ? ease.z : 1.0 - ease.z);
+        const auto corner = (std::uint64_t(cell.x) + x) << 32 | (std::uint64_t(cell.y) + y) << 16 |
+                            (std::uint64_t(cell.z) + z);
+        sum += weight * chance(corner, 21);
+    }
+    return 0.72 + 0.46 * sum;
+}
+
 /// How much of the light counts near the limits of the crown, which the grown tree fills.
 double GrowingTree::envelope(const glm::dvec3& at, unsigned order) const
 {
@@ -59,6 +76,7 @@ double GrowingTree::envelope(const glm::dvec3& at, unsigned order) const
         wide = maths::pow(std::max(0.0, 1.0 - std::min(1.0, (up - widest) / (1.08 - widest))), p.crownTop);
     else
         wide = 0.55 + 0.45 * std::sqrt(up / widest);
+    wide *= outline(at);
     const double aside = std::sqrt(at.x * at.x + at.z * at.z) / (0.5 * p.crownWidth);
     double room = std::min(wide + 0.04 - aside, 1.03 - y) * 4.0;
     if (order > 0)
@@ -133,7 +151,8 @@ bool GrowingTree::gatherLight(const YearFactors& factors)
         return false;
     for (const Index i : m_alive) {
         const bool leafy = factors.year - int(m_history.birth[i]) <= leafYears || isTip(i);
-        m_shadows.add(m_nodes[i].at, leafy ? leafWeight : woodWeight);
+        const double size = std::min(1.0, double(m_history.length[i]) / m_params.internode);
+        m_shadows.add(m_nodes[i].at, std::max(1, int(size * (leafy ? leafWeight : woodWeight))));
     }
     m_shadows.sum();
     m_year = {};
@@ -159,6 +178,45 @@ void GrowingTree::sumLight()
     }
 }
 
+/// Branches live on what their own leaves make (Sprugel, Hinckley, Schaap: "The theory and practice of branch
+/// autonomy", 1991), and a leader takes what it needs. What all claim is no more than the roots pay for.
+double GrowingTree::claim(const YearFactors& factors)
+{
+    double all = 0.0, leaders = 0.0;
+    for (const Index i : m_alive) {
+        Flow& flow = m_flow[i];
+        const unsigned order = m_history.axisOrder[m_history.axis[i]];
+        const double side = m_params.autonomy * sideLongest(order + 1, factors);
+        if (flow.ownSide > 0.0 && order + 1 < unsigned(m_params.orders))
+            all += flow.sideClaim = flow.ownSide * side;
+        if (flow.active == 0 || !isTip(i))
+            continue;
+        const double own = double(m_nodes[i].light);
+        if (order == 0)
+            leaders += flow.mainClaim = factors.claim * std::min(1.0, 2.0 * own);
+        else
+            all += flow.mainClaim = own * m_params.autonomy * sideLongest(order, factors);
+    }
+    const double share = all > 0.0 ? std::min(1.0, 0.7 * factors.vigourCap / all) : 0.0;
+    double given = 0.0;
+    for (const Index i : m_alive) {
+        Flow& flow = m_flow[i];
+        flow.sideClaim *= share;
+        if (m_history.axisOrder[m_history.axis[i]] != 0)
+            flow.mainClaim *= share;
+        given += flow.sideClaim + flow.mainClaim;
+    }
+    return given;
+}
+
+double GrowingTree::sideLongest(unsigned order, const YearFactors& factors) const
+{
+    double longest = factors.longest;
+    for (unsigned k = 0; k < order; ++k)
+        longest *= m_params.sideLength;
+    return longest;
+}
+
 /// Borchert and Honda, "Control of development in the bifurcating branch system of Tabebuia rosea" (1984), as
 /// in section 4.2 of Palubicki et al.
 void GrowingTree::shareVigour(const YearFactors& factors)
@@ -171,14 +229,8 @@ void GrowingTree::shareVigour(const YearFactors& factors)
     const double seedling = std::min({double(factors.year + 1), factors.longest, 4.0 * all});
     const double whole = std::min(std::max(alpha * all, seedling), factors.vigourCap);
     m_year.vigour = all > 0.0 ? whole : 0.0;
-    for (AxisState& axis : m_axes)
-        if (axis.tip != noIndex)
-            axis.claim = 0.0f;
-    for (const Index i : m_alive)
-        if (isTip(i) && m_history.axisOrder[m_history.axis[i]] == 0) {
-            m_axes[m_history.axis[i]].claim = float(factors.claim * std::min(1.0, 2.0 * m_flow[i].main));
-            m_year.vigour += double(m_axes[m_history.axis[i]].claim);
-        }
+    m_year.vigour += claim(factors);
+    m_year.vigourSpent = 0.0;
     for (const Index i : m_alive) {
         Flow& flow = m_flow[i];
         const Index parent = m_history.parent[i];

@@ -47,7 +47,6 @@ private:
         std::uint16_t nodes = 0;             ///< grown so far
         std::uint8_t dark = 0;               ///< years in the shade, of all it carries
         std::uint8_t tipDark = 0;            ///< years that its end could not grow
-        float claim = 0.0f; ///< vigour for its end alone
         bool tipLives = true;
         bool upright = false; ///< begins the tree anew
     };
@@ -71,6 +70,7 @@ private:
     {
         double main = 0.0, side = 0.0, ownSide = 0.0; ///< light above: along the axis, aside, of own buds
         double vigour = 0.0;
+        double mainClaim = 0.0, sideClaim = 0.0; ///< what its own buds grow whatever comes from below
         float light = 0.0f; ///< of all that is above
         Index active = 0;   ///< nodes above with living buds
     };
@@ -83,6 +83,7 @@ private:
         bool isNew = false;
     };
 
+    [[nodiscard]] double outline(const glm::dvec3& at) const;
     [[nodiscard]] double envelope(const glm::dvec3& at, unsigned order) const;
     [[nodiscard]] double chance(std::uint64_t address, std::uint64_t purpose) const; ///< 0 .. 1
     [[nodiscard]] std::uint64_t nodeAddress(Index metamer) const;
@@ -90,6 +91,8 @@ private:
     [[nodiscard]] bool isTip(Index metamer) const;
     void lightOf(Index metamer, const YearFactors& factors);
     void sumLight();
+    double claim(const YearFactors& factors);
+    [[nodiscard]] double sideLongest(unsigned order, const YearFactors& factors) const;
     void age(Index metamer, const YearFactors& factors);
     void growFrom(Index metamer, const YearFactors& factors);
     void growTip(Index metamer, double vigour, const YearFactors& factors);

@@ -40,6 +40,7 @@ constexpr Limit limits[] = {
     {&GrowthParams::leaderUntil, "growth.leaderUntil", 0.0, 1e5},
     {&GrowthParams::apicalControl, "growth.apicalControl", 0.0, 1.0},
     {&GrowthParams::sideLength, "growth.sideLength", 0.1, 1.0},
+    {&GrowthParams::autonomy, "growth.autonomy", 0.0, 1.0},
     {&GrowthParams::internode, "growth.internode", 0.001, 5.0},
     {&GrowthParams::divergence, "growth.divergence", -6.3, 6.3},
     {&GrowthParams::axil, "growth.axil", 0.0, 2.6},
@@ -75,6 +76,8 @@ Expected<void> check(const GrowthParams& params)
                           limit.path);
     if (params.whorl < 0 || params.whorl > 8)
         return refuse(ErrorCode::Invalid, RAMURE_NOOP("a whorl has at most 8 limbs"), "growth.whorl");
+    if (params.endBuds < 1 || params.endBuds > 8)
+        return refuse(ErrorCode::Invalid, RAMURE_NOOP("a shoot ends with 1 to 8 buds"), "growth.endBuds");
     if (params.orders < 1 || params.orders > 12)
         return refuse(ErrorCode::Invalid, RAMURE_NOOP("a tree has 1 to 12 orders of axes"), "growth.orders");
     if (params.stems < 1 || params.stems > 12)
@@ -93,7 +96,7 @@ YearFactors factorsOf(const GrowthParams& p, int year)
 {
     YearFactors f;
     f.year = year;
-    f.shade = (0.17 - 0.13 * p.shadeTolerance) / std::sqrt(p.density);
+    f.shade = (0.13 - 0.11 * p.shadeTolerance) / std::sqrt(p.density);
     const double lost = std::clamp((double(year) - p.leaderUntil) / 4.0, 0.0, 1.0);
     f.trunkLambda = 0.54 - 0.08 * lost;
     f.limbLambda = 0.44 + 0.11 * p.apicalControl;

@@ -50,7 +50,7 @@ void ShadowGrid::sum()
             std::int32_t* row = m_sums.data() + (std::size_t(y) * std::size_t(m_z) + std::size_t(z)) * width;
             std::int32_t along = 0;
             for (std::size_t x = 1; x < width; ++x) {
-                along += row[x];
+                along += std::min(row[x], densest);
                 row[x] = along + row[x - width];
             }
         }
@@ -63,8 +63,9 @@ double ShadowGrid::shadow(int x, int y, int z) const
     for (int q = 0; q <= depth && y + q < m_y; ++q) {
         if (y + q < 0)
             continue;
-        const int x0 = std::clamp(x - q - 1, 0, m_x - 1), x1 = std::clamp(x + q, 0, m_x - 1);
-        const int z0 = std::clamp(z - q - 1, 0, m_z - 1), z1 = std::clamp(z + q, 0, m_z - 1);
+        const int wide = std::max(q, 1); // neighbours of the same height crowd a bud
+        const int x0 = std::clamp(x - wide - 1, 0, m_x - 1), x1 = std::clamp(x + wide, 0, m_x - 1);
+        const int z0 = std::clamp(z - wide - 1, 0, m_z - 1), z1 = std::clamp(z + wide, 0, m_z - 1);
         const std::int32_t* layer = m_sums.data() + std::size_t(y + q) * std::size_t(m_z) * width;
         const std::int32_t *low = layer + std::size_t(z0) * width, *high = layer + std::size_t(z1) * width;
         sum += falloffs[std::size_t(q)] * double(high[x1] - high[x0] - low[x1] + low[x0]);

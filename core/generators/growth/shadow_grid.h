@@ -21,6 +21,8 @@ public:
     bool reset(const glm::dvec3& min, const glm::dvec3& max, double voxel);
     /// \param weight of its shadow; 16 is a leaf. \pre inside the box.
     void add(const glm::dvec3& at, std::int32_t weight);
+    /// More leaves than so many sixteenths in a voxel shade each other, not what is below.
+    static constexpr std::int32_t densest = 24;
     /// To be called once after the last leaf.
     void sum();
 
