@@ -22,7 +22,8 @@ glm::dvec3 unit(const glm::dvec3& v, const glm::dvec3& otherwise)
 /// What of \p side stands square on \p direction.
 glm::dvec3 square(const glm::dvec3& side, const glm::dvec3& direction)
 {
-    const glm::dvec3 other = std::abs(direction.x) < 0.7 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 0.0, 1.0);
+    const glm::dvec3 other =
+        std::abs(direction.x) < 0.7 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 0.0, 1.0);
     return unit(side - glm::dot(side, direction) * direction, unit(glm::cross(direction, other), other));
 }
 
@@ -34,8 +35,8 @@ void GrowingTree::growShoots(const YearFactors& factors)
         for (unsigned k = 0; k < unsigned(m_params.stems); ++k) {
             const Index axis = newAxis(noIndex, k, 0, false, factors.year);
             const std::uint64_t address = m_history.axisAddress[axis];
-            const double turn = 2.0 * std::numbers::pi *
-                                (double(k) / double(m_params.stems) + 0.5 * chance(address, 2));
+            const double turn =
+                2.0 * std::numbers::pi * (double(k) / double(m_params.stems) + 0.5 * chance(address, 2));
             const auto [sine, cosine] = maths::sincos(turn);
             const double lean = m_params.stems > 1 ? 0.25 + 0.2 * chance(address, 3) : 0.0;
             const glm::dvec3 side(cosine, 0.0, sine);
@@ -52,8 +53,8 @@ void GrowingTree::growFrom(Index metamer, const YearFactors& factors)
 {
     const Flow flow = m_flow[metamer];
     const Index axis = m_history.axis[metamer];
-    const double lambda = m_history.axisOrder[axis] == 0 || m_axes[axis].upright ? factors.trunkLambda
-                                                                                 : factors.limbLambda;
+    const double lambda =
+        m_history.axisOrder[axis] == 0 || m_axes[axis].upright ? factors.trunkLambda : factors.limbLambda;
     const double sum = lambda * flow.main + (1.0 - lambda) * flow.side;
     const bool tip = isTip(metamer);
     if (sum > 0.0) {
@@ -78,7 +79,7 @@ int GrowingTree::shootLength(double vigour, unsigned order, double& stretch, con
         stretch = std::min(1.5, pays / double(nodes));
         return nodes;
     }
-    stretch = std::max(pays, 0.3);
+    stretch = std::max(pays * pays, 0.15);
     return vigour >= 1.0 - m_params.shortShoots ? 1 : 0;
 }
 
@@ -87,7 +88,7 @@ void GrowingTree::growTip(Index metamer, double vigour, const YearFactors& facto
     const Index axis = m_history.axis[metamer];
     const unsigned order = m_history.axisOrder[axis];
     AxisState& state = m_axes[axis];
-    const std::uint64_t address = nodeAddress(metamer);
+    const std::uint64_t address = m_nodes[metamer].address;
     if (m_params.sympodial > 0.0 && factors.year > 2 && state.nodes > 3 &&
         chance(address, 4 + 8 * std::uint64_t(factors.year)) < m_params.sympodial) {
         state.tipLives = false;
@@ -97,10 +98,18 @@ void GrowingTree::growTip(Index metamer, double vigour, const YearFactors& facto
     const int nodes = shootLength(vigour, order, stretch, factors);
     if (nodes == 0)
         return;
+    // Twigs that only ever make short shoots do not get old, the sooner the less light they have.
+    state.weak = nodes > 1 ? std::uint8_t(0) : std::uint8_t(std::min(255, state.weak + 1));
+    constexpr int weakYears = 5;
+    if (order > 1 && state.weak > weakYears &&
+        chance(address, 3 + 8 * std::uint64_t(factors.year)) < 0.3 * (1.1 - double(m_nodes[metamer].light))) {
+        state.tipLives = false;
+        return;
+    }
     const Node& node = m_nodes[metamer];
     const glm::dvec3 side = node.frame * glm::dvec3(node.side);
     const glm::dvec3 next =
-        m_nextCosine * side + m_nextSine * glm::cross(node.direction, side); // where the next bud looks
+        nextCosine(order) * side + nextSine(order) * glm::cross(node.direction, side); // of the next bud
     grow({metamer, axis, node.at, node.direction, next, false}, nodes, stretch, factors);
 }
 
@@ -122,8 +131,8 @@ void GrowingTree::growSide(Index metamer, double vigour, const YearFactors& fact
         const glm::dvec3 first = node.frame * glm::dvec3(node.side);
         const Index child = newAxis(metamer, unsigned(k), order, false, factors.year);
         const std::uint64_t address = m_history.axisAddress[child];
-        const auto [turnSine, turnCosine] = maths::sincos(
-            2.0 * std::numbers::pi * double(k) / double(all) + m_params.wander * (chance(address, 5) - 0.5));
+        const auto [turnSine, turnCosine] = maths::sincos(2.0 * std::numbers::pi * double(k) / double(all) +
+                                                          m_params.wander * (chance(address, 5) - 0.5));
         const glm::dvec3 side = turnCosine * first + turnSine * glm::cross(node.direction, first);
         double axil = m_params.axil * (0.8 + 0.4 * chance(address, 6));
         if (!m_axes[axis].tipLives && m_axes[axis].tip == metamer)
@@ -141,7 +150,7 @@ void GrowingTree::reiterate(Index metamer, const YearFactors& factors)
 {
     constexpr int oldEnough = 8;
     constexpr float lit = 0.45f;
-    const std::uint64_t address = nodeAddress(metamer);
+    const std::uint64_t address = m_nodes[metamer].address;
     if (factors.year - int(m_history.birth[metamer]) < oldEnough || m_nodes[metamer].light < lit ||
         chance(address, 7 + 8 * std::uint64_t(factors.year)) >= m_params.reiteration)
         return;
@@ -160,7 +169,7 @@ void GrowingTree::reiterate(Index metamer, const YearFactors& factors)
 Index GrowingTree::newAxis(Index parent, unsigned bud, unsigned order, bool upright, int year)
 {
     const auto axis = Index(m_axes.size());
-    const std::uint64_t below = parent == noIndex ? 0x52616D757265ull : nodeAddress(parent);
+    const std::uint64_t below = parent == noIndex ? 0x52616D757265ull : m_nodes[parent].address;
     m_history.axisAddress.push_back(
         mixBits(mixBits(below + 0x9E3779B97F4A7C15ull * (std::uint64_t(year) + 1)) + bud));
     m_history.axisOrder.push_back(std::uint8_t(std::min(order, 255u)));
@@ -202,8 +211,9 @@ glm::dvec3 GrowingTree::turned(const ShootStart& start, const glm::dvec3& light,
     // Nothing grows into the ground.
     const double low = 0.02 * p.height;
     if (start.at.y < 3.0 * low && direction.y < 0.0)
-        direction = unit({direction.x, direction.y * std::max(0.0, (start.at.y - low) / (2.0 * low)), direction.z},
-                         start.direction);
+        direction =
+            unit({direction.x, direction.y * std::max(0.0, (start.at.y - low) / (2.0 * low)), direction.z},
+                 start.direction);
     return direction;
 }
 
@@ -227,6 +237,7 @@ void GrowingTree::grow(ShootStart start, int nodes, double stretch, const YearFa
         const Index metamer = addMetamer(start, direction, length, factors.year);
         Node& node = m_nodes[metamer];
         node.buds = budsOf(order, rank, nodes);
+        node.address = address;
         node.rank = std::uint8_t(rank);
         node.of = std::uint8_t(nodes);
         axis.tip = metamer;
@@ -237,7 +248,7 @@ void GrowingTree::grow(ShootStart start, int nodes, double stretch, const YearFa
         start.from = metamer;
         start.at = node.at;
         start.direction = direction;
-        start.side = m_nextCosine * start.side + m_nextSine * glm::cross(direction, start.side);
+        start.side = nextCosine(order) * start.side + nextSine(order) * glm::cross(direction, start.side);
     }
 }
 

@@ -24,20 +24,18 @@ GrowingTree::GrowingTree(GrowthHistory& history, std::uint64_t seed)
     , m_seed(mixBits(seed * golden + 0x47726F777468ull))
 {
     const double turns[] = {m_params.divergence, std::numbers::pi / 2.0, std::numbers::pi};
-    const auto [sine, cosine] = maths::sincos(turns[std::size_t(m_params.phyllotaxis)]);
-    m_nextSine = sine;
-    m_nextCosine = cosine;
+    for (const std::size_t kind : {0u, 1u}) {
+        const bool spirals = kind == 0 && m_params.phyllotaxis == Phyllotaxis::Alternate;
+        const auto [sine, cosine] =
+            maths::sincos(spirals ? turns[0] : turns[std::size_t(m_params.phyllotaxis)]);
+        m_turnSine[kind] = sine;
+        m_turnCosine[kind] = cosine;
+    }
 }
 
 double GrowingTree::chance(std::uint64_t address, std::uint64_t purpose) const
 {
     return double(mixBits(mixBits(address + purpose * golden) ^ m_seed) >> 11) * 0x1.0p-53;
-}
-
-std::uint64_t GrowingTree::nodeAddress(Index metamer) const
-{
-    const std::uint64_t axis = m_history.axisAddress[m_history.axis[metamer]];
-    return mixBits(axis + golden * (std::uint64_t(m_history.birth[metamer]) * 256 + m_nodes[metamer].rank + 1));
 }
 
 bool GrowingTree::isTip(Index metamer) const
@@ -101,12 +99,13 @@ void GrowingTree::lightOf(Index metamer, const YearFactors& factors)
     const bool tip = isTip(metamer);
     if (node.buds == 0 && !tip) {
         if (node.dormant != 0 && m_params.reiteration > 0.0)
-            node.light = float(std::clamp(m_params.sunlight - m_shadows.shadowAt(node.at, factors.shade), 0.0, 1.0));
+            node.light =
+                float(std::clamp(m_params.sunlight - m_shadows.shadowAt(node.at, factors.shade), 0.0, 1.0));
         return;
     }
     const double sky = std::clamp(m_params.sunlight, 0.0, 1.0);
     const double shadow = m_shadows.shadowAt(node.at, factors.shade);
-    const std::uint64_t address = nodeAddress(metamer);
+    const std::uint64_t address = m_nodes[metamer].address;
     const double jitter = 0.85 + 0.3 * chance(address, 1 + 8 * std::uint64_t(factors.year));
     const double own = std::clamp(sky - shadow + factors.shade, 0.0, sky) * jitter *
                        envelope(node.at, m_history.axisOrder[m_history.axis[metamer]]);
@@ -241,8 +240,8 @@ void GrowingTree::shareVigour(const YearFactors& factors)
         }
         const Flow& below = m_flow[parent];
         const Index axis = m_history.axis[parent];
-        const double lambda = m_history.axisOrder[axis] == 0 || m_axes[axis].upright ? factors.trunkLambda
-                                                                                     : factors.limbLambda;
+        const double lambda =
+            m_history.axisOrder[axis] == 0 || m_axes[axis].upright ? factors.trunkLambda : factors.limbLambda;
         const double sum = lambda * below.main + (1.0 - lambda) * below.side;
         const double share = m_history.axis[i] == axis ? lambda : 1.0 - lambda;
         flow.vigour = sum > 0.0 ? below.vigour * share * light / sum : 0.0;

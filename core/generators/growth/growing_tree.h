@@ -4,6 +4,7 @@
 
 #include "core/generators/growth/growth_history.h"
 #include "core/generators/growth/shadow_grid.h"
+#include <array>
 #include <glm/gtc/quaternion.hpp>
 
 namespace ramure::growth {
@@ -47,6 +48,7 @@ private:
         std::uint16_t nodes = 0;             ///< grown so far
         std::uint8_t dark = 0;               ///< years in the shade, of all it carries
         std::uint8_t tipDark = 0;            ///< years that its end could not grow
+        std::uint8_t weak = 0;               ///< years that it made short shoots only
         bool tipLives = true;
         bool upright = false; ///< begins the tree anew
     };
@@ -56,11 +58,13 @@ private:
         glm::dvec3 at{0.0};        ///< its upper end
         glm::dvec3 direction{0.0}; ///< as it is bent now
         glm::dquat frame{1.0, 0.0, 0.0, 0.0};
-        glm::vec3 side{0.0f}; ///< unit, at birth: where the first bud looks
-        float bend = 0.0f;    ///< rad
-        float pipes = 0.0f, lost = 0.0f; ///< tips it carries, and those of shed branches
-        float moment = 0.0f;             ///< N m, of its load a year ago
-        float light = 0.0f;              ///< at its buds
+        std::uint64_t address = 0;
+        glm::vec3 side{0.0f};               ///< unit, at birth: where the first bud looks
+        float bend = 0.0f;                  ///< rad
+        float pipes = 0.0f, lost = 0.0f;    ///< tips it carries, and those of shed branches
+        float thickness = 0.0f;             ///< m2, square of its radius
+        float moment = 0.0f;                ///< N m, of its load a year ago
+        float light = 0.0f;                 ///< at its buds
         std::uint8_t buds = 0, dormant = 0; ///< alive; asleep
         std::uint8_t budYears = 0, bare = 0;
         std::uint8_t rank = 0, of = 1; ///< within its year's shoot
@@ -71,8 +75,8 @@ private:
         double main = 0.0, side = 0.0, ownSide = 0.0; ///< light above: along the axis, aside, of own buds
         double vigour = 0.0;
         double mainClaim = 0.0, sideClaim = 0.0; ///< what its own buds grow whatever comes from below
-        float light = 0.0f; ///< of all that is above
-        Index active = 0;   ///< nodes above with living buds
+        float light = 0.0f;                      ///< of all that is above
+        Index active = 0;                        ///< nodes above with living buds
     };
     struct ShootStart
     {
@@ -86,7 +90,6 @@ private:
     [[nodiscard]] double outline(const glm::dvec3& at) const;
     [[nodiscard]] double envelope(const glm::dvec3& at, unsigned order) const;
     [[nodiscard]] double chance(std::uint64_t address, std::uint64_t purpose) const; ///< 0 .. 1
-    [[nodiscard]] std::uint64_t nodeAddress(Index metamer) const;
     [[nodiscard]] double budWeight(Index metamer) const;
     [[nodiscard]] bool isTip(Index metamer) const;
     void lightOf(Index metamer, const YearFactors& factors);
@@ -116,10 +119,13 @@ private:
     std::vector<AxisState> m_axes;
     std::vector<Node> m_nodes;
     std::vector<Flow> m_flow;
-    std::vector<Index> m_alive; ///< ascending
+    std::vector<Index> m_alive;     ///< ascending
     std::vector<glm::dvec4> m_load; ///< kg, and kg m in x, y, z
     double m_top = 0.0;
-    double m_nextSine = 0.0, m_nextCosine = 1.0; ///< of the turn from bud to bud
+    /// Of the turn from bud to bud. Trunks of species with buds in two rows turn as they grow: a spiral.
+    [[nodiscard]] double nextSine(unsigned order) const { return m_turnSine[order > 0 ? 1 : 0]; }
+    [[nodiscard]] double nextCosine(unsigned order) const { return m_turnCosine[order > 0 ? 1 : 0]; }
+    std::array<double, 2> m_turnSine{}, m_turnCosine{}; ///< of trunks, of other axes
     GrowthYear m_year;
 };
 

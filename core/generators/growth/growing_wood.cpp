@@ -13,7 +13,8 @@ glm::dquat bendOf(const glm::dvec3& direction, double angle)
     const double flat = std::sqrt(direction.x * direction.x + direction.z * direction.z);
     if (angle == 0.0 || flat < 1e-6)
         return {1.0, 0.0, 0.0, 0.0};
-    // Half the angle's tangent by two terms: what is stored is an angle by name only, and the same everywhere.
+    // Half the angle's tangent by two terms: what is stored is an angle by name only, and the same
+    // everywhere.
     const double half = 0.5 * angle, t = half * (1.0 + half * half / 3.0);
     const double scale = 1.0 / std::sqrt(1.0 + t * t);
     return {scale, scale * t * direction.z / flat, 0.0, -scale * t * direction.x / flat};
@@ -112,7 +113,9 @@ void GrowingTree::bend(const YearFactors& factors)
     for (std::size_t k = m_alive.size(); k-- > 0;) {
         const Index i = m_alive[k], parent = m_history.parent[i];
         Node& node = m_nodes[i];
-        const double r2 = tip * tip * maths::pow(double(node.pipes), power);
+        if (node.thickness == 0.0f || girth[k] > 0.0)
+            node.thickness = float(tip * tip * maths::pow(double(node.pipes), power));
+        const double r2 = double(node.thickness);
         const double length = double(m_history.length[i]);
         const bool leafy = factors.year - int(m_history.birth[i]) <= 1;
         const double mass = density * std::numbers::pi * r2 * length + (leafy ? leaf : 0.0);
@@ -153,8 +156,7 @@ void GrowingTree::place()
         // As the rows keep it.
         const double angle = 1e-4 * double(std::lround(1e4 * double(node.bend)));
         const glm::dquat own = bendOf(rest, angle);
-        const glm::dquat below =
-            parent == noIndex ? glm::dquat(1.0, 0.0, 0.0, 0.0) : m_nodes[parent].frame;
+        const glm::dquat below = parent == noIndex ? glm::dquat(1.0, 0.0, 0.0, 0.0) : m_nodes[parent].frame;
         node.frame = below * own;
         node.direction = node.frame * rest;
         const glm::dvec3 foot = parent == noIndex ? glm::dvec3(0.0) : m_nodes[parent].at;

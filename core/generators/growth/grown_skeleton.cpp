@@ -32,9 +32,10 @@ private:
     struct Piece
     {
         Index metamer;
-        Index parent;        ///< piece
+        Index parent;         ///< piece
         Index next = noIndex; ///< piece that goes on
         double radius;
+        double side = 0.0;  ///< radius of the thickest that starts at its end aside
         double reach = 0.0; ///< m to the farthest tip, itself counted
         glm::dvec3 at{0.0};
     };
@@ -53,7 +54,7 @@ private:
         m_pieces.reserve(after.size());
         std::size_t b = 0, a = 0;
         for (Index i = 0; i < h.size() && int(h.birth[i]) <= m_whole; ++i) {
-            const bool stood = int(h.birth[i]) < m_whole && int(h.death[i]) > m_whole;
+            const bool stood = int(h.birth[i])<m_whole&& int(h.death[i])> m_whole;
             const bool stands = part && int(h.death[i]) > m_whole + 1;
             if (!stood && !stands)
                 continue;
@@ -91,6 +92,8 @@ private:
         for (std::size_t k = m_pieces.size(); k-- > 0;) {
             Piece& piece = m_pieces[k];
             piece.reach += m_grown[k] * double(m_history.length[piece.metamer]);
+            if (piece.parent != noIndex && m_pieces[piece.parent].next != Index(k))
+                m_pieces[piece.parent].side = std::max(m_pieces[piece.parent].side, piece.radius);
             if (piece.parent != noIndex)
                 m_pieces[piece.parent].reach = std::max(m_pieces[piece.parent].reach, piece.reach);
         }
@@ -118,8 +121,8 @@ private:
         }
     }
 
-    /// A branch from the last node that was kept to this one; what starts at nodes that are left out starts at
-    /// the one before.
+    /// A branch from the last node that was kept to this one; what starts at nodes that are left out starts
+    /// at the one before.
     void draw()
     {
         constexpr double least = 0.0005; // m
@@ -168,7 +171,9 @@ private:
         double start = goesOn ? m_skeleton.a1[below] : piece.radius;
         if (below != noIndex)
             start = std::min(start, m_skeleton.a1[below]);
-        double end = piece.next == noIndex ? 0.6 * piece.radius : m_pieces[piece.next].radius;
+        double end = std::max(piece.side, 0.6 * piece.radius);
+        if (piece.next != noIndex)
+            end = std::max(m_pieces[piece.next].radius, 0.6 * piece.radius);
         end = std::min(end, start);
         const Index branch = m_skeleton.add(below, from, piece.at, start, end, h.axisOrder[axis]);
         m_axes.push_back(axis);

@@ -85,8 +85,10 @@ Expected<void> check(const GrowthParams& params)
     const double voxel = std::max(params.internode, params.height / 80.0);
     const double voxels = params.height * params.crownWidth * params.crownWidth / (voxel * voxel * voxel);
     if (voxels > double(ShadowGrid::maxVoxels))
-        return refuse(ErrorCode::Limit, RAMURE_NOOP("the crown is too wide for its height: its shadows need more than %1 voxels"),
-                      "growth.crownWidth", {std::to_string(ShadowGrid::maxVoxels)});
+        return refuse(
+            ErrorCode::Limit,
+            RAMURE_NOOP("the crown is too wide for its height: its shadows need more than %1 voxels"),
+            "growth.crownWidth", {std::to_string(ShadowGrid::maxVoxels)});
     return {};
 }
 

@@ -38,8 +38,8 @@ struct GrowthHistory
     std::uint64_t seed = 0;
 
     // By metamer.
-    std::vector<Index> parent; ///< noIndex: a root
-    std::vector<Index> axis;   ///< the same as the parent's where it goes on
+    std::vector<Index> parent;        ///< noIndex: a root
+    std::vector<Index> axis;          ///< the same as the parent's where it goes on
     std::vector<std::uint16_t> birth; ///< the year that it grew in: it is there at ages above this one
     std::vector<std::uint16_t> death; ///< the age at which it is no longer there; or lives
     std::vector<glm::vec3> direction; ///< unit, at its birth, in the frame of its parent's bends
@@ -77,10 +77,10 @@ struct GrowthHistory
 std::uint16_t packedPipes(float pipes);
 float pipesOf(std::uint16_t packed);
 
-/// Grows a tree from the ground for params.age years, the last one begun as a whole. Each year: light at every
-/// bud (shadow_grid.h), vigour from the roots to the buds by Borchert and Honda, shoots, shedding, thickness
-/// by the pipe model (Shinozaki et al. 1964), and the bend that the new weight leaves in the wood. Nothing in
-/// a year knows of later ones: growing longer only adds.
+/// Grows a tree from the ground for params.age years, the last one begun as a whole. Each year: light at
+/// every bud (shadow_grid.h), vigour from the roots to the buds by Borchert and Honda, shoots, shedding,
+/// thickness by the pipe model (Shinozaki et al. 1964), and the bend that the new weight leaves in the wood.
+/// Nothing in a year knows of later ones: growing longer only adds.
 ///
 /// Random numbers are keyed by the addresses of axes. Errors, path = "growth." and the parameter: Invalid (a
 /// number that is not finite or allowed), Limit (age above maxGrowthAge, more metamers than maxMetamers, more
