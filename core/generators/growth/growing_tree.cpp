@@ -88,7 +88,7 @@ double GrowingTree::budWeight(Index metamer) const
     const Node& node = m_nodes[metamer];
     const double share = double(node.rank + 1) / double(node.of);
     const double acrotony = 1.0 - m_params.acrotony * (1.0 - share * share);
-    return acrotony / double(1 + node.budYears);
+    return acrotony / double(std::max<int>(1, node.budYears));
 }
 
 void GrowingTree::lightOf(Index metamer, const YearFactors& factors)
@@ -110,19 +110,19 @@ void GrowingTree::lightOf(Index metamer, const YearFactors& factors)
     const double own = std::clamp(sky - shadow + factors.shade, 0.0, sky) * jitter *
                        envelope(node.at, m_history.axisOrder[m_history.axis[metamer]]);
     node.light = float(own);
-    if (tip)
+    age(metamer, factors);
+    if (isTip(metamer))
         flow.main = own;
     flow.ownSide = own * double(std::popcount(node.buds)) * budWeight(metamer);
     flow.side = flow.ownSide;
     flow.light = float(own);
     flow.active = 1;
-    age(metamer, factors);
 }
 
 /// Buds that wait too long fall asleep, ends that see no light die.
 void GrowingTree::age(Index metamer, const YearFactors& /*factors*/)
 {
-    constexpr int waits = 3, darkYears = 3;
+    constexpr int waits = 4, darkYears = 3;
     constexpr float dark = 0.03f;
     Node& node = m_nodes[metamer];
     if (node.buds != 0 && ++node.budYears > waits) {

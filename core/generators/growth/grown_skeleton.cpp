@@ -151,7 +151,8 @@ private:
             const double length = glm::length(piece.at - from);
             const double room = goesOn || root ? 0.0 : 1.5 * m_pieces[piece.parent].radius;
             const bool isTip = piece.next == noIndex;
-            if (length < least || (!isTip && length < std::max(room, 1.2 * piece.radius))) {
+            const double closest = (piece.side > 0.0 ? 0.1 : 0.45) * h.params.internode;
+            if (length < least || (!isTip && length < std::max({room, 1.2 * piece.radius, closest}))) {
                 m_branch[k] = goesOn || root ? below : noIndex;
                 if (!goesOn && !root) {
                     m_waiting.push_back({Index(k), below});
