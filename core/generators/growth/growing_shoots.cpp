@@ -51,21 +51,14 @@ void GrowingTree::growShoots(const YearFactors& factors)
 
 void GrowingTree::growFrom(Index metamer, const YearFactors& factors)
 {
-    const Flow flow = m_flow[metamer];
-    const Index axis = m_history.axis[metamer];
-    const double lambda =
-        m_history.axisOrder[axis] == 0 || m_axes[axis].upright ? factors.trunkLambda : factors.limbLambda;
-    const double sum = lambda * flow.main + (1.0 - lambda) * flow.side;
+    const Flow& flow = m_flow[metamer];
     const bool tip = isTip(metamer);
-    if (sum > 0.0) {
-        const double main = tip ? flow.vigour * lambda * flow.main / sum + flow.mainClaim : 0.0;
-        const double side = flow.vigour * (1.0 - lambda) * flow.ownSide / sum + flow.sideClaim;
-        m_year.vigourSpent += main + side;
-        if (tip)
-            growTip(metamer, main, factors);
-        if (m_nodes[metamer].buds != 0)
-            growSide(metamer, side / double(std::popcount(m_nodes[metamer].buds)), factors);
-    }
+    const double main = flow.tipVigour + flow.mainClaim, side = flow.sideVigour + flow.sideClaim;
+    m_year.vigourSpent += main + side;
+    if (tip && main > 0.0)
+        growTip(metamer, main, factors);
+    if (m_nodes[metamer].buds != 0 && side > 0.0)
+        growSide(metamer, side / double(std::popcount(m_nodes[metamer].buds)), factors);
     if (m_nodes[metamer].dormant != 0 && m_params.reiteration > 0.0)
         reiterate(metamer, factors);
 }

@@ -1,4 +1,4 @@
-// Light and vigour.
+// Light.
 #include "core/generators/growth/growing_tree.h"
 
 #include "core/math/random.h"
@@ -88,7 +88,7 @@ double GrowingTree::budWeight(Index metamer) const
     const Node& node = m_nodes[metamer];
     const double share = double(node.rank + 1) / double(node.of);
     const double acrotony = 1.0 - m_params.acrotony * (1.0 - share * share);
-    return acrotony / double(std::max<int>(1, node.budYears));
+    return m_params.branching * acrotony / double(std::max<int>(1, node.budYears));
 }
 
 void GrowingTree::lightOf(Index metamer, const YearFactors& factors)
@@ -174,77 +174,6 @@ void GrowingTree::sumLight()
         (m_history.axis[i] == m_history.axis[parent] ? below.main : below.side) += own.main + own.side;
         below.light += own.light;
         below.active += own.active;
-    }
-}
-
-/// Branches live on what their own leaves make (Sprugel, Hinckley, Schaap: "The theory and practice of branch
-/// autonomy", 1991), and a leader takes what it needs. What all claim is no more than the roots pay for.
-double GrowingTree::claim(const YearFactors& factors)
-{
-    double all = 0.0, leaders = 0.0;
-    for (const Index i : m_alive) {
-        Flow& flow = m_flow[i];
-        const unsigned order = m_history.axisOrder[m_history.axis[i]];
-        const double side = m_params.autonomy * sideLongest(order + 1, factors);
-        if (flow.ownSide > 0.0 && order + 1 < unsigned(m_params.orders))
-            all += flow.sideClaim = flow.ownSide * side;
-        if (flow.active == 0 || !isTip(i))
-            continue;
-        const double own = double(m_nodes[i].light);
-        if (order == 0)
-            leaders += flow.mainClaim = factors.claim * std::min(1.0, 2.0 * own);
-        else
-            all += flow.mainClaim = own * m_params.autonomy * sideLongest(order, factors);
-    }
-    const double share = all > 0.0 ? std::min(1.0, 0.7 * factors.vigourCap / all) : 0.0;
-    double given = 0.0;
-    for (const Index i : m_alive) {
-        Flow& flow = m_flow[i];
-        flow.sideClaim *= share;
-        if (m_history.axisOrder[m_history.axis[i]] != 0)
-            flow.mainClaim *= share;
-        given += flow.sideClaim + flow.mainClaim;
-    }
-    return given;
-}
-
-double GrowingTree::sideLongest(unsigned order, const YearFactors& factors) const
-{
-    double longest = factors.longest;
-    for (unsigned k = 0; k < order; ++k)
-        longest *= m_params.sideLength;
-    return longest;
-}
-
-/// Borchert and Honda, "Control of development in the bifurcating branch system of Tabebuia rosea" (1984), as
-/// in section 4.2 of Palubicki et al.
-void GrowingTree::shareVigour(const YearFactors& factors)
-{
-    double all = 0.0;
-    for (const Index i : m_alive)
-        if (m_history.parent[i] == noIndex)
-            all += m_flow[i].main + m_flow[i].side;
-    const double alpha = 2.0;
-    const double seedling = std::min({double(factors.year + 1), factors.longest, 4.0 * all});
-    const double whole = std::min(std::max(alpha * all, seedling), factors.vigourCap);
-    m_year.vigour = all > 0.0 ? whole : 0.0;
-    m_year.vigour += claim(factors);
-    m_year.vigourSpent = 0.0;
-    for (const Index i : m_alive) {
-        Flow& flow = m_flow[i];
-        const Index parent = m_history.parent[i];
-        const double light = flow.main + flow.side;
-        if (parent == noIndex) {
-            flow.vigour = all > 0.0 ? whole * light / all : 0.0;
-            continue;
-        }
-        const Flow& below = m_flow[parent];
-        const Index axis = m_history.axis[parent];
-        const double lambda =
-            m_history.axisOrder[axis] == 0 || m_axes[axis].upright ? factors.trunkLambda : factors.limbLambda;
-        const double sum = lambda * below.main + (1.0 - lambda) * below.side;
-        const double share = m_history.axis[i] == axis ? lambda : 1.0 - lambda;
-        flow.vigour = sum > 0.0 ? below.vigour * share * light / sum : 0.0;
     }
 }
 

@@ -74,9 +74,17 @@ private:
     {
         double main = 0.0, side = 0.0, ownSide = 0.0; ///< light above: along the axis, aside, of own buds
         double vigour = 0.0;
+        double tipVigour = 0.0, sideVigour = 0.0; ///< for its own buds
         double mainClaim = 0.0, sideClaim = 0.0; ///< what its own buds grow whatever comes from below
         float light = 0.0f;                      ///< of all that is above
         Index active = 0;                        ///< nodes above with living buds
+    };
+    /// A bud, or all buds of a node, or a limb, with the place of its vigour.
+    struct RankedLight
+    {
+        double light;
+        Index metamer;
+        double* vigour;
     };
     struct ShootStart
     {
@@ -95,6 +103,10 @@ private:
     void lightOf(Index metamer, const YearFactors& factors);
     void sumLight();
     double claim(const YearFactors& factors);
+    [[nodiscard]] double lambdaOf(Index axis, const YearFactors& factors) const;
+    void shareAtForks(const YearFactors& factors);
+    void shareByRank();
+    void rank(std::vector<RankedLight>& ranked, double vigour) const;
     [[nodiscard]] double sideLongest(unsigned order, const YearFactors& factors) const;
     void age(Index metamer, const YearFactors& factors);
     void growFrom(Index metamer, const YearFactors& factors);

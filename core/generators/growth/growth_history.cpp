@@ -45,6 +45,7 @@ constexpr Limit limits[] = {
     {&GrowthParams::divergence, "growth.divergence", -6.3, 6.3},
     {&GrowthParams::axil, "growth.axil", 0.0, 2.6},
     {&GrowthParams::acrotony, "growth.acrotony", 0.0, 1.0},
+    {&GrowthParams::branching, "growth.branching", 0.0, 2.0},
     {&GrowthParams::shortShoots, "growth.shortShoots", 0.0, 1.0},
     {&GrowthParams::sympodial, "growth.sympodial", 0.0, 1.0},
     {&GrowthParams::shadeTolerance, "growth.shadeTolerance", 0.0, 1.0},
