@@ -33,7 +33,14 @@ void GrowingTree::remove(Index base, int age)
 void GrowingTree::shed(const YearFactors& factors)
 {
     constexpr std::uint8_t darkYears = 2, bareYears = 3;
-    const double least = 0.3 * m_params.shedding * m_params.shedding;
+    // Of the mean light of the whole tree, so that no setting sheds all of it.
+    double light = 0.0, active = 0.0;
+    for (const Index i : m_alive)
+        if (m_history.parent[i] == noIndex && i < m_flow.size()) {
+            light += double(m_flow[i].light);
+            active += double(m_flow[i].active);
+        }
+    const double least = active > 0.0 ? 0.55 * m_params.shedding * light / active : 0.0;
     const int age = factors.year + 1;
     std::size_t kept = 0;
     for (const Index i : m_alive) {
