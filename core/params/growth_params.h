@@ -44,8 +44,8 @@ struct GrowthParams
     double divergence = 2.39996322972865; ///< of a spiral: 137.5 degrees
     double axil = 0.9;                    ///< between an axis and its side shoots
     double acrotony = 0.6;                ///< 1: only buds near the end of a year's shoot grow, 0: all alike
-    double branching = 1.0;                ///< share of the vigour that side buds take; 0.4: long, whippy twigs
-    std::int64_t whorl = 0;               ///< limbs around the end of each year's shoot of the trunk; 0: none
+    double branching = 1.0;   ///< share of the vigour that side buds take; 0.4: long, whippy twigs
+    std::int64_t whorl = 0;   ///< limbs around the end of each year's shoot of the trunk; 0: none
     std::int64_t endBuds = 2; ///< side buds around the end of each year's shoot, where there is no whorl
     std::int64_t orders = 9;  ///< of axes
     /// What a shoot in the light grows out of its own leaves, of what the strongest one grows: 0, all is

@@ -44,9 +44,8 @@ void GrowingTree::growShoots(const YearFactors& factors)
         }
         return;
     }
-    const std::size_t before = m_alive.size(); // those born now shoot next year
-    for (std::size_t k = 0; k < before; ++k)
-        growFrom(m_alive[k], factors);
+    for (const Index i : m_active)
+        growFrom(i, factors);
 }
 
 void GrowingTree::growFrom(Index metamer, const YearFactors& factors)
@@ -262,6 +261,7 @@ Index GrowingTree::addMetamer(const ShootStart& start, const glm::dvec3& directi
     node.direction = direction;
     node.frame = frame;
     node.side = glm::vec3(back * start.side);
+    node.outline = float(outline(node.at));
     m_nodes.push_back(node);
     m_alive.push_back(metamer);
     ++m_year.born;

@@ -38,12 +38,6 @@ double GrowingTree::chance(std::uint64_t address, std::uint64_t purpose) const
     return double(mixBits(mixBits(address + purpose * golden) ^ m_seed) >> 11) * 0x1.0p-53;
 }
 
-bool GrowingTree::isTip(Index metamer) const
-{
-    const AxisState& axis = m_axes[m_history.axis[metamer]];
-    return axis.tip == metamer && axis.tipLives;
-}
-
 /// Crowns are no solids of revolution: 0.75 to 1.15, by smooth chance in space.
 double GrowingTree::outline(const glm::dvec3& at) const
 {
@@ -62,7 +56,7 @@ double GrowingTree::outline(const glm::dvec3& at) const
 }
 
 /// How much of the light counts near the limits of the crown, which the grown tree fills.
-double GrowingTree::envelope(const glm::dvec3& at, unsigned order) const
+double GrowingTree::envelope(const glm::dvec3& at, float outline, unsigned order) const
 {
     const GrowthParams& p = m_params;
     const double y = at.y / p.height;
@@ -74,7 +68,7 @@ double GrowingTree::envelope(const glm::dvec3& at, unsigned order) const
         wide = maths::pow(std::max(0.0, 1.0 - std::min(1.0, (up - widest) / (1.08 - widest))), p.crownTop);
     else
         wide = 0.55 + 0.45 * std::sqrt(up / widest);
-    wide *= outline(at);
+    wide *= double(outline);
     const double aside = std::sqrt(at.x * at.x + at.z * at.z) / (0.5 * p.crownWidth);
     double room = std::min(wide + 0.04 - aside, 1.03 - y) * 4.0;
     if (order > 0)
@@ -95,10 +89,8 @@ void GrowingTree::lightOf(Index metamer, const YearFactors& factors)
 {
     Node& node = m_nodes[metamer];
     Flow& flow = m_flow[metamer];
-    flow = {};
-    const bool tip = isTip(metamer);
-    if (node.buds == 0 && !tip) {
-        if (node.dormant != 0 && m_params.reiteration > 0.0)
+    if (node.buds == 0 && !isTip(metamer)) {
+        if (node.dormant != 0)
             node.light =
                 float(std::clamp(m_params.sunlight - m_shadows.shadowAt(node.at, factors.shade), 0.0, 1.0));
         return;
@@ -108,7 +100,7 @@ void GrowingTree::lightOf(Index metamer, const YearFactors& factors)
     const std::uint64_t address = m_nodes[metamer].address;
     const double jitter = 0.85 + 0.3 * chance(address, 1 + 8 * std::uint64_t(factors.year));
     const double own = std::clamp(sky - shadow + factors.shade, 0.0, sky) * jitter *
-                       envelope(node.at, m_history.axisOrder[m_history.axis[metamer]]);
+                       envelope(node.at, node.outline, m_history.axisOrder[m_history.axis[metamer]]);
     node.light = float(own);
     age(metamer, factors);
     if (isTip(metamer))
@@ -155,7 +147,13 @@ bool GrowingTree::gatherLight(const YearFactors& factors)
     }
     m_shadows.sum();
     m_year = {};
+    m_active.clear();
     for (const Index i : m_alive) {
+        m_flow[i] = {};
+        const Node& node = m_nodes[i];
+        if (node.buds == 0 && !isTip(i) && (node.dormant == 0 || m_params.reiteration <= 0.0))
+            continue;
+        m_active.push_back(i);
         lightOf(i, factors);
         m_year.light += m_flow[i].main + m_flow[i].ownSide;
     }

@@ -59,13 +59,14 @@ private:
         glm::dvec3 direction{0.0}; ///< as it is bent now
         glm::dquat frame{1.0, 0.0, 0.0, 0.0};
         std::uint64_t address = 0;
-        glm::vec3 side{0.0f};               ///< unit, at birth: where the first bud looks
-        float bend = 0.0f;                  ///< rad
-        float pipes = 0.0f, lost = 0.0f;    ///< tips it carries, and those of shed branches
-        float thickness = 0.0f;             ///< m2, square of its radius
-        float moment = 0.0f;                ///< N m, of its load a year ago
-        float light = 0.0f;                 ///< at its buds
-        std::uint8_t buds = 0, dormant = 0; ///< alive; asleep
+        glm::vec3 side{0.0f};                   ///< unit, at birth: where the first bud looks
+        float bend = 0.0f;                      ///< rad
+        float pipes = 0.0f, lost = 0.0f;        ///< tips it carries, and those of shed branches
+        float weighed = 0.0f, thickness = 0.0f; ///< pipes, and the square of the radius with so many, m2
+        float moment = 0.0f;                    ///< N m, of its load a year ago
+        float light = 0.0f;                     ///< at its buds
+        float outline = 1.0f;                   ///< of the crown there
+        std::uint8_t buds = 0, dormant = 0;     ///< alive; asleep
         std::uint8_t budYears = 0, bare = 0;
         std::uint8_t rank = 0, of = 1; ///< within its year's shoot
     };
@@ -75,9 +76,9 @@ private:
         double main = 0.0, side = 0.0, ownSide = 0.0; ///< light above: along the axis, aside, of own buds
         double vigour = 0.0;
         double tipVigour = 0.0, sideVigour = 0.0; ///< for its own buds
-        double mainClaim = 0.0, sideClaim = 0.0; ///< what its own buds grow whatever comes from below
-        float light = 0.0f;                      ///< of all that is above
-        Index active = 0;                        ///< nodes above with living buds
+        double mainClaim = 0.0, sideClaim = 0.0;  ///< what its own buds grow whatever comes from below
+        float light = 0.0f;                       ///< of all that is above
+        Index active = 0;                         ///< nodes above with living buds
     };
     /// A bud, or all buds of a node, or a limb, with the place of its vigour.
     struct RankedLight
@@ -96,10 +97,14 @@ private:
     };
 
     [[nodiscard]] double outline(const glm::dvec3& at) const;
-    [[nodiscard]] double envelope(const glm::dvec3& at, unsigned order) const;
+    [[nodiscard]] double envelope(const glm::dvec3& at, float outline, unsigned order) const;
     [[nodiscard]] double chance(std::uint64_t address, std::uint64_t purpose) const; ///< 0 .. 1
     [[nodiscard]] double budWeight(Index metamer) const;
-    [[nodiscard]] bool isTip(Index metamer) const;
+    [[nodiscard]] bool isTip(Index metamer) const
+    {
+        const AxisState& axis = m_axes[m_history.axis[metamer]];
+        return axis.tip == metamer && axis.tipLives;
+    }
     void lightOf(Index metamer, const YearFactors& factors);
     void sumLight();
     double claim(const YearFactors& factors);
@@ -132,6 +137,7 @@ private:
     std::vector<Node> m_nodes;
     std::vector<Flow> m_flow;
     std::vector<Index> m_alive;     ///< ascending
+    std::vector<Index> m_active;    ///< those with buds that can grow
     std::vector<glm::dvec4> m_load; ///< kg, and kg m in x, y, z
     double m_top = 0.0;
     /// Of the turn from bud to bud. Trunks of species with buds in two rows turn as they grow: a spiral.

@@ -11,7 +11,7 @@ namespace ramure::growth {
 double GrowingTree::claim(const YearFactors& factors)
 {
     double all = 0.0;
-    for (const Index i : m_alive) {
+    for (const Index i : m_active) {
         Flow& flow = m_flow[i];
         const unsigned order = m_history.axisOrder[m_history.axis[i]];
         const double side = m_params.autonomy * sideLongest(order + 1, factors);
@@ -27,7 +27,7 @@ double GrowingTree::claim(const YearFactors& factors)
     }
     const double share = all > 0.0 ? std::min(1.0, 0.7 * factors.vigourCap / all) : 0.0;
     double given = 0.0;
-    for (const Index i : m_alive) {
+    for (const Index i : m_active) {
         Flow& flow = m_flow[i];
         flow.sideClaim *= share;
         if (m_history.axisOrder[m_history.axis[i]] != 0)

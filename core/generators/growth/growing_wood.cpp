@@ -120,8 +120,10 @@ void GrowingTree::bend(const YearFactors& factors)
     for (std::size_t k = m_alive.size(); k-- > 0;) {
         const Index i = m_alive[k], parent = m_history.parent[i];
         Node& node = m_nodes[i];
-        if (node.thickness == 0.0f || girth[k] > 0.0)
+        if (node.pipes > 1.03f * node.weighed) { // near enough for a weight and a stiffness
+            node.weighed = node.pipes;
             node.thickness = float(tip * tip * maths::pow(double(node.pipes), power));
+        }
         const double r2 = double(node.thickness);
         const double length = double(m_history.length[i]);
         const bool leafy = factors.year - int(m_history.birth[i]) <= 1;
