@@ -1,5 +1,6 @@
 // Grammar (per output symbol), turtle (per branch), simplification (per input branch).
 #include "core/generators/colonisation/colonisation.h"
+#include "core/generators/growth/grown_skeleton.h"
 #include "core/generators/parametric/module_turtle.h"
 #include "core/generators/weber_penn/weber_penn.h"
 #include "core/math/random.h"
@@ -69,6 +70,36 @@ void BM_colonisation(benchmark::State& state)
     }
 }
 BENCHMARK(BM_colonisation)->Unit(benchmark::kMillisecond);
+
+/// Years, and tenths of a usual crown's density.
+void BM_growHistory(benchmark::State& state)
+{
+    GrowthParams params;
+    params.age = double(state.range(0));
+    params.density = 0.1 * double(state.range(1));
+    std::size_t born = 0;
+    for (auto _ : state) {
+        const auto history = growHistory(params, 1);
+        born = history->size();
+        benchmark::DoNotOptimize(history->parent.data());
+    }
+    state.counters["born"] = double(born);
+}
+BENCHMARK(BM_growHistory)->Args({30, 10})->Args({80, 10})->Args({28, 90})->Unit(benchmark::kMillisecond);
+
+/// Between two years.
+void BM_skeletonAtAge(benchmark::State& state)
+{
+    GrowthParams params;
+    params.age = 40.0;
+    const auto history = growHistory(params, 1);
+    for (auto _ : state) {
+        const Skeleton skeleton = skeletonAtAge(*history, 32.4);
+        benchmark::DoNotOptimize(skeleton.parent.data());
+        state.counters["axes"] = double(skeleton.axisStarts.size());
+    }
+}
+BENCHMARK(BM_skeletonAtAge)->Unit(benchmark::kMillisecond);
 
 void BM_grammarByChance(benchmark::State& state)
 {

@@ -185,6 +185,7 @@ constexpr const char* floors[] = {
     "core/generators/parametric",
     "core/generators/colonisation",
     "core/generators/weber_penn",
+    "core/generators/growth",
     "core/generators",
     "core/recipe",
     "core/pipeline",

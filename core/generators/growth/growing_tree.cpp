@@ -103,6 +103,8 @@ void GrowingTree::lightOf(Index metamer, const YearFactors& factors)
                        envelope(node.at, node.outline, m_history.axisOrder[m_history.axis[metamer]]);
     node.light = float(own);
     age(metamer, factors);
+    if (node.buds == 0 && !isTip(metamer))
+        return;
     if (isTip(metamer))
         flow.main = own;
     flow.ownSide = own * double(std::popcount(node.buds)) * budWeight(metamer);
