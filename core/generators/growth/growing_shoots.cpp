@@ -1,6 +1,7 @@
 // Shoots: who grows, how long and where to.
 #include "core/generators/growth/growing_tree.h"
 
+#include "core/generators/colonisation/growth_space.h"
 #include "core/math/random.h"
 #include "core/math/reproducible.h"
 #include <algorithm>
@@ -216,6 +217,9 @@ void GrowingTree::grow(ShootStart start, int nodes, double stretch, const YearFa
         light = m_shadows.lighter(start.at, factors.shade) * glm::dvec3(1.0, 0.35, 1.0);
         light /= std::max(glm::length(light), 0.25);
     }
+    const GrowthSpace* space = m_params.space.space.get();
+    if (glm::dvec3 open; space != nullptr && openSky(start.at, open) < 1.0)
+        light += open;
     const unsigned order = m_history.axisOrder[start.axis];
     for (int rank = 0; rank < nodes; ++rank) {
         AxisState& axis = m_axes[start.axis];
@@ -225,6 +229,8 @@ void GrowingTree::grow(ShootStart start, int nodes, double stretch, const YearFa
         const glm::dvec3 direction =
             start.isNew && rank == 0 ? start.direction : turned(start, light, address);
         const double length = m_params.internode * stretch * (0.8 + 0.4 * chance(address, 14));
+        if (space != nullptr && space->blocks(start.at, start.at + 1.5 * length * direction))
+            return;
         start.side = square(start.side, direction);
         const Index metamer = addMetamer(start, direction, length, factors.year);
         Node& node = m_nodes[metamer];
@@ -262,6 +268,8 @@ Index GrowingTree::addMetamer(const ShootStart& start, const glm::dvec3& directi
     node.frame = frame;
     node.side = glm::vec3(back * start.side);
     node.outline = float(outline(node.at));
+    if (glm::dvec3 open; m_params.space.space != nullptr)
+        node.sky = float(openSky(node.at, open));
     m_nodes.push_back(node);
     m_alive.push_back(metamer);
     ++m_year.born;

@@ -1,6 +1,7 @@
 // Light.
 #include "core/generators/growth/growing_tree.h"
 
+#include "core/generators/colonisation/growth_space.h"
 #include "core/math/random.h"
 #include "core/math/reproducible.h"
 #include <algorithm>
@@ -36,6 +37,27 @@ GrowingTree::GrowingTree(GrowthHistory& history, std::uint64_t seed)
 double GrowingTree::chance(std::uint64_t address, std::uint64_t purpose) const
 {
     return double(mixBits(mixBits(address + purpose * golden) ^ m_seed) >> 11) * 0x1.0p-53;
+}
+
+/// The share of nine directions that no obstacle of the scene blocks.
+/// \param towards becomes their mean, level
+double GrowingTree::openSky(const glm::dvec3& at, glm::dvec3& towards) const
+{
+    constexpr double half = 0.70710678118654752;
+    constexpr double across[] = {1.0, half, 0.0, -half, -1.0, -half, 0.0, half};
+    const double reach = 2.0 * m_params.height;
+    const GrowthSpace& space = *m_params.space.space;
+    towards = glm::dvec3(0.0);
+    double open = space.blocks(at, at + glm::dvec3(0.0, reach, 0.0)) ? 0.0 : 1.0;
+    for (unsigned k = 0; k < 8; ++k) {
+        const glm::dvec3 level(across[k], 0.0, across[(k + 6) % 8]);
+        if (space.blocks(at, at + reach * half * (level + glm::dvec3(0.0, 1.0, 0.0))))
+            continue;
+        open += 1.0;
+        towards += level;
+    }
+    towards /= 4.0;
+    return open / 9.0;
 }
 
 /// Crowns are no solids of revolution: 0.75 to 1.15, by smooth chance in space.
@@ -95,7 +117,7 @@ void GrowingTree::lightOf(Index metamer, const YearFactors& factors)
                 float(std::clamp(m_params.sunlight - m_shadows.shadowAt(node.at, factors.shade), 0.0, 1.0));
         return;
     }
-    const double sky = std::clamp(m_params.sunlight, 0.0, 1.0);
+    const double sky = std::clamp(m_params.sunlight, 0.0, 1.0) * double(node.sky);
     const double shadow = m_shadows.shadowAt(node.at, factors.shade);
     const std::uint64_t address = m_nodes[metamer].address;
     const double jitter = 0.85 + 0.3 * chance(address, 1 + 8 * std::uint64_t(factors.year));

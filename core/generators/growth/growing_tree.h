@@ -66,6 +66,7 @@ private:
         float moment = 0.0f;                    ///< N m, of its load a year ago
         float light = 0.0f;                     ///< at its buds
         float outline = 1.0f;                   ///< of the crown there
+        float sky = 1.0f;                       ///< share of it that no solid hides
         std::uint8_t buds = 0, dormant = 0;     ///< alive; asleep
         std::uint8_t budYears = 0, bare = 0;
         std::uint8_t rank = 0, of = 1; ///< within its year's shoot
@@ -96,6 +97,7 @@ private:
         bool isNew = false;
     };
 
+    double openSky(const glm::dvec3& at, glm::dvec3& towards) const;
     [[nodiscard]] double outline(const glm::dvec3& at) const;
     [[nodiscard]] double envelope(const glm::dvec3& at, float outline, unsigned order) const;
     [[nodiscard]] double chance(std::uint64_t address, std::uint64_t purpose) const; ///< 0 .. 1

@@ -1,3 +1,4 @@
+#include "core/generators/colonisation/growth_space.h"
 #include "core/generators/growth/grown_skeleton.h"
 #include "core/skeleton/axes.h"
 #include "core/surface/mesher/branch_mesh.h"
@@ -27,6 +28,18 @@ double topOf(const Skeleton& skeleton, Index mostLevel)
         if (skeleton.level[i] <= mostLevel)
             top = std::max(top, skeleton.p1[i].y);
     return top;
+}
+
+/// How far the middle of the tips stands beside the trunk in X, over the crown's radius.
+double asideOf(const GrowthParams& params, std::uint64_t seed)
+{
+    const Skeleton tree = skeletonAtAge(*growHistory(params, seed), params.age);
+    double sum = 0.0, radius = 0.0;
+    for (Index i = 0; i < tree.size(); ++i) {
+        sum += tree.p1[i].x;
+        radius = std::max(radius, std::hypot(tree.p1[i].x, tree.p1[i].z));
+    }
+    return sum / (double(tree.size()) * radius);
 }
 
 /// Species as unlike as can be.
@@ -224,6 +237,27 @@ private slots:
         QVERIFY(young.size() > 20);
         for (const std::uint64_t address : young)
             QVERIFY(old.contains(address));
+    }
+
+    void wallsDriveTheCrownAway()
+    {
+        auto wall = std::make_shared<TriangleMesh>();
+        wall->positions = {
+            {1.5f, 0.0f, -40.0f}, {1.5f, 0.0f, 40.0f}, {1.5f, 40.0f, 40.0f}, {1.5f, 40.0f, -40.0f}};
+        wall->triangles = {{0, 1, 2}, {0, 2, 3}};
+        GrowthParams open = aged(25.0), walled = open;
+        walled.space.space = std::make_shared<const GrowthSpace>(
+            std::vector<GrowthSpace::Solid>{{"wall", wall, GrowthRole::Obstacle}});
+        walled.space.hash = 1;
+        double free = 0.0;
+        for (std::uint64_t seed = 1; seed <= 8; ++seed)
+            free += asideOf(open, seed) / 8.0;
+        QVERIFY2(std::abs(free) <= 0.03, qPrintable(QString::number(free)));
+        const double aside = asideOf(walled, 1);
+        QVERIFY2(aside <= -0.15, qPrintable(QString::number(aside)));
+        const Skeleton tree = skeletonAtAge(*growHistory(walled, 1), 25.0);
+        for (Index i = 0; i < tree.size(); ++i)
+            QVERIFY(tree.p1[i].x < 1.5);
     }
 
     void anySliderGrowsATree()
