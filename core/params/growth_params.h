@@ -16,6 +16,12 @@ enum class Phyllotaxis : std::uint8_t {
     Alternate, ///< one, turned by 180 degrees
 };
 
+/// What buds see. The order is that of the interface; files know the names.
+enum class GrowthLight : std::uint8_t {
+    Shadows, ///< the sky, as far as leaves above do not hide it
+    Space,   ///< free room in the crown, or in the solid that the tree fills
+};
+
 /// How vigour is shared out. The order is that of the interface; files know the names.
 enum class VigourModel : std::uint8_t {
     BorchertHonda, ///< at each fork by the light above it
@@ -56,6 +62,7 @@ struct GrowthParams
     double sympodial = 0.0;   ///< chance a year that an apex dies and side buds go on
     std::int64_t stems = 1;
 
+    GrowthLight sees = GrowthLight::Shadows;
     double shadeTolerance = 0.5; ///< 0: a light crown of few layers; 1: a deep and dense one
     double shedding = 0.5;       ///< 0: shaded branches stay; 1: they go at once
     double light = 0.35;         ///< how much shoots turn to the light

@@ -217,6 +217,9 @@ void GrowingTree::grow(ShootStart start, int nodes, double stretch, const YearFa
         light = m_shadows.lighter(start.at, factors.shade) * glm::dvec3(1.0, 0.35, 1.0);
         light /= std::max(glm::length(light), 0.25);
     }
+    if (m_room && start.from != noIndex && start.from < m_towards.size() &&
+        m_towards[start.from] != glm::dvec3(0.0))
+        light = m_towards[start.from];
     const GrowthSpace* space = m_params.space.space.get();
     if (glm::dvec3 open; space != nullptr && openSky(start.at, open) < 1.0)
         light += open;

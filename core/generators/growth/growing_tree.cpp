@@ -16,6 +16,7 @@ namespace {
 constexpr std::uint64_t golden = 0x9E3779B97F4A7C15ull;
 constexpr int leafWeight = 16, woodWeight = 3; // in the shadows
 constexpr int leafYears = 2;
+constexpr double profileStep = 1.2 / 240.0;
 
 } // namespace
 
@@ -24,6 +25,7 @@ GrowingTree::GrowingTree(GrowthHistory& history, std::uint64_t seed)
     , m_params(history.params)
     , m_seed(mixBits(seed * golden + 0x47726F777468ull))
 {
+    drawProfile();
     const double turns[] = {m_params.divergence, std::numbers::pi / 2.0, std::numbers::pi};
     for (const std::size_t kind : {0u, 1u}) {
         const bool spirals = kind == 0 && m_params.phyllotaxis == Phyllotaxis::Alternate;
@@ -77,19 +79,27 @@ double GrowingTree::outline(const glm::dvec3& at) const
     return 0.72 + 0.46 * sum;
 }
 
+/// Widths of the crown by height, of its widest place.
+void GrowingTree::drawProfile()
+{
+    const double widest = std::clamp(m_params.crownWidest, 0.05, 0.95);
+    for (std::size_t k = 0; k < m_profile.size(); ++k) {
+        const double up = profileStep * double(k);
+        const double left = 1.0 - std::min(1.0, (up - widest) / (1.08 - widest));
+        m_profile[k] = up > widest ? maths::pow(std::max(0.0, left), m_params.crownTop)
+                                   : 0.55 + 0.45 * std::sqrt(up / widest);
+    }
+}
+
 /// How much of the light counts near the limits of the crown, which the grown tree fills.
 double GrowingTree::envelope(const glm::dvec3& at, float outline, unsigned order) const
 {
     const GrowthParams& p = m_params;
     const double y = at.y / p.height;
     const double base = p.crownBase * std::min(1.0, m_top / p.height);
-    const double widest = std::clamp(p.crownWidest, 0.05, 0.95);
-    const double up = std::clamp((y - base) / std::max(1.0 - base, 0.05), 0.0, 1.2);
-    double wide = 1.0;
-    if (up > widest)
-        wide = maths::pow(std::max(0.0, 1.0 - std::min(1.0, (up - widest) / (1.08 - widest))), p.crownTop);
-    else
-        wide = 0.55 + 0.45 * std::sqrt(up / widest);
+    const double up = std::clamp((y - base) / std::max(1.0 - base, 0.05), 0.0, 1.2) / profileStep;
+    const auto step = std::min(std::size_t(up), m_profile.size() - 2);
+    double wide = m_profile[step] + (up - double(step)) * (m_profile[step + 1] - m_profile[step]);
     wide *= double(outline);
     const double aside = std::sqrt(at.x * at.x + at.z * at.z) / (0.5 * p.crownWidth);
     double room = std::min(wide + 0.04 - aside, 1.03 - y) * 4.0;
@@ -119,10 +129,19 @@ void GrowingTree::lightOf(Index metamer, const YearFactors& factors)
     }
     const double sky = std::clamp(m_params.sunlight, 0.0, 1.0) * double(node.sky);
     const double shadow = m_shadows.shadowAt(node.at, factors.shade);
-    const std::uint64_t address = m_nodes[metamer].address;
+    const std::uint64_t address = node.address;
     const double jitter = 0.85 + 0.3 * chance(address, 1 + 8 * std::uint64_t(factors.year));
-    const double own = std::clamp(sky - shadow + factors.shade, 0.0, sky) * jitter *
-                       envelope(node.at, node.outline, m_history.axisOrder[m_history.axis[metamer]]);
+    double own = std::clamp(sky - shadow + factors.shade, 0.0, sky) * jitter;
+    const unsigned order = m_history.axisOrder[m_history.axis[metamer]];
+    if (!m_room)
+        own *= envelope(node.at, node.outline, order);
+    else if (m_towards[metamer] != glm::dvec3(0.0))
+        own = sky * jitter;
+    else if (order > 0)
+        own *= 0.15; // what fills its room lives on
+    else             // leaders look for it
+        own *= m_params.space.top > 0.0 ? (node.at.y < m_params.space.top ? 0.5 : 0.15)
+                                        : 0.15 + 0.35 * envelope(node.at, node.outline, order);
     node.light = float(own);
     age(metamer, factors);
     if (node.buds == 0 && !isTip(metamer))
@@ -170,6 +189,8 @@ bool GrowingTree::gatherLight(const YearFactors& factors)
         m_shadows.add(m_nodes[i].at, std::max(1, int(size * (leafy ? leafWeight : woodWeight))));
     }
     m_shadows.sum();
+    if (m_room)
+        lookForRoom();
     m_year = {};
     m_active.clear();
     for (const Index i : m_alive) {
@@ -183,6 +204,51 @@ bool GrowingTree::gatherLight(const YearFactors& factors)
     }
     sumLight();
     return true;
+}
+
+Expected<void> GrowingTree::findRoom(const Progress& progress)
+{
+    const GrowthParams& p = m_params;
+    if (p.sees != GrowthLight::Space)
+        return {};
+    constexpr double reach = 4.5, apart = 2.2, most = 400'000.0; // internodes; points
+    const double step = apart * p.internode;
+    std::vector<glm::dvec3> points;
+    if (p.space.space != nullptr && p.space.top > 0.0) {
+        if (auto checked = p.space.space->checkEnvelope(); !checked)
+            return checked;
+        const double size = p.space.top * p.space.top * p.space.top / (step * step * step);
+        auto inside = p.space.space->points(std::int64_t(std::clamp(p.density * size, 500.0, most)), 0.3,
+                                            m_seed, progress);
+        RAMURE_TRY(inside);
+        points = std::move(*inside);
+    } else {
+        const double box = p.height * p.crownWidth * p.crownWidth / (step * step * step);
+        m_top = p.height;
+        const auto count = std::uint64_t(std::min(p.density * box, most));
+        for (std::uint64_t k = 0; k < count; ++k) {
+            const glm::dvec3 at((chance(k, 31) - 0.5) * p.crownWidth, chance(k, 32) * p.height,
+                                (chance(k, 33) - 0.5) * p.crownWidth);
+            if (envelope(at, float(outline(at)), 1) > 0.3)
+                points.push_back(at);
+        }
+    }
+    m_room.emplace(std::move(points), reach * p.internode);
+    return {};
+}
+
+void GrowingTree::lookForRoom()
+{
+    constexpr double occupied = 2.0; // internodes
+    m_towards.assign(m_nodes.size(), glm::dvec3(0.0));
+    const auto newest = m_alive.empty() ? std::uint16_t(0) : m_history.birth[m_alive.back()];
+    for (const Index i : m_alive)
+        if (m_history.birth[i] == newest)
+            m_room->occupy(m_nodes[i].at, occupied * m_params.internode);
+    for (const Index i : m_alive)
+        if (m_nodes[i].buds != 0 || isTip(i))
+            m_room->look(i, m_nodes[i].at, m_nodes[i].direction);
+    m_room->sum(m_towards);
 }
 
 void GrowingTree::sumLight()

@@ -2,10 +2,12 @@
 /// The tree while it grows: what growHistory() does in a year, step by step. Nobody else includes this.
 #pragma once
 
+#include "core/generators/growth/free_space.h"
 #include "core/generators/growth/growth_history.h"
 #include "core/generators/growth/shadow_grid.h"
 #include <array>
 #include <glm/gtc/quaternion.hpp>
+#include <optional>
 
 namespace ramure::growth {
 
@@ -29,6 +31,8 @@ class GrowingTree
 public:
     GrowingTree(GrowthHistory& history, std::uint64_t seed);
 
+    /// The room that the tree fills, where it looks for it. Errors: those of GrowthSpace.
+    Expected<void> findRoom(const Progress& progress);
     /// False: the shadows would need more voxels than there may be.
     bool gatherLight(const YearFactors& factors);
     void shareVigour(const YearFactors& factors);
@@ -97,6 +101,7 @@ private:
         bool isNew = false;
     };
 
+    void drawProfile();
     double openSky(const glm::dvec3& at, glm::dvec3& towards) const;
     [[nodiscard]] double outline(const glm::dvec3& at) const;
     [[nodiscard]] double envelope(const glm::dvec3& at, float outline, unsigned order) const;
@@ -134,13 +139,17 @@ private:
     GrowthHistory& m_history;
     const GrowthParams& m_params;
     std::uint64_t m_seed;
+    void lookForRoom();
     ShadowGrid m_shadows;
+    std::optional<FreeSpace> m_room;
+    std::vector<glm::dvec3> m_towards; ///< by metamer: unit, where it sees room; 0: nowhere
     std::vector<AxisState> m_axes;
     std::vector<Node> m_nodes;
     std::vector<Flow> m_flow;
-    std::vector<Index> m_alive;     ///< ascending
-    std::vector<Index> m_active;    ///< those with buds that can grow
-    std::vector<glm::dvec4> m_load; ///< kg, and kg m in x, y, z
+    std::vector<Index> m_alive;          ///< ascending
+    std::vector<Index> m_active;         ///< those with buds that can grow
+    std::vector<glm::dvec4> m_load;      ///< kg, and kg m in x, y, z
+    std::array<double, 242> m_profile{}; ///< of the crown
     double m_top = 0.0;
     /// Of the turn from bud to bud. Trunks of species with buds in two rows turn as they grow: a spiral.
     [[nodiscard]] double nextSine(unsigned order) const { return m_turnSine[order > 0 ? 1 : 0]; }

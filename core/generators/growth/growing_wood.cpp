@@ -120,7 +120,7 @@ void GrowingTree::bend(const YearFactors& factors)
     for (std::size_t k = m_alive.size(); k-- > 0;) {
         const Index i = m_alive[k], parent = m_history.parent[i];
         Node& node = m_nodes[i];
-        if (node.pipes > 1.03f * node.weighed) { // near enough for a weight and a stiffness
+        if (node.pipes > 1.06f * node.weighed) { // near enough for a weight and a stiffness
             node.weighed = node.pipes;
             node.thickness = float(tip * tip * maths::pow(double(node.pipes), power));
         }

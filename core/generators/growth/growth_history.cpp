@@ -143,6 +143,8 @@ Expected<GrowthHistory> growHistory(const GrowthParams& params, std::uint64_t se
     history.seed = seed;
     history.rowStart = {0, 0}; // nothing stands at age 0
     GrowingTree tree(history, seed);
+    if (auto found = tree.findRoom(progress); !found)
+        return fail(std::move(found.error()));
     const int years = int(std::ceil(params.age));
     int dark = 0;
     for (int year = 0; year < years; ++year) {

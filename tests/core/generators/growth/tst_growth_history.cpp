@@ -57,6 +57,7 @@ std::vector<GrowthParams> species(double age)
     all[3].phyllotaxis = Phyllotaxis::Opposite;
     all[3].vigour = VigourModel::Priority;
     all[3].stems = 3;
+    all[4].sees = GrowthLight::Space;
     all[4].phyllotaxis = Phyllotaxis::Alternate; // a beech
     all[4].plagiotropy = 0.3;
     all[4].reiteration = 0.05;
@@ -283,6 +284,7 @@ private slots:
         grows([](GrowthParams& p) { p.autonomy = 1.0; });
         grows([](GrowthParams& p) { p.branching = 0.2; });
         grows([](GrowthParams& p) { p.sympodial = 0.9; });
+        grows([](GrowthParams& p) { p.sees = GrowthLight::Space; });
         grows([](GrowthParams& p) { p.light = 2.0; });
         grows([](GrowthParams& p) { p.droop = 2.0; });
         grows([](GrowthParams& p) { p.wander = 2.0; });
