@@ -143,7 +143,7 @@ void GrowingTree::lightOf(Index metamer, const YearFactors& factors)
         own *= m_params.space.top > 0.0 ? (node.at.y < m_params.space.top ? 0.5 : 0.15)
                                         : 0.15 + 0.35 * envelope(node.at, node.outline, order);
     node.light = float(own);
-    age(metamer, factors);
+    age(metamer);
     if (node.buds == 0 && !isTip(metamer))
         return;
     if (isTip(metamer))
@@ -155,7 +155,7 @@ void GrowingTree::lightOf(Index metamer, const YearFactors& factors)
 }
 
 /// Buds that wait too long fall asleep, ends that see no light die.
-void GrowingTree::age(Index metamer, const YearFactors& /*factors*/)
+void GrowingTree::age(Index metamer)
 {
     constexpr int waits = 4, darkYears = 3;
     constexpr float dark = 0.03f;

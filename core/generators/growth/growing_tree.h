@@ -120,7 +120,7 @@ private:
     void shareByRank();
     void rank(std::vector<RankedLight>& ranked, double vigour) const;
     [[nodiscard]] double sideLongest(unsigned order, const YearFactors& factors) const;
-    void age(Index metamer, const YearFactors& factors);
+    void age(Index metamer);
     void growFrom(Index metamer, const YearFactors& factors);
     void growTip(Index metamer, double vigour, const YearFactors& factors);
     void growSide(Index metamer, double vigour, const YearFactors& factors);

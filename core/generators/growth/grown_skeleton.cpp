@@ -125,43 +125,37 @@ private:
     /// at the one before.
     void draw()
     {
-        constexpr double least = 0.0005; // m
-        const GrowthHistory& h = m_history;
         m_branch.assign(m_pieces.size(), noIndex);
         m_out.assign(m_pieces.size(), false);
         m_skeleton.reserve(m_pieces.size());
         for (std::size_t k = 0; k < m_pieces.size(); ++k) {
             const Piece& piece = m_pieces[k];
             const bool root = piece.parent == noIndex;
-            const bool goesOn = !root && m_pieces[piece.parent].next == Index(k);
-            if (!root && m_out[piece.parent]) {
-                m_out[k] = true;
-                continue;
-            }
+            const bool goesOn = root || m_pieces[piece.parent].next == Index(k);
             const Index below = root ? noIndex : m_branch[piece.parent];
-            if (!root && !goesOn && piece.reach < std::max(0.02, 1.6 * m_pieces[piece.parent].radius)) {
-                m_out[k] = true; // it does not leave the wood
-                continue;
-            }
-            if (!root && !goesOn && below == noIndex) {
+            if (!root && (m_out[piece.parent] || (!goesOn && (below == noIndex || !leavesTheWood(piece))))) {
                 m_out[k] = true;
                 continue;
             }
             const glm::dvec3 from = below == noIndex ? glm::dvec3(0.0) : m_skeleton.p1[below];
-            const double length = glm::length(piece.at - from);
-            const double room = goesOn || root ? 0.0 : 1.5 * m_pieces[piece.parent].radius;
-            const bool isTip = piece.next == noIndex;
-            const double closest = (piece.side > 0.0 ? 0.1 : 0.45) * h.params.internode;
-            if (length < least || (!isTip && length < std::max({room, 1.2 * piece.radius, closest}))) {
-                m_branch[k] = goesOn || root ? below : noIndex;
-                if (!goesOn && !root) {
-                    m_waiting.push_back({Index(k), below});
-                    m_branch[k] = below;
-                }
-                continue;
-            }
-            add(Index(k), below, from, h);
+            if (isKept(piece, glm::length(piece.at - from), goesOn))
+                add(Index(k), below, from, m_history);
+            else
+                m_branch[k] = below;
         }
+    }
+    [[nodiscard]] bool leavesTheWood(const Piece& piece) const
+    {
+        return piece.reach >= std::max(0.02, 1.6 * m_pieces[piece.parent].radius);
+    }
+    /// \param length m, from the node before that was kept
+    [[nodiscard]] bool isKept(const Piece& piece, double length, bool goesOn) const
+    {
+        constexpr double least = 0.0005; // m
+        const double room = goesOn ? 0.0 : 1.5 * m_pieces[piece.parent].radius;
+        const double closest = (piece.side > 0.0 ? 0.1 : 0.45) * m_history.params.internode;
+        const bool isTip = piece.next == noIndex;
+        return length >= least && (isTip || length >= std::max({room, 1.2 * piece.radius, closest}));
     }
 
     void add(Index k, Index below, const glm::dvec3& from, const GrowthHistory& h)
@@ -192,7 +186,6 @@ private:
     std::vector<double> m_bends, m_grown;
     std::vector<Index> m_branch; ///< by piece: that ends at it or before
     std::vector<bool> m_out;
-    std::vector<std::pair<Index, Index>> m_waiting;
     std::vector<Index> m_axes; ///< by branch
     Skeleton m_skeleton;
 };
