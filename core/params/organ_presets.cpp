@@ -1,4 +1,4 @@
-#include "core/params/organ_presets.h"
+#include "core/params/species.h"
 
 namespace ramure {
 namespace {

@@ -1,6 +1,5 @@
 #include "core/params/presets.h"
 
-#include "core/params/organ_presets.h"
 #include "core/params/species.h"
 #include <algorithm>
 #include <vector>

@@ -1,9 +1,12 @@
 /// \file
-/// Trees of Weber and Penn by their numbers: what sets one species apart. Internal to the presets.
+/// Trees of Weber and Penn by their numbers: what sets one species apart; and plants that grammars draw.
+/// Internal to the presets.
 #pragma once
 
 #include "core/params/node_params.h"
+#include "core/params/presets.h"
 #include <span>
+#include <vector>
 
 namespace ramure {
 
@@ -38,5 +41,7 @@ std::span<const Species> coniferSpecies();
 double grownBarkTile(BarkFamily family);
 /// The parameters of a node, angles in rad.
 NodeParams speciesParams(const Species& species);
+/// Palms, ferns and rosettes: grammars that put their leaves where they belong.
+std::vector<Preset> organPresets();
 
 } // namespace ramure
