@@ -8,7 +8,7 @@
 namespace ramure {
 namespace {
 
-constexpr double unseen = std::numeric_limits<double>::infinity();
+constexpr double unlooked = std::numeric_limits<double>::infinity();
 constexpr double cone = 0.5; // cosine of the largest angle at which a bud sees
 
 } // namespace
@@ -17,7 +17,7 @@ FreeSpace::FreeSpace(std::vector<glm::dvec3> points, double reach)
     : m_reach(reach)
     , m_cell(reach)
     , m_gone(points.size(), false)
-    , m_nearest(points.size(), unseen)
+    , m_nearest(points.size(), unlooked)
     , m_bud(points.size(), noIndex)
     , m_from(points.size())
 {
@@ -93,7 +93,7 @@ Index FreeSpace::sum(std::vector<glm::dvec3>& towards)
         const glm::dvec3 to = m_points[k] - m_from[k];
         towards[m_bud[k]] += to / std::max(glm::length(to), 1e-9);
         m_bud[k] = noIndex;
-        m_nearest[k] = unseen;
+        m_nearest[k] = unlooked;
         ++seen;
     }
     for (glm::dvec3& sum : towards)
