@@ -7892,10 +7892,6 @@
         <translation>Pied</translation>
     </message>
     <message>
-        <source>What makes the branches. Grammar: symbols that rules replace, and a turtle that draws them. Weber and Penn: trunk, limbs, branches and twigs, each level by its own numbers. Space colonisation: branches reach for points that fill a crown of your shape. Drawn by hand: only what the steps of the recipe draw. Leaves, bark and motion stay.</source>
-        <translation>Ce qui fait les branches. Grammaire : des symboles que des règles remplacent, et une tortue qui les dessine. Weber et Penn : tronc, branches maîtresses, branches et rameaux, chaque niveau selon ses propres nombres. Colonisation de l’espace : les branches cherchent à atteindre des points qui remplissent une couronne de votre forme. Dessiné à la main : seulement ce que dessinent les étapes de la recette. Feuilles, écorce et mouvement restent.</translation>
-    </message>
-    <message>
         <source>Drawn by hand</source>
         <translation>Dessiné à la main</translation>
     </message>
@@ -8246,6 +8242,406 @@
     <message>
         <source>these are not the bytes of a tree</source>
         <translation>ces octets ne sont pas ceux d’un arbre</translation>
+    </message>
+    <message>
+        <source>the tree has died at the age of %1 years for want of light</source>
+        <translation>l’arbre est mort à l’âge de %1 ans, faute de lumière</translation>
+    </message>
+    <message>
+        <source>Limbs as thick as trunks, crooked to their tips</source>
+        <translation>Des branches grosses comme des troncs, tordues jusqu’au bout</translation>
+    </message>
+    <message>
+        <source>Fine rising limbs, twigs in flat sprays</source>
+        <translation>De fines branches dressées, des rameaux en éventails plats</translation>
+    </message>
+    <message>
+        <source>A slender stem, its finest twigs hanging</source>
+        <translation>Une tige élancée, dont les rameaux les plus fins pendent</translation>
+    </message>
+    <message>
+        <source>A dense tall dome on bowed limbs</source>
+        <translation>Un haut dôme dense sur des branches arquées</translation>
+    </message>
+    <message>
+        <source>A short trunk under curtains of hanging shoots</source>
+        <translation>Un tronc court sous des rideaux de pousses pendantes</translation>
+    </message>
+    <message>
+        <source>A low spreading head of spurs and crooked limbs</source>
+        <translation>Une tête basse et étalée, de lambourdes et de branches tordues</translation>
+    </message>
+    <message>
+        <source>A stout twisted trunk under a loose grey crown</source>
+        <translation>Un gros tronc tors sous une couronne grise et lâche</translation>
+    </message>
+    <message>
+        <source>A column of limbs that rise along the trunk</source>
+        <translation>Une colonne de branches dressées le long du tronc</translation>
+    </message>
+    <message>
+        <source>A high crown in clouds on a bare red stem</source>
+        <translation>Une haute couronne en nuages sur un tronc rouge et nu</translation>
+    </message>
+    <message>
+        <source>A spire of whorls, each limb hung with twigs</source>
+        <translation>Une flèche de verticilles, chaque branche tendue de rameaux</translation>
+    </message>
+    <message>
+        <source>Level limbs in storeys, a flat top when old</source>
+        <translation>Des branches à plat par étages, une cime plate dans la vieillesse</translation>
+    </message>
+    <message>
+        <source>Age</source>
+        <translation>Âge</translation>
+    </message>
+    <message>
+        <source>Size of the grown tree</source>
+        <translation>Taille de l’arbre adulte</translation>
+    </message>
+    <message>
+        <source>Shoots</source>
+        <translation>Pousses</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Lumière</translation>
+    </message>
+    <message>
+        <source>Habit</source>
+        <translation>Port</translation>
+    </message>
+    <message>
+        <source>Wood</source>
+        <translation>Bois</translation>
+    </message>
+    <message>
+        <source>Years since it was a seed. The tree of any age is cut out of one life: what is there at 40 was there at 30, or has grown since.</source>
+        <translation>Années depuis la graine. L’arbre de tout âge est pris dans une seule vie : ce qui est là à 40 ans l’était à 30, ou a poussé depuis.</translation>
+    </message>
+    <message>
+        <source>Leader until</source>
+        <translation>Flèche jusqu’à</translation>
+    </message>
+    <message>
+        <source>The year in which the trunk loses its lead and becomes a limb among limbs. Late: one trunk to the top. Early: a crown of many limbs on a short trunk.</source>
+        <translation>L’année où le tronc perd son avance et devient une branche parmi d’autres. Tard : un seul tronc jusqu’en haut. Tôt : une couronne de beaucoup de branches sur un tronc court.</translation>
+    </message>
+    <message>
+        <source>Mature at</source>
+        <translation>Adulte à</translation>
+    </message>
+    <message>
+        <source>Years until the height is nearly reached.</source>
+        <translation>Années jusqu’à ce que la hauteur soit presque atteinte.</translation>
+    </message>
+    <message>
+        <source>Of the mature tree.</source>
+        <translation>De l’arbre adulte.</translation>
+    </message>
+    <message>
+        <source>Spread</source>
+        <translation>Envergure</translation>
+    </message>
+    <message>
+        <source>Width of the mature crown.</source>
+        <translation>Largeur de la couronne adulte.</translation>
+    </message>
+    <message>
+        <source>Crown begins at</source>
+        <translation>Début de la couronne</translation>
+    </message>
+    <message>
+        <source>As a share of the height: limbs below get no light in the mature tree.</source>
+        <translation>En part de la hauteur : les branches en dessous n’ont pas de lumière dans l’arbre adulte.</translation>
+    </message>
+    <message>
+        <source>Where the crown is widest, as a share of the crown&apos;s height.</source>
+        <translation>Où la couronne est la plus large, en part de sa hauteur.</translation>
+    </message>
+    <message>
+        <source>Shape of the top</source>
+        <translation>Forme de la cime</translation>
+    </message>
+    <message>
+        <source>How the crown narrows towards its top: 0.2 as an umbrella, 0.5 round, 1 as a cone.</source>
+        <translation>Comment la couronne se resserre vers la cime : 0,2 en parasol, 0,5 ronde, 1 en cône.</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Densité</translation>
+    </message>
+    <message>
+        <source>How many shoots the crown has: 1 is usual. More take longer.</source>
+        <translation>Combien de pousses a la couronne : 1 est l’usage. Plus il y en a, plus c’est long.</translation>
+    </message>
+    <message>
+        <source>How many stems leave the ground, as of a birch in a clump or of a coppiced hazel.</source>
+        <translation>Combien de tiges partent du sol, comme d’un bouleau en cépée ou d’un noisetier recépé.</translation>
+    </message>
+    <message>
+        <source>From one bud to the next on a long shoot. Short ones make a finer tree, and take longer.</source>
+        <translation>D’un bourgeon au suivant sur une pousse longue. Courts, ils font un arbre plus fin, et c’est plus long.</translation>
+    </message>
+    <message>
+        <source>Phyllotaxis</source>
+        <translation>Phyllotaxie</translation>
+    </message>
+    <message>
+        <source>How buds follow each other along a shoot. Spiral: one at a time, turned on, as of oaks. Opposite: in crossed pairs, as of maples and ashes. Alternate: left and right in turn, as of beeches and lindens.</source>
+        <translation>Comment les bourgeons se suivent le long d’une pousse. Spirale : un à la fois, tourné, comme chez les chênes. Opposée : par paires croisées, comme chez les érables et les frênes. Alterne : à gauche puis à droite, comme chez les hêtres et les tilleuls.</translation>
+    </message>
+    <message>
+        <source>Divergence</source>
+        <translation>Divergence</translation>
+    </message>
+    <message>
+        <source>How far each bud of a spiral is turned about the shoot from the one before.</source>
+        <translation>De combien chaque bourgeon d’une spirale est tourné autour de la pousse par rapport au précédent.</translation>
+    </message>
+    <message>
+        <source>Insertion</source>
+        <translation>Insertion</translation>
+    </message>
+    <message>
+        <source>The angle between an axis and the shoots that leave it.</source>
+        <translation>L’angle entre un axe et les pousses qui en partent.</translation>
+    </message>
+    <message>
+        <source>Limbs of a whorl</source>
+        <translation>Branches d’un verticille</translation>
+    </message>
+    <message>
+        <source>How many limbs stand around the end of each year&apos;s shoot of the trunk, as of pines and spruces. 0: none do.</source>
+        <translation>Combien de branches entourent le bout de la pousse annuelle du tronc, comme chez les pins et les épicéas. 0 : aucune.</translation>
+    </message>
+    <message>
+        <source>Buds at the end</source>
+        <translation>Bourgeons du bout</translation>
+    </message>
+    <message>
+        <source>How many side buds stand around the end of each year&apos;s shoot.</source>
+        <translation>Combien de bourgeons latéraux entourent le bout de la pousse de chaque année.</translation>
+    </message>
+    <message>
+        <source>Acrotony</source>
+        <translation>Acrotonie</translation>
+    </message>
+    <message>
+        <source>Which buds of a year&apos;s shoot grow: 0 all alike, 1 only those near its end.</source>
+        <translation>Quels bourgeons d’une pousse annuelle démarrent : 0 tous pareils, 1 seulement ceux du bout.</translation>
+    </message>
+    <message>
+        <source>Branching</source>
+        <translation>Ramification</translation>
+    </message>
+    <message>
+        <source>How much of the vigour goes into side shoots: low makes long whips, high makes bushy twigs.</source>
+        <translation>Quelle part de la vigueur va aux pousses latérales : peu fait de longues baguettes, beaucoup fait des rameaux touffus.</translation>
+    </message>
+    <message>
+        <source>Short shoots</source>
+        <translation>Rameaux courts</translation>
+    </message>
+    <message>
+        <source>How weak a bud may be and still make a short shoot: 0 none does, 1 all do.</source>
+        <translation>Combien un bourgeon peut être faible et faire encore un rameau court : 0 aucun, 1 tous.</translation>
+    </message>
+    <message>
+        <source>Orders</source>
+        <translation>Ordres</translation>
+    </message>
+    <message>
+        <source>How many orders of axes there may be: trunk, limbs, boughs and so on.</source>
+        <translation>Combien d’ordres d’axes il peut y avoir : tronc, branches maîtresses, branches, et ainsi de suite.</translation>
+    </message>
+    <message>
+        <source>Buds see</source>
+        <translation>Les bourgeons voient</translation>
+    </message>
+    <message>
+        <source>What makes buds grow. Light: the sky, as far as leaves above do not hide it. Room: free space in the crown, or in the solid that the tree fills.</source>
+        <translation>Ce qui fait démarrer les bourgeons. Lumière : le ciel, tant que les feuilles au-dessus ne le cachent pas. Place : l’espace libre dans la couronne, ou dans le solide que l’arbre remplit.</translation>
+    </message>
+    <message>
+        <source>Shade tolerance</source>
+        <translation>Tolérance à l’ombre</translation>
+    </message>
+    <message>
+        <source>0: a light crown of few layers, as of birches and pines. 1: a deep and dense one, as of beeches and spruces.</source>
+        <translation>0 : une couronne légère de peu de couches, comme chez les bouleaux et les pins. 1 : une couronne profonde et dense, comme chez les hêtres et les épicéas.</translation>
+    </message>
+    <message>
+        <source>Shedding</source>
+        <translation>Élagage</translation>
+    </message>
+    <message>
+        <source>How soon branches in the shade fall: 0 they stay, 1 they go at once.</source>
+        <translation>Quand les branches à l’ombre tombent : 0 elles restent, 1 elles partent aussitôt.</translation>
+    </message>
+    <message>
+        <source>Towards the light</source>
+        <translation>Vers la lumière</translation>
+    </message>
+    <message>
+        <source>How much shoots turn to where the light comes from.</source>
+        <translation>Combien les pousses se tournent d’où vient la lumière.</translation>
+    </message>
+    <message>
+        <source>Sunlight</source>
+        <translation>Ensoleillement</translation>
+    </message>
+    <message>
+        <source>As a share of the open sky&apos;s. With too little of it the tree dies.</source>
+        <translation>En part de celui du ciel dégagé. Avec trop peu, l’arbre meurt.</translation>
+    </message>
+    <message>
+        <source>Apical control</source>
+        <translation>Dominance apicale</translation>
+    </message>
+    <message>
+        <source>How far limbs keep one axis each: 0 they fork evenly, 1 they are straight with short side shoots.</source>
+        <translation>Combien chaque branche garde un seul axe : 0 elles fourchent à parts égales, 1 elles sont droites avec de courtes pousses latérales.</translation>
+    </message>
+    <message>
+        <source>Length of side shoots</source>
+        <translation>Longueur des latérales</translation>
+    </message>
+    <message>
+        <source>The longest shoots of an order of axes, as a share of those of the order before.</source>
+        <translation>Les plus longues pousses d’un ordre d’axes, en part de celles de l’ordre précédent.</translation>
+    </message>
+    <message>
+        <source>Autonomy of limbs</source>
+        <translation>Autonomie des branches</translation>
+    </message>
+    <message>
+        <source>How much shoots grow out of their own leaves: 0 all vigour is shared out from the roots, 1 each limb is a tree of its own.</source>
+        <translation>Combien les pousses vivent de leurs propres feuilles : 0 toute la vigueur est partagée depuis les racines, 1 chaque branche est un arbre à elle seule.</translation>
+    </message>
+    <message>
+        <source>Vigour is shared</source>
+        <translation>Partage de la vigueur</translation>
+    </message>
+    <message>
+        <source>Borchert and Honda: at each fork by the light above it. Priority: along each axis by rank, so that few buds get most of it.</source>
+        <translation>Borchert et Honda : à chaque fourche, selon la lumière au-dessus. Priorité : le long de chaque axe, par rang, si bien que peu de bourgeons en ont le plus.</translation>
+    </message>
+    <message>
+        <source>Sympodial</source>
+        <translation>Sympodial</translation>
+    </message>
+    <message>
+        <source>How likely an apex dies or flowers in a year, so that a side bud goes on: crooked twigs, as of elms and old maples.</source>
+        <translation>La chance qu’un apex meure ou fleurisse dans l’année, et qu’un bourgeon latéral continue : des rameaux en zigzag, comme chez les ormes et les vieux érables.</translation>
+    </message>
+    <message>
+        <source>Reiteration</source>
+        <translation>Réitération</translation>
+    </message>
+    <message>
+        <source>How likely in a year a dormant bud in the light begins a tree anew, as on old oaks.</source>
+        <translation>La chance, dans l’année, qu’un bourgeon dormant à la lumière recommence un arbre, comme sur les vieux chênes.</translation>
+    </message>
+    <message>
+        <source>Upright</source>
+        <translation>Dressé</translation>
+    </message>
+    <message>
+        <source>How much shoots turn upwards; below 0, downwards.</source>
+        <translation>Combien les pousses se tournent vers le haut ; sous 0, vers le bas.</translation>
+    </message>
+    <message>
+        <source>Weeping</source>
+        <translation>Pleureur</translation>
+    </message>
+    <message>
+        <source>How much the shoots of higher orders hang.</source>
+        <translation>Combien pendent les pousses des ordres supérieurs.</translation>
+    </message>
+    <message>
+        <source>Flat limbs</source>
+        <translation>Branches plates</translation>
+    </message>
+    <message>
+        <source>How flat side shoots stay, in tiers as of beeches, firs and cedars.</source>
+        <translation>Combien les pousses latérales restent à plat, par étages comme chez les hêtres, les sapins et les cèdres.</translation>
+    </message>
+    <message>
+        <source>Crookedness</source>
+        <translation>Tortuosité</translation>
+    </message>
+    <message>
+        <source>How much chance turns each internode.</source>
+        <translation>Combien le hasard tourne chaque entre-nœud.</translation>
+    </message>
+    <message>
+        <source>Pipe exponent</source>
+        <translation>Exposant des tuyaux</translation>
+    </message>
+    <message>
+        <source>Of the diameters that a branch carries added up: 2 keeps the area of the wood, 3 makes slender trunks.</source>
+        <translation>Des diamètres portés qu’on additionne : 2 garde la surface du bois, 3 fait des troncs élancés.</translation>
+    </message>
+    <message>
+        <source>Radius of twigs</source>
+        <translation>Rayon des rameaux</translation>
+    </message>
+    <message>
+        <source>Of a shoot in its first year. The whole tree gets thicker with it.</source>
+        <translation>D’une pousse dans sa première année. Tout l’arbre grossit avec lui.</translation>
+    </message>
+    <message>
+        <source>Girth of the lost</source>
+        <translation>Bois des perdues</translation>
+    </message>
+    <message>
+        <source>How much of the wood that carried shed branches the stem keeps: thick trunks below open crowns.</source>
+        <translation>Combien la tige garde du bois qui portait les branches tombées : de gros troncs sous des couronnes claires.</translation>
+    </message>
+    <message>
+        <source>Sag of the years</source>
+        <translation>Affaissement des années</translation>
+    </message>
+    <message>
+        <source>How much of what each year&apos;s new weight bends becomes form.</source>
+        <translation>Quelle part de ce que le poids nouveau de chaque année fait plier devient forme.</translation>
+    </message>
+    <message>
+        <source>Reaction wood</source>
+        <translation>Bois de réaction</translation>
+    </message>
+    <message>
+        <source>How soon what leans turns up again.</source>
+        <translation>Quand ce qui penche se redresse.</translation>
+    </message>
+    <message>
+        <source>What makes the branches. Grammar: symbols that rules replace, and a turtle that draws them. Weber and Penn: trunk, limbs, branches and twigs, each level by its own numbers. Space colonisation: branches reach for points that fill a crown of your shape. Drawn by hand: only what the steps of the recipe draw. Growth: shoots compete for light, year by year, and the tree has an age. Leaves, bark and motion stay.</source>
+        <translation>Ce qui fait les branches. Grammaire : des symboles que des règles remplacent, et une tortue qui les dessine. Weber et Penn : tronc, branches maîtresses, branches et rameaux, chaque niveau selon ses propres nombres. Colonisation de l’espace : les branches cherchent à atteindre des points qui remplissent une couronne de votre forme. Dessiné à la main : seulement ce que dessinent les étapes de la recette. Croissance : les pousses se disputent la lumière, année après année, et l’arbre a un âge. Feuilles, écorce et mouvement restent.</translation>
+    </message>
+    <message>
+        <source>Growth</source>
+        <translation>Croissance</translation>
+    </message>
+    <message>
+        <source>Room</source>
+        <translation>Place</translation>
+    </message>
+    <message>
+        <source>Borchert and Honda</source>
+        <translation>Borchert et Honda</translation>
+    </message>
+    <message>
+        <source>Priority</source>
+        <translation>Priorité</translation>
+    </message>
+    <message>
+        <source>Weber and Penn 1995</source>
+        <translation>Weber et Penn 1995</translation>
+    </message>
+    <message>
+        <source>Shoots that compete for light, year by year</source>
+        <translation>Des pousses qui se disputent la lumière, année après année</translation>
     </message>
 </context>
 <context>

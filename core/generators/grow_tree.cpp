@@ -3,8 +3,11 @@
 #include "core/generators/colonisation/colonisation.h"
 #include "core/generators/grammar/rewrite.h"
 #include "core/generators/grammar/turtle.h"
+#include "core/generators/growth/grown_skeleton.h"
 #include "core/generators/parametric/module_turtle.h"
 #include "core/generators/weber_penn/weber_penn.h"
+#include <algorithm>
+#include <cmath>
 
 namespace ramure {
 namespace {
@@ -28,7 +31,31 @@ Expected<GrownSymbols> growModules(const GrammarParams& params, const Progress& 
     if (!word)
         return blame(std::move(word.error()), "grammar.iterations");
     std::string letters = lettersOf(*word);
-    return GrownSymbols{std::move(letters), std::move(*word)};
+    return GrownSymbols{std::move(letters), std::move(*word), {}};
+}
+
+/// A seedling of one shoot is the least that there is.
+constexpr double leastAge = 0.25;
+
+Expected<GrownSymbols> growYears(const NodeParams& all, const Progress& progress)
+{
+    GrowthParams params = all.growth;
+    params.age = historyYears(all);
+    auto history = growHistory(params, static_cast<std::uint64_t>(all.grammar.seed), progress);
+    RAMURE_TRY(history);
+    return GrownSymbols{{}, {}, std::make_shared<const GrowthHistory>(std::move(*history))};
+}
+
+Expected<Skeleton> cutAge(const GrowthHistory& history, double age)
+{
+    Skeleton tree = skeletonAtAge(history, std::max(age, leastAge));
+    if (!tree.empty())
+        return tree;
+    return blame(fail(ErrorCode::Invalid,
+                      RAMURE_NOOP("the tree has died at the age of %1 years for want of light"),
+                      {std::to_string(history.diedAt)})
+                     .value(),
+                 "growth.age");
 }
 
 bool growsByGrammar(const NodeParams& params)
@@ -38,8 +65,16 @@ bool growsByGrammar(const NodeParams& params)
 
 } // namespace
 
+double historyYears(const NodeParams& params)
+{
+    constexpr double step = 10.0;
+    return std::min(step * std::max(std::ceil(params.growth.age / step), 1.0), maxGrowthAge);
+}
+
 const char* sizeKey(const NodeParams& params)
 {
+    if (params.generator.kind == TreeGenerator::Growth)
+        return "growth.age";
     if (params.generator.kind == TreeGenerator::Colonisation)
         return "colonisation.points";
     if (params.generator.kind == TreeGenerator::Drawn)
@@ -49,6 +84,8 @@ const char* sizeKey(const NodeParams& params)
 
 Expected<GrownSymbols> growSymbols(const NodeParams& all, const Progress& progress)
 {
+    if (all.generator.kind == TreeGenerator::Growth)
+        return growYears(all, progress);
     if (!growsByGrammar(all))
         return GrownSymbols{};
     const GrammarParams& params = all.grammar;
@@ -63,7 +100,7 @@ Expected<GrownSymbols> growSymbols(const NodeParams& all, const Progress& progre
     auto symbols = rewrite(*grammar, options, progress);
     if (!symbols)
         return blame(std::move(symbols.error()), "grammar.iterations");
-    return GrownSymbols{std::move(*symbols), {}};
+    return GrownSymbols{std::move(*symbols), {}, {}};
 }
 
 Expected<Skeleton> growSkeleton(const GrownSymbols& grown, const NodeParams& params, const Progress& progress)
@@ -76,6 +113,8 @@ Expected<Skeleton> growSkeleton(const GrownSymbols& grown, const NodeParams& par
         return growColonisation(params.colonisation, seed, progress);
     if (params.generator.kind == TreeGenerator::Drawn)
         return Skeleton();
+    if (grown.history)
+        return cutAge(*grown.history, params.growth.age);
     const TurtleChance chance{grammar.stochastic ? params.variation : VariationParams{0.0, 0.0, 0.0}, seed};
     if (grammar.dialect == GrammarDialect::Parametric)
         return runModuleTurtle(grown.word, params.turtle, chance, progress);

@@ -4,24 +4,31 @@
 
 #include "core/base/error.h"
 #include "core/base/progress.h"
+#include "core/generators/growth/growth_history.h"
 #include "core/generators/parametric/derive.h"
 #include "core/params/node_params.h"
 #include "core/skeleton/skeleton.h"
+#include <memory>
 #include <string>
 
 namespace ramure {
 
-/// What the rules made of the axiom; empty where no grammar grows.
+/// What the rules made of the axiom, or the years of a seed; empty where the generator has no such part.
 struct GrownSymbols
 {
     std::string letters;
     ModuleWord word; ///< of the parametric dialect, one module a letter
+    /// Of a tree that grows year by year: its life, from which its age is cut.
+    std::shared_ptr<const GrowthHistory> history{};
 };
 
 /// Errors of both: those of the generators, path = the parameter's key; Cancelled. \pre checkParams.
 Expected<GrownSymbols> growSymbols(const NodeParams& params, const Progress& progress = {});
 Expected<Skeleton> growSkeleton(const GrownSymbols& grown, const NodeParams& params,
                                 const Progress& progress = {});
+
+/// Years that the history of a tree is grown for: as many for all ages of ten years.
+double historyYears(const NodeParams& params);
 
 /// The parameter that most likely makes a tree too large.
 const char* sizeKey(const NodeParams& params);

@@ -44,7 +44,8 @@ bool variesByChance(const NodeParams& params)
         return true;
     if (params.generator.kind == TreeGenerator::Drawn)
         return false;
-    if (params.generator.kind == TreeGenerator::Colonisation)
+    if (params.generator.kind == TreeGenerator::Colonisation ||
+        params.generator.kind == TreeGenerator::Growth)
         return true;
     if (params.generator.kind == TreeGenerator::WeberPenn)
         return varies(params.weberPenn);

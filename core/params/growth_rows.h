@@ -13,7 +13,8 @@ inline constexpr std::array growthRows{
         {"generator.kind", generatorGroup, RAMURE_NOOP("Generator"),
          RAMURE_NOOP("What makes the branches. Grammar: symbols that rules replace, and a turtle that draws them. Weber and "
                      "Penn: trunk, limbs, branches and twigs, each level by its own numbers. Space colonisation: branches reach for "
-                     "points that fill a crown of your shape. Drawn by hand: only what the steps of the recipe draw. Leaves, bark and motion stay.")},
+                     "points that fill a crown of your shape. Drawn by hand: only what the steps of the recipe draw. Growth: shoots compete for "
+                     "light, year by year, and the tree has an age. Leaves, bark and motion stay.")},
         ParamUnit::None, {}, Stage::Symbols),
     row<&NodeParams::grammar, &GrammarParams::seed>(
         {"grammar.seed", generatorGroup, RAMURE_NOOP("Seed of the tree"),

@@ -11,6 +11,7 @@
 #include "core/params/camera_params.h"
 #include "core/params/colonisation_params.h"
 #include "core/params/fruit_params.h"
+#include "core/params/growth_params.h"
 #include "core/params/leaf_params.h"
 #include "core/params/physics_params.h"
 #include "core/params/picture_params.h"
@@ -143,6 +144,7 @@ struct NodeParams
     VariationParams variation;
     WeberPennParams weberPenn;
     ColonisationParams colonisation;
+    GrowthParams growth;
     SimplifyParams simplify;
     SectionParams sections;
     MeshParams mesh;
@@ -193,6 +195,8 @@ inline double trunkRadius(const NodeParams& params)
         return own.scale * own.level[0].length * own.ratio;
     case TreeGenerator::Colonisation:
         return 0.015 * crownTop(params.colonisation);
+    case TreeGenerator::Growth: // whatever its age: leaves do not grow with the trunk
+        return 0.018 * params.growth.height;
     case TreeGenerator::Drawn:
         for (const TreeEdit& step : params.edits)
             if (step.operation == EditOperation::Draw && step.target.address == 0 && !step.points.empty())

@@ -16,7 +16,18 @@ template <>
 inline constexpr std::array itemsOf<TreeGenerator>{
     EnumItem{"grammar", RAMURE_NOOP("Grammar")}, EnumItem{"weber_penn", RAMURE_NOOP("Weber and Penn")},
     EnumItem{"colonisation", RAMURE_NOOP("Space colonisation")},
-    EnumItem{"drawn", RAMURE_NOOP("Drawn by hand")}};
+    EnumItem{"drawn", RAMURE_NOOP("Drawn by hand")}, EnumItem{"growth", RAMURE_NOOP("Growth")}};
+template <>
+inline constexpr std::array itemsOf<Phyllotaxis>{EnumItem{"spiral", RAMURE_NOOP("Spiral")},
+                                                 EnumItem{"opposite", RAMURE_NOOP("Opposite")},
+                                                 EnumItem{"alternate", RAMURE_NOOP("Alternate")}};
+template <>
+inline constexpr std::array itemsOf<GrowthLight>{EnumItem{"light", RAMURE_NOOP("Light")},
+                                                 EnumItem{"space", RAMURE_NOOP("Room")}};
+template <>
+inline constexpr std::array itemsOf<VigourModel>{
+    EnumItem{"borchert_honda", RAMURE_NOOP("Borchert and Honda")},
+    EnumItem{"priority", RAMURE_NOOP("Priority")}};
 template <>
 inline constexpr std::array itemsOf<StandWay>{
     EnumItem{"ground", RAMURE_NOOP("On the ground")}, EnumItem{"limbs", RAMURE_NOOP("Limbs along axes")},

@@ -19,6 +19,8 @@ constexpr std::array robust{"robust"};
 constexpr std::array grammarOnly{"grammar"};
 constexpr std::array weberPenn{"weber_penn"};
 constexpr std::array colonisation{"colonisation"};
+constexpr std::array growth{"growth"};
+constexpr std::array spiral{"spiral"};
 constexpr std::array profile{"profile"};
 constexpr std::array revolved{"sphere", "hemisphere", "cone", "cylinder", "profile"};
 constexpr std::array transpose{"transpose"};
@@ -44,6 +46,7 @@ constexpr std::array relevances{
     Relevance{"turtle.tropism", "grammar.dialect", parametricOnly},
     Relevance{"turtle.elasticity", "grammar.dialect", parametricOnly},
     Relevance{"variation.radius", "grammar.dialect", classic},
+    Relevance{"growth.divergence", "growth.phyllotaxis", spiral},
     Relevance{"colonisation.profile", "colonisation.envelope", profile},
     Relevance{"colonisation.crownBase", "colonisation.envelope", revolved},
     Relevance{"colonisation.crownHeight", "colonisation.envelope", revolved},
@@ -86,6 +89,7 @@ constexpr std::array relevances{
     Relevance{"variation.", "generator.kind", grammarOnly},
     Relevance{"weberPenn.", "generator.kind", weberPenn},
     Relevance{"colonisation.", "generator.kind", colonisation},
+    Relevance{"growth.", "generator.kind", growth},
 };
 
 } // namespace

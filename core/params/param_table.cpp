@@ -1,5 +1,6 @@
 #include "core/params/colonisation_rows.h"
 #include "core/params/dress_rows.h"
+#include "core/params/grown_tree_rows.h"
 #include "core/params/growth_rows.h"
 #include "core/params/node_rows.h"
 #include "core/params/step_rows.h"
@@ -21,8 +22,8 @@ template <std::size_t... sizes> constexpr auto joined(const std::array<ParamDef,
 /// In the order of the interface; those of steps, which no node has, come last.
 constexpr auto table =
     joined(rows::growthRows, rows::weberPennRows, rows::weberPennLevel<0>, rows::weberPennLevel<1>,
-           rows::weberPennLevel<2>, rows::weberPennLevel<3>, rows::colonisationRows, rows::modelRows,
-           rows::dressRows, rows::nodeRows, rows::stepRows);
+           rows::weberPennLevel<2>, rows::weberPennLevel<3>, rows::colonisationRows, rows::grownTreeRows,
+           rows::modelRows, rows::dressRows, rows::nodeRows, rows::stepRows);
 
 } // namespace
 

@@ -188,8 +188,8 @@ std::vector<Preset> forms(std::span<const Preset> grown)
         return std::ranges::find(grown, name, &Preset::name)->params;
     };
     constexpr const char* group = RAMURE_NOOP("Forms");
-    Preset snag{"DeadSnag", RAMURE_NOOP("A broken pine trunk with the stubs of its limbs"), like("ScotsPine"),
-                "", group};
+    Preset snag{"DeadSnag", RAMURE_NOOP("A broken pine trunk with the stubs of its limbs"),
+                like("ScotsPine1995"), "", group};
     WeberPennParams& dead = snag.params.weberPenn;
     dead.levels = 2;
     dead.baseSize = 0.25;
@@ -203,7 +203,7 @@ std::vector<Preset> forms(std::span<const Preset> grown)
     snag.params.foliage.applesProbability = 0.0;
     snag.params.bark.family = BarkFamily::Fibrous;
     snag.params.bark.light = 0.3;
-    Preset sapling{"Sapling", RAMURE_NOOP("A young birch, three metres high"), like("SilverBirch"), "",
+    Preset sapling{"Sapling", RAMURE_NOOP("A young birch, three metres high"), like("SilverBirch1995"), "",
                    group};
     WeberPennParams& young = sapling.params.weberPenn;
     young.scale = 3.2;
@@ -216,8 +216,8 @@ std::vector<Preset> forms(std::span<const Preset> grown)
     sapling.params.leaf.size = 4.0;
     sapling.params.leaf.internode = 3.0;
     sapling.params.foliage.leavesCutoff = 0.3;
-    Preset bare{"WinterOak", RAMURE_NOOP("An English oak in winter, without a leaf"), like("EnglishOak"), "",
-                group};
+    Preset bare{"WinterOak", RAMURE_NOOP("An English oak in winter, without a leaf"), like("EnglishOak1995"),
+                "", group};
     bare.params.leaf.season = 1.0;
     bare.params.foliage.applesProbability = 0.0;
     Preset tray{"Bonsai", RAMURE_NOOP("A small old pine with a bent trunk and limbs like trays"),
@@ -247,6 +247,34 @@ std::vector<Preset> colonised()
     return {{"ParkTree", RAMURE_NOOP("A round crown that its branches fill"), park, "", group},
             {"UmbrellaAcacia", RAMURE_NOOP("A flat roof of twigs, drawn as a profile"), acacia,
              "Vachellia tortilis", group}};
+}
+
+/// Group by group, each in the order of names. Where a species grows by years, its tree of 1995 stands in a
+/// group of its own.
+std::vector<Preset> everySpecies()
+{
+    constexpr const char *broadleaved = RAMURE_NOOP("Broadleaved trees"), *conifers = RAMURE_NOOP("Conifers"),
+                         *of1995 = RAMURE_NOOP("Weber and Penn 1995");
+    std::vector<Preset> all;
+    for (const auto& list : {species(), broadleavedSpecies(), coniferSpecies()})
+        for (const Species& each : list) {
+            const bool isOld = std::string_view(each.name).ends_with("1995");
+            all.push_back({each.name, each.description, speciesParams(each), each.latin,
+                           isOld          ? of1995
+                           : each.conifer ? conifers
+                                          : broadleaved});
+        }
+    for (const GrownSpecies& each : grownSpecies()) {
+        const auto dress = std::ranges::find(all, std::string(each.name) + "1995", &Preset::name);
+        all.push_back({each.name, each.description, grownParams(each, dress->params), each.latin,
+                       each.conifer ? conifers : broadleaved, each.ages});
+    }
+    const auto place = [&](const Preset& preset) {
+        const std::string_view group = preset.group;
+        return std::pair(group == of1995 ? 2 : group == conifers ? 1 : 0, std::string_view(preset.name));
+    };
+    std::ranges::sort(all, {}, place);
+    return all;
 }
 
 constexpr std::size_t courseworkCount = 4;
@@ -284,17 +312,8 @@ std::vector<Preset> everyPreset()
         all[i].params.mesh.leastRadius = 0.0;
     const auto filled = colonised();
     all.insert(all.end(), filled.begin(), filled.end());
-    for (const bool conifers : {false, true}) {
-        const std::size_t first = all.size();
-        for (const auto& list : {species(), broadleavedSpecies(), coniferSpecies()})
-            for (const Species& each : list)
-                if (each.conifer == conifers)
-                    all.push_back({each.name, each.description, speciesParams(each), each.latin,
-                                   conifers ? RAMURE_NOOP("Conifers") : RAMURE_NOOP("Broadleaved trees")});
-        std::sort(all.begin() + std::ptrdiff_t(first), all.end(), [](const Preset& a, const Preset& b) {
-            return std::string_view(a.name) < std::string_view(b.name);
-        });
-    }
+    const std::vector<Preset> trees = everySpecies();
+    all.insert(all.end(), trees.begin(), trees.end());
     for (const auto& more : {organPresets(), forms(all)})
         all.insert(all.end(), more.begin(), more.end());
     for (std::size_t i = courseworkCount; i < all.size(); ++i) // those of the coursework have no scale

@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/params/param_def.h"
+#include <array>
 #include <span>
 #include <string_view>
 
@@ -15,8 +16,9 @@ struct Preset
     const char* name;        ///< "SmallTree": `preset:SmallTree` on the command line
     const char* description; ///< English, context "core"
     NodeParams params;
-    const char* latin = ""; ///< of a species: "Populus tremuloides"
-    const char* group = ""; ///< English, context "core": they stand together
+    const char* latin = "";    ///< of a species: "Populus tremuloides"
+    const char* group = "";    ///< English, context "core": they stand together
+    std::array<int, 3> ages{}; ///< years, of one that grows by years: young, mature, old
 };
 
 /// Group by group.

@@ -14,7 +14,7 @@ constexpr std::string_view named = "step:";
 EditOperation operationOf(const NodeParams& params)
 {
     constexpr std::array kinds{EditOperation::Grammar, EditOperation::WeberPenn, EditOperation::Colonisation,
-                               EditOperation::Draw};
+                               EditOperation::Draw, EditOperation::Growth};
     return kinds[static_cast<std::size_t>(params.generator.kind)];
 }
 

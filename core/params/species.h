@@ -5,6 +5,7 @@
 
 #include "core/params/node_params.h"
 #include "core/params/presets.h"
+#include <array>
 #include <span>
 #include <vector>
 
@@ -37,6 +38,19 @@ struct Species
 std::span<const Species> species();
 std::span<const Species> broadleavedSpecies();
 std::span<const Species> coniferSpecies();
+/// One that grows year by year. What it wears is that of the species of the same name and "1995".
+struct GrownSpecies
+{
+    const char* name;
+    const char* latin;
+    const char* description; ///< English, context "core"
+    bool conifer = false;
+    std::array<int, 3> ages{}; ///< years: young, mature, old
+    GrowthParams growth;       ///< with its axil in degrees
+};
+std::span<const GrownSpecies> grownSpecies();
+/// \param dress the parameters of the other tree of the species
+NodeParams grownParams(const GrownSpecies& species, const NodeParams& dress);
 /// m, so that plates, furrows and scars are as large as on grown trees.
 double grownBarkTile(BarkFamily family);
 /// The parameters of a node, angles in rad.

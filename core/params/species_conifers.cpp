@@ -36,7 +36,7 @@ const std::array conifers{
                     {.length = 0.34, .lengthV = 0.06, .curveRes = 4, .curve = -50, .curveV = 40, .downAngle = 45, .downAngleV = 12, .rotate = 137, .rotateV = 20, .branches = 46},
                     {.length = 0.3, .curveRes = 1}}}},
         {L::ScotsPine, 1.65, 0.62, 0.12, B::Plated, 0.1, F::Cone, 0.008, 0.65}},
-    Species{"LebanonCedar", "Cedrus libani", RAMURE_NOOP("Wide level tables of dark needles, one above the other"), true,
+    Species{"LebanonCedar1995", "Cedrus libani", RAMURE_NOOP("Wide level tables of dark needles, one above the other"), true,
         {.shape = S::TaperedCylindrical, .baseSize = 0.1, .scale = 22, .scaleV = 2, .levels = 3, .ratio = 0.026, .ratioPower = 1.4, .lobes = 0, .flare = 0.8, .attractionUp = 0.1,
          .level = {{{.segSplits = 0.08, .splitAngle = 14, .curveRes = 8, .curveV = 25},
                     {.length = 0.5, .lengthV = 0.1, .segSplits = 0.12, .splitAngle = 25, .splitAngleV = 10, .curveRes = 6, .curve = -8, .curveBack = 20, .curveV = 25, .downAngle = 72, .downAngleV = -12, .rotate = 137, .rotateV = 40, .branches = 36},

@@ -44,6 +44,7 @@ enum class EditOperation : std::uint8_t {
     Grammar,
     WeberPenn,
     Colonisation,
+    Growth,
     Frozen,  ///< the tree as it was behind the steps before, which do not run
     Unknown, ///< of a file that a newer version has written: kept, and does nothing
 };

@@ -63,6 +63,8 @@ constexpr EditOperationInfo operations[] = {
     {EditOperation::Colonisation, "colonisation", RAMURE_NOOP("Space colonisation"), "target", "", 0,
      StepGroup::Source, RAMURE_NOOP("Branches that fill a crown of your shape"), "step. stand. colonisation.",
      "order = 0"},
+    {EditOperation::Growth, "growth", RAMURE_NOOP("Growth"), "target", "", 0, StepGroup::Source,
+     RAMURE_NOOP("Shoots that compete for light, year by year"), "step. stand. growth.", "order = 1"},
     {EditOperation::Frozen, "frozen", RAMURE_NOOP("Frozen tree"), "target", "", editFrozen, StepGroup::Hand,
      RAMURE_NOOP(
          "Holds what the steps above have made: they do not run until it is switched off or deleted")},
@@ -269,6 +271,11 @@ TreeEdit newStep(EditOperation operation)
         params.generator.kind = TreeGenerator::WeberPenn;
     if (operation == EditOperation::Colonisation)
         params.generator.kind = TreeGenerator::Colonisation;
+    if (operation == EditOperation::Growth) {
+        params.generator.kind = TreeGenerator::Growth;
+        params.growth.age = 8.0;
+        params.step.stand = {.way = StandWay::Along, .size = 0.4, .variants = 3};
+    }
     if (operation == EditOperation::Grammar) {
         params.step.stand = {.way = StandWay::Along, .size = 0.3};
         params.grammar.iterations = 4;

@@ -15,7 +15,8 @@ enum class TreeGenerator : std::uint8_t {
     Grammar,
     WeberPenn,
     Colonisation,
-    Drawn, ///< nothing: steps of the recipe draw all there is
+    Drawn,  ///< nothing: steps of the recipe draw all there is
+    Growth, ///< year by year (growth_params.h)
 };
 
 struct GeneratorParams

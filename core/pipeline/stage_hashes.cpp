@@ -1,5 +1,6 @@
 #include "core/pipeline/stage_hashes.h"
 
+#include "core/generators/grow_tree.h"
 #include "core/math/stage_hash.h"
 #include "core/params/param_def.h"
 #include "core/params/tree_edit_table.h"
@@ -103,6 +104,9 @@ StageHashes::StageHashes(const NodeParams& params)
         add(hash, def.get(params));
         of(def.stage) = hash.value();
     }
+    if (params.generator.kind == TreeGenerator::Growth)
+        of(Stage::Symbols) =
+            StageHash(of(Stage::Symbols)).add(historyYears(params)).add(params.growth.space.hash).value();
     if (params.generator.kind == TreeGenerator::Colonisation && params.colonisation.space.hash != 0)
         of(Stage::Skeleton) = StageHash(of(Stage::Skeleton)).add(params.colonisation.space.hash).value();
     // So far each has its own parameters alone: now what comes before it too.

@@ -43,7 +43,7 @@ template <class T> std::size_t bytesOf(const std::vector<T>& list)
 std::size_t bytesOf(const GrownSymbols& grown)
 {
     return grown.letters.capacity() + bytesOf(grown.word.modules) + bytesOf(grown.word.numbers) +
-           bytesOf(grown.word.keys);
+           bytesOf(grown.word.keys) + (grown.history ? grown.history->bytes() : 0);
 }
 std::size_t bytesOf(const Skeleton& s)
 {

@@ -23,9 +23,19 @@ bool isSolid(const Node& node)
            node.params.growthRole != GrowthRole::None;
 }
 
-bool colonises(const Node& node)
+bool heedsSolids(const Node& node)
 {
-    return node.kind == NodeKind::Tree && node.params.generator.kind == TreeGenerator::Colonisation;
+    const TreeGenerator generator = node.params.generator.kind;
+    return node.kind == NodeKind::Tree &&
+           (generator == TreeGenerator::Colonisation || generator == TreeGenerator::Growth);
+}
+
+/// Whether it fills the solids below it.
+bool fillsSolids(const NodeParams& params)
+{
+    return params.generator.kind == TreeGenerator::Growth
+               ? params.growth.sees == GrowthLight::Space
+               : params.colonisation.envelope == CrownEnvelope::Solid;
 }
 
 glm::dmat4 geometryMatrix(const Scene& scene, const Node& node)
@@ -80,7 +90,7 @@ std::shared_ptr<const TriangleMesh> moved(const Node& solid, const glm::dmat4& p
 /// Nothing where the tree has the same already.
 std::optional<GrowthSpaceLink> linkOf(const Scene& scene, const Node& tree, const std::vector<Placed>& solids)
 {
-    const bool fills = tree.params.colonisation.envelope == CrownEnvelope::Solid;
+    const bool fills = fillsSolids(tree.params);
     const glm::dmat4 intoTree = glm::inverse(geometryMatrix(scene, tree));
     StageHash hash(fills ? 1 : 0);
     std::vector<const Placed*> mine;
@@ -92,7 +102,7 @@ std::optional<GrowthSpaceLink> linkOf(const Scene& scene, const Node& tree, cons
         add(hash, solid, intoTree * solid.world);
     }
     GrowthSpaceLink link;
-    if (!mine.empty() || fills)
+    if (!mine.empty() || (fills && tree.params.generator.kind == TreeGenerator::Colonisation))
         link.hash = hash.value();
     if (link == tree.params.colonisation.space)
         return std::nullopt;
@@ -114,7 +124,7 @@ std::map<NodeId, GrowthSpaceLink> staleGrowthSpaces(const Scene& scene)
     std::map<NodeId, GrowthSpaceLink> stale;
     std::optional<std::vector<Placed>> solids;
     for (const Node& node : scene.nodes()) {
-        if (!colonises(node)) {
+        if (!heedsSolids(node)) {
             if (node.params.colonisation.space.hash != 0)
                 stale.emplace(node.id, GrowthSpaceLink());
             continue;
@@ -127,10 +137,16 @@ std::map<NodeId, GrowthSpaceLink> staleGrowthSpaces(const Scene& scene)
     return stale;
 }
 
+void setGrowthSpace(NodeParams& params, const GrowthSpaceLink& link)
+{
+    params.colonisation.space = link;
+    params.growth.space = link;
+}
+
 void linkGrowthSpaces(Scene& scene)
 {
     for (auto& [id, link] : staleGrowthSpaces(scene))
-        scene.find(id)->params.colonisation.space = std::move(link);
+        setGrowthSpace(scene.find(id)->params, link);
 }
 
 } // namespace ramure

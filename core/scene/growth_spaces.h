@@ -11,6 +11,7 @@ namespace ramure {
 /// Returns a new link for each tree whose stored link is out of date. Links ignore animation; hidden solids
 /// count. A tree that grows in another way has no link.
 std::map<NodeId, GrowthSpaceLink> staleGrowthSpaces(const Scene& scene);
+void setGrowthSpace(NodeParams& params, const GrowthSpaceLink& link);
 /// Gives them to the trees. To call after a scene was read; the document does it after every change.
 void linkGrowthSpaces(Scene& scene);
 

@@ -39,14 +39,14 @@ void growOnce(GrammarParams& grammar, const char* axiom)
 
 NodeParams drawnTrunk()
 {
-    NodeParams params = presetOf("EnglishOak");
+    NodeParams params = presetOf("EnglishOak1995");
     params.generator.kind = TreeGenerator::Drawn;
     TreeEdit trunk = newStep(EditOperation::Draw);
     // In the frame of the ground: x, then against z, then up.
     trunk.points = {{{0.0, 0.0, 0.0}, 0.26},     {{0.25, -0.05, 1.0}, 0.22}, {{0.1, -0.3, 2.2}, 0.19},
                     {{-0.35, -0.25, 3.4}, 0.14}, {{-0.2, 0.1, 4.8}, 0.08},   {{0.1, 0.0, 6.0}, 0.02}};
     append(params, std::move(trunk));
-    NodeParams oak = presetOf("EnglishOak");
+    NodeParams oak = presetOf("EnglishOak1995");
     oak.weberPenn.level[1].branches = 22;
     oak.weberPenn.level[2].branches = 30;
     append(params, stepOf(
@@ -69,9 +69,9 @@ NodeParams colonisedWithTwigs()
 
 NodeParams twoOnOneParent()
 {
-    NodeParams params = presetOf("SilverBirch");
+    NodeParams params = presetOf("SilverBirch1995");
     params.weberPenn.levels = 2;
-    const NodeParams willow = presetOf("WeepingWillow");
+    const NodeParams willow = presetOf("WeepingWillow1995");
     append(params, stepOf(
                        EditOperation::WeberPenn,
                        [](NodeParams& v) {
@@ -90,7 +90,7 @@ NodeParams twoOnOneParent()
 
 NodeParams oldOak()
 {
-    NodeParams params = presetOf("EnglishOak");
+    NodeParams params = presetOf("EnglishOak1995");
     params.grammar.seed = 7;
     append(params, stepOf(EditOperation::Gnarl, [](NodeParams& v) { v.step.gnarl.angle = 0.45; }));
     append(params, stepOf(EditOperation::Sag, [](NodeParams& v) { v.step.sag.amount = 12.0; }));
@@ -101,7 +101,7 @@ NodeParams oldOak()
 
 NodeParams twoStems()
 {
-    NodeParams params = presetOf("SilverBirch");
+    NodeParams params = presetOf("SilverBirch1995");
     const NodeParams other = params;
     append(params, stepOf(
                        EditOperation::WeberPenn,

@@ -71,12 +71,15 @@ void BM_colonisation(benchmark::State& state)
 }
 BENCHMARK(BM_colonisation)->Unit(benchmark::kMillisecond);
 
-/// Years, and tenths of a usual crown's density.
+/// Years; 1: with internodes so short and a crown so dense that a quarter of a million metamers are born.
 void BM_growHistory(benchmark::State& state)
 {
     GrowthParams params;
     params.age = double(state.range(0));
-    params.density = 0.1 * double(state.range(1));
+    if (state.range(1) == 1) {
+        params.density = 10.0;
+        params.internode = 0.15;
+    }
     std::size_t born = 0;
     for (auto _ : state) {
         const auto history = growHistory(params, 1);
@@ -85,7 +88,7 @@ void BM_growHistory(benchmark::State& state)
     }
     state.counters["born"] = double(born);
 }
-BENCHMARK(BM_growHistory)->Args({30, 10})->Args({80, 10})->Args({45, 80})->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_growHistory)->Args({30, 0})->Args({80, 0})->Args({28, 1})->Unit(benchmark::kMillisecond);
 
 /// Between two years.
 void BM_skeletonAtAge(benchmark::State& state)

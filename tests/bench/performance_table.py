@@ -47,8 +47,8 @@ END_TO_END = [
 GROWING = [
     ("aspen of Weber and Penn, 1,500 stems", "BM_weberPenn", 3),
     ("24,000 points colonised", "BM_colonisation", 150),
-    ("an oak of 80 years", "BM_growHistory/80/10", 500),
-    ("a quarter of a million metamers born", "BM_growHistory/45/80", 250),
+    ("an oak of 80 years", "BM_growHistory/80/0", 500),
+    ("a quarter of a million metamers born", "BM_growHistory/28/1", 250),
     ("any age of an oak of 2,000 axes", "BM_skeletonAtAge", 33),
     ("1,000 edits find their places on 10,000 axes", "BM_editPlaces", 20),
 ]

@@ -239,7 +239,7 @@ private slots:
             const bool isSpecies = entry["group"] == "Broadleaved trees" || entry["group"] == "Conifers";
             QVERIFY(!isSpecies || !entry["latin"].toString().isEmpty());
             QCOMPARE(entry["seeds"].toObject().size(), entry["latin"].toString().isEmpty() ? 0 : 6);
-            if (entry["name"] == "SilverBirch") {
+            if (entry["name"] == "SilverBirch1995") {
                 QCOMPARE(entry["published"]["height"].toDouble(), 19.0);
                 QVERIFY(std::abs(entry["ours"]["crownWidth"].toDouble() - 10.7) < 1.0);
                 QVERIFY(entry["source"].toString().contains("RDS-2016-0005"));
@@ -248,7 +248,7 @@ private slots:
         }
         QCOMPARE(names.mid(0, 4), (QStringList{"SmallTree", "FanTree", "TinyTree", "Fern2D"}));
         for (const char* species : {"HondaTree", "AonoKuniiTree", "TernaryTree", "QuakingAspen",
-                                    "BlackTupelo", "WeepingWillow", "CaliforniaBlackOak"})
+                                    "BlackTupelo", "WeepingWillow1995", "CaliforniaBlackOak"})
             QVERIFY2(names.contains(QLatin1String(species)), species);
         QCOMPARE(runCli({"list", "presets"}).out.count(QLatin1Char('\n')), names.size());
     }

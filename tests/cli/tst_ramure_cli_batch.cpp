@@ -290,7 +290,7 @@ private slots:
 
     void picturesAndMaps()
     {
-        const QByteArray text = "preset,seed\nSilverBirch,1\nSilverBirch,2\n";
+        const QByteArray text = "preset,seed\nSilverBirch1995,1\nSilverBirch1995,2\n";
         const auto run = [&](const QString& folder, const char* jobs) {
             return runCli({"batch", table(text), "-o", folder, "--file", "{row}.png", "--file", "{row}/",
                            "--map-size", "64", "--size", "96x64", "--jobs", QLatin1String(jobs)});
@@ -331,7 +331,7 @@ private slots:
     void levelsAloneAreProved()
     {
         const auto ended =
-            runCli({"batch", table("preset,seed\nSilverBirch,1\n"), "-o", path("out"), "--file", "{row}.glb",
+            runCli({"batch", table("preset,seed\nSilverBirch1995,1\n"), "-o", path("out"), "--file", "{row}.glb",
                     "--file", "{row}.png", "--levels", "2", "--budget", "4000,900", "--map-size", "0"});
         QVERIFY2(ended.code == 0, qPrintable(ended.err));
         const QJsonObject line = linesOf(path("out/manifest.jsonl"))[0];

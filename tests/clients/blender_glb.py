@@ -59,7 +59,7 @@ def height_in_obj(name):
 
 
 def trees():
-    names = ["SmallTree", "SilverBirch", "ScotsPine"]
+    names = ["SmallTree", "SilverBirch1995", "ScotsPine1995"]
     for name in names:
         things = opened(name + ".glb", "preset:" + name, "--map-size", "64", "--part", "branches")
         bark = branches(things)

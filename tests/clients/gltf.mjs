@@ -35,25 +35,25 @@ const told = (program, version, files, text) =>
   console.log(`${program} ${version}: ${files} files, ${text}${findings.length ? `; FOUND: ${findings.join('; ')}` : ''}`);
 
 const trees = JSON.parse(ramure('list', 'presets', '--json')).map(preset => preset.name);
-const some = ['SmallTree', 'FanTree', 'TinyTree', 'SilverBirch', 'EnglishOak', 'ScotsPine', 'WeepingWillow', 'Baobab'];
+const some = ['SmallTree', 'FanTree', 'TinyTree', 'SilverBirch1995', 'EnglishOak1995', 'ScotsPine1995', 'WeepingWillow1995', 'Baobab'];
 find(some.every(name => trees.includes(name)), 'a preset has gone');
 const wind = ['preset:TinyTree', '--frames', '0:24', '--fps', '24', '--set', 'skin.method=linear', '--joints', 'all'];
 
 async function validated() {
   const files = some.map(name => exported(`${name}.glb`, `preset:${name}`, '--map-size', '64'));
   files.push(exported('instances.glb', 'preset:SmallTree', '--leaves', 'instances', '--map-size', '64'));
-  files.push(exported('plain.glb', 'preset:SilverBirch', '--map-size', '0'));
+  files.push(exported('plain.glb', 'preset:SilverBirch1995', '--map-size', '0'));
   files.push(exported('wind.glb', ...wind, '--map-size', '0'));
   files.push(exported('few-joints.glb', 'preset:SmallTree', '--frames', '0:5', '--joints', '64', '--map-size', '0'));
   files.push(exported('loop.glb', 'preset:SmallTree', '--wind-loop', '1', '--joints', '64', '--map-size', '0'));
-  files.push(exported('small.glb', 'preset:SilverBirch', '--compress', 'meshopt', '--map-size', '64'));
+  files.push(exported('small.glb', 'preset:SilverBirch1995', '--compress', 'meshopt', '--map-size', '64'));
   files.push(exported('small-loop.glb', 'preset:SmallTree', '--compress', 'meshopt', '--wind-loop', '1', '--joints', '64',
     '--map-size', '0'));
   files.push(exported('arm.glb', 'demo:Arm', '--frames', '0:24'));
   for (const name of some.filter(one => one !== 'TinyTree'))
     files.push(exported(`${name}-levels.glb`, `preset:${name}`, '--map-size', '64', '--budget', '10000,2500,600'));
   files.push(exported('whole-levels.glb', 'preset:SmallTree', '--map-size', '0', '--levels', '4'));
-  files.push(exported('wind-levels.glb', 'preset:SilverBirch', '--map-size', '0', '--budget', '10000,2500',
+  files.push(exported('wind-levels.glb', 'preset:SilverBirch1995', '--map-size', '0', '--budget', '10000,2500',
     '--wind-loop', '1', '--joints', '64'));
   for (const file of files) {
     const {issues} = await validator.validateBytes(new Uint8Array(arrayOf(file)), {maxIssues: 20});
@@ -178,8 +178,8 @@ async function unpacked() {
   await MeshoptDecoder.ready;
   const loader = new GLTFLoader().setMeshoptDecoder(MeshoptDecoder);
   const open = path => new Promise((resolve, reject) => loader.parse(arrayOf(path), '', resolve, reject));
-  const files = [['SilverBirch'], ['SmallTree', '--leaves', 'instances'], ['TinyTree', '--frames', '0:5'],
-    ['EnglishOak', '--budget', '10000,2500']];
+  const files = [['SilverBirch1995'], ['SmallTree', '--leaves', 'instances'], ['TinyTree', '--frames', '0:5'],
+    ['EnglishOak1995', '--budget', '10000,2500']];
   let most = 1;
   for (const [name, ...options] of files) {
     const seen = [];

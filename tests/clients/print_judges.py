@@ -14,7 +14,7 @@ folder = Path(folder)
 folder.mkdir(parents=True, exist_ok=True)
 TREES = ("SmallTree", "TinyTree", "HondaTree", "QuakingAspen")
 HEIGHTS = {"fdm": "150mm", "resin": "60mm", "powder": "90mm"}
-LEAFY = (("SmallTree", "resin", "120mm"), ("OrchardApple", "fdm", "180mm"))  # with leaves as shells
+LEAFY = (("SmallTree", "resin", "120mm"), ("OrchardApple1995", "fdm", "180mm"))  # with leaves as shells
 SLICED = 3  # trees of the first process
 NEAR = 1e-4
 findings = []

@@ -39,7 +39,7 @@ private slots:
         QFETCH(const QString, name);
         QTemporaryDir folder;
         const OwnPresets presets(folder.path() + "/presets");
-        QVERIFY(presets.save("Oak", *presetTree("EnglishOak")));
+        QVERIFY(presets.save("Oak", *presetTree("EnglishOak1995")));
         for (const auto& done : {presets.save(name, *presetTree("TinyTree")), presets.rename("Oak", name)}) {
             QVERIFY(!done);
             QCOMPARE(done.error().code, ErrorCode::Invalid);
@@ -66,11 +66,11 @@ private slots:
     {
         QTemporaryDir folder;
         const OwnPresets presets(folder.path());
-        QVERIFY(presets.save("Oak", *presetTree("EnglishOak")));
-        QVERIFY(presets.save("Birch", *presetTree("SilverBirch")));
+        QVERIFY(presets.save("Oak", *presetTree("EnglishOak1995")));
+        QVERIFY(presets.save("Birch", *presetTree("SilverBirch1995")));
         QVERIFY(!presets.save("Oak", *presetTree("TinyTree")));
         QVERIFY(!presets.rename("Birch", "Oak"));
-        QVERIFY(presets.load("Oak")->params == presetTree("EnglishOak")->params);
+        QVERIFY(presets.load("Oak")->params == presetTree("EnglishOak1995")->params);
         QCOMPARE(presets.freeName("Oak"), QStringLiteral("Oak 2"));
         QCOMPARE(presets.freeName("Elm"), QStringLiteral("Elm"));
     }
@@ -78,7 +78,7 @@ private slots:
     {
         QTemporaryDir folder;
         write(folder.path() + "/file", "");
-        const auto saved = OwnPresets(folder.path() + "/file/presets").save("Oak", *presetTree("EnglishOak"));
+        const auto saved = OwnPresets(folder.path() + "/file/presets").save("Oak", *presetTree("EnglishOak1995"));
         QVERIFY(!saved);
         QCOMPARE(saved.error().code, ErrorCode::Io);
         QVERIFY(OwnPresets(folder.path() + "/none").names().isEmpty());
@@ -88,7 +88,7 @@ private slots:
     {
         QTemporaryDir folder;
         const OwnPresets presets(folder.path());
-        Node tree = *presetTree("SilverBirch");
+        Node tree = *presetTree("SilverBirch1995");
         tree.id = 7;
         tree.locked = true;
         tree.params.grammar.seed = 42;
@@ -109,7 +109,7 @@ private slots:
         QVERIFY(QDir(folder.path()).mkdir(QStringLiteral("data")));
         qputenv("XDG_DATA_HOME", folder.filePath("data").toUtf8()); // of the trash
         const OwnPresets presets(folder.filePath("presets"));
-        QVERIFY(presets.save("Oak", *presetTree("EnglishOak")));
+        QVERIFY(presets.save("Oak", *presetTree("EnglishOak1995")));
         write(presets.pictureFile("Oak"), "picture");
         QVERIFY(presets.rename("Oak", "Elm"));
         QVERIFY(QFile::exists(presets.pictureFile("Elm")) && !QFile::exists(presets.pictureFile("Oak")));
@@ -124,8 +124,8 @@ private slots:
         qputenv("XDG_DATA_HOME", folder.path().toUtf8());
         QVERIFY(namedTree("TinyTree")->params == presetTree("TinyTree")->params);
         QVERIFY(!namedTree("own:Oak") && !namedTree("NoSuchTree"));
-        QVERIFY(OwnPresets().save("Oak", *presetTree("EnglishOak")));
-        QVERIFY(namedTree("own:Oak")->params == presetTree("EnglishOak")->params);
+        QVERIFY(OwnPresets().save("Oak", *presetTree("EnglishOak1995")));
+        QVERIFY(namedTree("own:Oak")->params == presetTree("EnglishOak1995")->params);
     }
 };
 

@@ -82,7 +82,7 @@ private slots:
     void stepsRoundTrip()
     {
         Document document;
-        document.reset(*presetScene("EnglishOak"), {}, {});
+        document.reset(*presetScene("EnglishOak1995"), {}, {});
         const NodeId tree = document.scene().nodes().front().id;
         for (const EditOperationInfo& info : editOperations())
             if (!stepParams(info.operation).empty())
@@ -102,7 +102,7 @@ private slots:
         QVERIFY(again->scene.nodes().front().params.edits == document.scene().find(tree)->params.edits);
         while (document.undoStack()->canUndo())
             document.undo();
-        QVERIFY(document.scene().find(tree)->params == presetScene("EnglishOak")->nodes().front().params);
+        QVERIFY(document.scene().find(tree)->params == presetScene("EnglishOak1995")->nodes().front().params);
     }
 
     /// Ten files of an older version: counts are exact, places to 1e-9 m.

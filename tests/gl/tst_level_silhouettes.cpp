@@ -103,19 +103,19 @@ private slots:
                 << QString::fromLatin1(name) << isWhole << bar;
         };
         add("SmallTree", false, 0.865);
-        add("EnglishOak", false, 0.915);
-        add("SilverBirch", false, 0.86);
-        add("ScotsPine", false, 0.87);
+        add("EnglishOak1995", false, 0.915);
+        add("SilverBirch1995", false, 0.86);
+        add("ScotsPine1995", false, 0.87);
         add("CoconutPalm", false, 0.92);
-        add("WeepingWillow", false, 0.865);
+        add("WeepingWillow1995", false, 0.865);
         add("CommonAsh", false, 0.865);
-        add("OrchardApple", false, 0.835);
+        add("OrchardApple1995", false, 0.835);
         add("FanTree", false, 0.865);
-        add("EuropeanBeech", false, 0.87);
-        add("NorwaySpruce", false, 0.835);
+        add("EuropeanBeech1995", false, 0.87);
+        add("NorwaySpruce1995", false, 0.835);
         add("CoconutPalm", true, 0.91); // its trunk's lean is its outline
         add("CommonAsh", true, 0.925);
-        add("EnglishOak", true, 0.945);
+        add("EnglishOak1995", true, 0.945);
     }
     void neighboursAreAlikeWhereTheySwitch()
     {

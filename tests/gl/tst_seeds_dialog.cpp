@@ -66,8 +66,8 @@ private slots:
     {
         Document document;
         SeedsDialog dialog(&document, nullptr);
-        dialog.offerNew(*presetTree("SilverBirch"));
-        const auto& named = *namedSeeds("SilverBirch");
+        dialog.offerNew(*presetTree("SilverBirch1995"));
+        const auto& named = *namedSeeds("SilverBirch1995");
         for (int i = 0; i < int(namedSeedCount); ++i) {
             QCOMPARE(dialog.seedOf(i), named[std::size_t(i)]);
             QVERIFY(
@@ -77,7 +77,7 @@ private slots:
         dialog.otherButton()->click();
         QCOMPARE(dialog.seedOf(0), last + 1);
         QVERIFY(!dialog.choices()[0]->text().contains(QLatin1String(seedNames[0])));
-        Node other = *presetTree("SilverBirch");
+        Node other = *presetTree("SilverBirch1995");
         other.params.weberPenn.scale *= 2.0; // the names are those of other trees
         dialog.offerNew(other);
         QCOMPARE(dialog.seedOf(0), other.params.grammar.seed + 1);
@@ -104,7 +104,7 @@ private slots:
         test::TreeDocument trees;
         Document& document = trees.document();
         SeedsDialog dialog(&document, nullptr);
-        const Node like = *presetTree("SilverBirch");
+        const Node like = *presetTree("SilverBirch1995");
         dialog.offerNew(like);
         dialog.choices()[4]->click();
         dialog.choices()[5]->click();

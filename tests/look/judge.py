@@ -51,10 +51,10 @@ ROWS = {
     "apple": ("SmallTree", ["foliage.leaf=apple", "foliage.fruit=apple", "bark.family=scaly"]),
 }
 # Presets as they are; any other may be named, too.
-SPECIES = ["QuakingAspen", "SilverBirch", "EnglishOak", "EuropeanBeech", "WeepingWillow", "SugarMaple", "LondonPlane",
-           "OliveTree", "ScotsPine", "NorwaySpruce", "CoconutPalm", "TreeFern"]
-CLOSE_SPECIES = ["EnglishOak", "EuropeanBeech", "SilverBirch", "ScotsPine", "NorwaySpruce", "Hawthorn", "OrchardApple",
-                 "WildCherry", "LondonPlane", "OliveTree", "WeepingWillow", "CoconutPalm"]
+SPECIES = ["QuakingAspen", "SilverBirch1995", "EnglishOak1995", "EuropeanBeech1995", "WeepingWillow1995", "SugarMaple", "LondonPlane",
+           "OliveTree1995", "ScotsPine1995", "NorwaySpruce1995", "CoconutPalm", "TreeFern"]
+CLOSE_SPECIES = ["EnglishOak1995", "EuropeanBeech1995", "SilverBirch1995", "ScotsPine1995", "NorwaySpruce1995", "Hawthorn", "OrchardApple1995",
+                 "WildCherry", "LondonPlane", "OliveTree1995", "WeepingWillow1995", "CoconutPalm"]
 BARE = ["--set", "foliage.leavesDensity=0", "--set", "foliage.applesProbability=0"]
 
 

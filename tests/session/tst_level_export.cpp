@@ -240,14 +240,14 @@ private slots:
     {
         ExportOptions options = levelled({6'000, 1'500});
         options.clip = {2.5, 3.0};
-        QVERIFY(write(sceneOf("SilverBirch"), options, "wind.glb", 2.0));
+        QVERIFY(write(sceneOf("SilverBirch1995"), options, "wind.glb", 2.0));
         const Json json = jsonOf(test::fileBytes(path("wind.glb")));
         QCOMPARE(json["skins"].size(), std::size_t(1));
         for (const char* name : {"branches_LOD0", "branches_LOD1", "leaves_LOD0", "leaves_LOD1"}) {
             const Json* node = nodeNamed(json, name);
             QVERIFY(node && node->contains("skin"));
         }
-        const Scene scene = sceneOf("SilverBirch");
+        const Scene scene = sceneOf("SilverBirch1995");
         Evaluator evaluator(pipelineSource(m_pipeline));
         options.clip.clear();
         const auto rest = collectExport(evaluator.at(scene), options);

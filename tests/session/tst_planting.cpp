@@ -74,7 +74,7 @@ private slots:
         QVERIFY(edit::setParam(document, {tree}, *findParam("physics.seed"), std::int64_t(7)));
         const NodeParams before = document.scene().find(tree)->params;
         const int steps = document.undoStack()->count();
-        const Node like = *presetTree("NorwaySpruce");
+        const Node like = *presetTree("NorwaySpruce1995");
         QVERIFY(edit::makeTreesLike(document, {tree}, like, QStringLiteral("Make it")));
         QCOMPARE(document.undoStack()->count(), steps + 1);
         NodeParams expected = like.params;
@@ -96,7 +96,7 @@ private slots:
     {
         Document document;
         const NodeId tree = *plantTree(document, "TinyTree");
-        const Node like = *presetTree("NorwaySpruce");
+        const Node like = *presetTree("NorwaySpruce1995");
         for (const char* name : {"Grandfather's", "TinyTree of mine"}) {
             QVERIFY(edit::setNodeName(document, tree, QString::fromLatin1(name)));
             QVERIFY(edit::makeTreesLike(document, {tree}, like, QStringLiteral("Make it")));
@@ -132,7 +132,7 @@ private slots:
         for (const glm::dvec3& p : result.tree.simplified->skeleton.p1)
             right = std::max(right, p.x);
         document.setResult(*first, std::move(result));
-        for (const char* preset : {"ParkTree", "SilverBirch", "SmallTree"}) { // of each generator
+        for (const char* preset : {"ParkTree", "SilverBirch1995", "SmallTree"}) { // of each generator
             const auto second = plantTree(document, preset);
             QVERIFY2(second, test::why(second));
             const double reach = usualReach(document.scene().find(*second)->params);

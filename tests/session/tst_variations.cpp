@@ -26,7 +26,7 @@ class TestVariations : public QObject
         Node tree;
         tree.kind = NodeKind::Tree;
         tree.name = "Birch";
-        tree.params = *presetParams("SilverBirch");
+        tree.params = *presetParams("SilverBirch1995");
         return tree;
     }
     static QStringList filesIn(const QTemporaryDir& folder)

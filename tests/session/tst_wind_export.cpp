@@ -426,7 +426,7 @@ private slots:
         QTest::addColumn<QString>("preset");
         QTest::addColumn<int>("triangles");
         QTest::addColumn<bool>("compressed");
-        for (const auto& [preset, triangles] : {std::pair("SmallTree", 0), std::pair("SilverBirch", 8000),
+        for (const auto& [preset, triangles] : {std::pair("SmallTree", 0), std::pair("SilverBirch1995", 8000),
                                                 std::pair("FanPalm", 0), std::pair("WinterOak", 0)}) {
             QTest::addRow("%s", preset) << preset << triangles << false;
             QTest::addRow("%s, compressed", preset) << preset << triangles << true;
@@ -500,7 +500,7 @@ private slots:
 
     void levelsShareTextures()
     {
-        const Scene scene = sceneOf("SilverBirch");
+        const Scene scene = sceneOf("SilverBirch1995");
         ExportOptions options = optionsOf(WindProfile::PivotPainter);
         options.levels = {2, {10'000, 2'500}};
         const auto written = write(scene, options, "l.glb");

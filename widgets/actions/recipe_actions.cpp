@@ -35,6 +35,8 @@ EditOperation sourceOf(const NodeParams& params)
         return EditOperation::WeberPenn;
     case TreeGenerator::Colonisation:
         return EditOperation::Colonisation;
+    case TreeGenerator::Growth:
+        return EditOperation::Growth;
     case TreeGenerator::Grammar:
     case TreeGenerator::Drawn:
         break;

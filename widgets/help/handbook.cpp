@@ -30,6 +30,7 @@ constexpr PageName pageNames[] = {
     {"animation", false},
     {"keys", false},
     {"recipe", false},
+    {"growth", false},
     {"hand", false},
     {"transform", false},
     {"arm", false},

@@ -4,6 +4,7 @@
 #include "core/generators/variety.h"
 #include "core/params/named_seeds.h"
 #include "core/params/presets.h"
+#include "core/params/recipe.h"
 #include "core/params/tree_edit_table.h"
 #include "core/pipeline/tree_pipeline.h"
 #include "core/skeleton/measures.h"
@@ -21,7 +22,8 @@ constexpr CommandText listText = {
     "A parameter's key is its name in project files and for --set. Numbers outside its range are refused. "
     "Of a species --json names seeds worth a look, gives the mean height, stem diameter (1.3 m above the "
     "ground) and crown width of their trees in m (\"ours\"), and what was measured of such trees "
-    "(\"published\", with its source; null where there is none)."};
+    "(\"published\", with its source; null where there is none). \"steps\" are those of its recipe, and of a "
+    "tree that grows by years \"ages\" says when it is young, mature and old."};
 
 const char* unitName(ParamUnit unit)
 {
@@ -109,17 +111,22 @@ QJsonValue jsonValue(const ParamValue& value)
     return QJsonArray{vector.x, vector.y, vector.z};
 }
 
-/// Mean of the trees of all named seeds. Errors: those of the tree; Cancelled.
+/// Mean of the trees of all named seeds; where there are none, of the tree as it ships. Errors: those of the
+/// tree; Cancelled.
 Expected<TreeMeasures> meanMeasures(TreePipeline& pipeline, const Preset& preset, const Progress& progress)
 {
+    const auto* named = namedSeeds(preset.name);
+    const std::vector<std::int64_t> seeds = named ? std::vector<std::int64_t>(named->begin(), named->end())
+                                                  : std::vector{preset.params.grammar.seed};
     TreeMeasures sum;
-    for (const std::int64_t seed : *namedSeeds(preset.name)) {
+    for (const std::int64_t seed : seeds) {
         const auto tree = pipeline.evaluate(reseeded(preset.params, seed), Stage::Skeleton, progress);
         RAMURE_TRY(tree);
         const TreeMeasures one = measuresOf(*tree->skeleton);
-        sum.height += one.height / namedSeedCount;
-        sum.stemDiameter += one.stemDiameter / namedSeedCount;
-        sum.crownWidth += one.crownWidth / namedSeedCount;
+        const auto count = static_cast<double>(seeds.size());
+        sum.height += one.height / count;
+        sum.stemDiameter += one.stemDiameter / count;
+        sum.crownWidth += one.crownWidth / count;
     }
     return sum;
 }
@@ -129,7 +136,7 @@ Expected<void> addSpecies(QJsonObject& entry, TreePipeline& pipeline, const Pres
                           const Progress& progress)
 {
     QJsonObject seeds;
-    for (std::size_t i = 0; i < namedSeedCount; ++i)
+    for (std::size_t i = 0; i < namedSeedCount && namedSeeds(preset.name); ++i)
         seeds.insert(QLatin1String(seedNames[i]), qint64((*namedSeeds(preset.name))[i]));
     const auto ours = meanMeasures(pipeline, preset, progress);
     RAMURE_TRY(ours);
@@ -153,7 +160,17 @@ Expected<QJsonArray> presetsJson()
                           {QStringLiteral("latin"), QString::fromUtf8(preset.latin)},
                           {QStringLiteral("group"), QString::fromUtf8(preset.group)},
                           {QStringLiteral("description"), QString::fromUtf8(preset.description)}};
-        if (namedSeeds(preset.name))
+        const NodeParams& params = preset.params;
+        QJsonArray steps;
+        for (StepNumber step = 0; step <= params.edits.size(); ++step)
+            steps.append(fromText(stepName(params, step)));
+        entry.insert(QStringLiteral("steps"), steps);
+        const bool grows = preset.ages.front() > 0;
+        if (grows)
+            entry.insert(QStringLiteral("ages"), QJsonObject{{QStringLiteral("young"), preset.ages[0]},
+                                                             {QStringLiteral("mature"), preset.ages[1]},
+                                                             {QStringLiteral("old"), preset.ages[2]}});
+        if (namedSeeds(preset.name) || grows)
             RAMURE_TRY(addSpecies(entry, pipeline, preset, work.progress()));
         out.append(entry);
     }

@@ -22,6 +22,7 @@ extern const Command importCommand;
 extern const Command editCommand;
 extern const Command recipeCommand;
 extern const Command exportCommand;
+extern const Command ageCommand;
 extern const Command validateCommand;
 extern const Command simulateCommand;
 extern const Command ikCommand;
@@ -33,10 +34,10 @@ extern const Command jobCommand;
 extern const Command sheetCommand;
 
 /// In the order of the help.
-inline constexpr std::array allCommands = {&listCommand,  &infoCommand,   &importCommand,    &recipeCommand,
-                                           &editCommand,  &exportCommand, &validateCommand,  &simulateCommand,
-                                           &ikCommand,    &renderCommand, &billboardCommand, &texturesCommand,
-                                           &batchCommand, &jobCommand,    &sheetCommand};
+inline constexpr std::array allCommands = {
+    &listCommand,     &infoCommand,     &importCommand,   &recipeCommand, &editCommand,   &exportCommand,
+    &ageCommand,      &validateCommand, &simulateCommand, &ikCommand,     &renderCommand, &billboardCommand,
+    &texturesCommand, &batchCommand,    &jobCommand,      &sheetCommand};
 
 /// An option that stands in a command's place.
 struct ProgramOption

@@ -63,15 +63,14 @@ private:
         glm::dvec3 direction{0.0}; ///< as it is bent now
         glm::dquat frame{1.0, 0.0, 0.0, 0.0};
         std::uint64_t address = 0;
-        glm::vec3 side{0.0f};                   ///< unit, at birth: where the first bud looks
-        float bend = 0.0f;                      ///< rad
-        float pipes = 0.0f, lost = 0.0f;        ///< tips it carries, and those of shed branches
-        float weighed = 0.0f, thickness = 0.0f; ///< pipes, and the square of the radius with so many, m2
-        float moment = 0.0f;                    ///< N m, of its load a year ago
-        float light = 0.0f;                     ///< at its buds
-        float outline = 1.0f;                   ///< of the crown there
-        float sky = 1.0f;                       ///< share of it that no solid hides
-        std::uint8_t buds = 0, dormant = 0;     ///< alive; asleep
+        glm::vec3 side{0.0f};               ///< unit, at birth: where the first bud looks
+        float bend = 0.0f;                  ///< rad
+        float pipes = 0.0f, lost = 0.0f;    ///< tips it carries, and those of shed branches
+        float moment = 0.0f;                ///< N m, of its load a year ago
+        float light = 0.0f;                 ///< at its buds
+        float outline = 1.0f;               ///< of the crown there
+        float sky = 1.0f;                   ///< share of it that no solid hides
+        std::uint8_t buds = 0, dormant = 0; ///< alive; asleep
         std::uint8_t budYears = 0, bare = 0;
         std::uint8_t rank = 0, of = 1; ///< within its year's shoot
     };
@@ -132,6 +131,7 @@ private:
     glm::dvec3 turned(const ShootStart& start, const glm::dvec3& light, std::uint64_t address) const;
     std::uint8_t budsOf(unsigned order, int rank, int nodes) const;
     Index addMetamer(const ShootStart& start, const glm::dvec3& direction, double length, int year);
+    double thicknessOf(float pipes);
     void bend(const YearFactors& factors);
     void place();
     void remove(Index base, int age);
@@ -148,6 +148,7 @@ private:
     std::vector<Flow> m_flow;
     std::vector<Index> m_alive;          ///< ascending
     std::vector<Index> m_active;         ///< those with buds that can grow
+    std::vector<float> m_thickness;      ///< by packed pipes; 0: not known yet
     std::vector<glm::dvec4> m_load;      ///< kg, and kg m in x, y, z
     std::array<double, 242> m_profile{}; ///< of the crown
     double m_top = 0.0;

@@ -103,28 +103,35 @@ void GrowingTree::thicken(const YearFactors& factors)
         bend(factors);
 }
 
+/// m2, the square of the radius of a section with so many pipes, as the rows keep them.
+double GrowingTree::thicknessOf(float pipes)
+{
+    const std::uint16_t packed = packedPipes(pipes);
+    if (packed >= m_thickness.size())
+        m_thickness.resize(std::size_t(packed) + 1, 0.0f);
+    float& known = m_thickness[packed];
+    if (known == 0.0f)
+        known = float(m_params.tipRadius * m_params.tipRadius *
+                      maths::pow(double(pipesOf(packed)), 2.0 / m_params.pipeExponent));
+    return double(known);
+}
+
 /// The new weight of a year bends the wood by M / (E I), and the ring that grows over it keeps a share; wood
 /// that grows in girth turns up again (reaction wood).
 void GrowingTree::bend(const YearFactors& factors)
 {
     constexpr double elasticity = 8e9, density = 900.0, leaf = 0.012, gravity = 9.81; // Pa, kg/m3, kg, m/s2
     constexpr double mostAYear = 0.012, most = 0.4;
-    const double tip = m_params.tipRadius;
     std::vector<double> girth(m_alive.size());
     for (std::size_t k = 0; k < m_alive.size(); ++k) {
         const Index i = m_alive[k];
         girth[k] = m_load[i].y;
         m_load[i] = glm::dvec4(0.0);
     }
-    const double power = 2.0 / m_params.pipeExponent;
     for (std::size_t k = m_alive.size(); k-- > 0;) {
         const Index i = m_alive[k], parent = m_history.parent[i];
         Node& node = m_nodes[i];
-        if (node.pipes > 1.06f * node.weighed) { // near enough for a weight and a stiffness
-            node.weighed = node.pipes;
-            node.thickness = float(tip * tip * maths::pow(double(node.pipes), power));
-        }
-        const double r2 = double(node.thickness);
+        const double r2 = thicknessOf(node.pipes);
         const double length = double(m_history.length[i]);
         const bool leafy = factors.year - int(m_history.birth[i]) <= 1;
         const double mass = density * std::numbers::pi * r2 * length + (leafy ? leaf : 0.0);

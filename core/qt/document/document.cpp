@@ -198,7 +198,7 @@ void Document::followSolids()
         change.nodes.push_back(id);
     emit aboutToBeChanged(change);
     for (auto& [id, link] : stale)
-        m_scene.find(id)->params.colonisation.space = std::move(link);
+        setGrowthSpace(m_scene.find(id)->params, link);
     settle(change);
     emit changed(change);
 }

@@ -58,8 +58,8 @@ bool isWithin(double value, double wanted, double slack)
 void presetRows()
 {
     QTest::addColumn<QString>("name");
-    for (const char* name : {"SmallTree", "FanTree", "EnglishOak", "SilverBirch", "WeepingWillow",
-                             "ScotsPine", "CommonAsh", "OrchardApple", "WinterOak", "CoconutPalm"})
+    for (const char* name : {"SmallTree", "FanTree", "EnglishOak1995", "SilverBirch1995", "WeepingWillow1995",
+                             "ScotsPine1995", "CommonAsh", "OrchardApple1995", "WinterOak", "CoconutPalm"})
         QTest::newRow(name) << QString::fromLatin1(name);
 }
 
@@ -220,7 +220,7 @@ private slots:
     /// own.
     void withoutBudgetsTheBarkGetsCoarserToo()
     {
-        const auto levels = made(preset("EnglishOak"), {2, {}});
+        const auto levels = made(preset("EnglishOak1995"), {2, {}});
         for (std::size_t i = 1; i < levels.size(); ++i) {
             QVERIFY(levels[i].triangles() <= std::llround(0.26 * double(levels[i - 1].triangles())));
             QVERIFY(double(levels[i].bark->faceCount()) <= 0.6 * double(levels[i - 1].bark->faceCount()));
@@ -255,7 +255,7 @@ private slots:
     }
     void sameBytesAgain()
     {
-        const NodeParams params = preset("SilverBirch");
+        const NodeParams params = preset("SilverBirch1995");
         const auto one = made(params, {3, game}), other = made(params, {3, game});
         for (std::size_t i = 0; i < one.size(); ++i) {
             QCOMPARE(*one[i].bark, *other[i].bark);
@@ -268,7 +268,7 @@ private slots:
     /// The tiles of the bark are those of the first level: one map serves all.
     void tilesAreShared()
     {
-        const auto levels = made(preset("EnglishOak"), {3, game});
+        const auto levels = made(preset("EnglishOak1995"), {3, game});
         std::vector<double> perMetre;
         for (const TreeLevel& level : levels) {
             double place = 0.0, picture = 0.0;

@@ -66,6 +66,15 @@ NodeParams colonisedTree()
     return params;
 }
 
+NodeParams grownByYears()
+{
+    NodeParams params;
+    params.generator.kind = TreeGenerator::Growth;
+    params.growth.age = 6.0;
+    params.mesh.targetTriangles = 3000;
+    return params;
+}
+
 } // namespace
 
 class TestParamRelevance : public QObject
@@ -101,7 +110,7 @@ private slots:
     /// Tracks give a parameter many values: none of them may decide whether another one acts.
     void whatIsAnimatedTurnsNothingOff()
     {
-        for (const NodeParams& params : {grammarTree(), weberPennTree(), colonisedTree()})
+        for (const NodeParams& params : {grammarTree(), weberPennTree(), colonisedTree(), grownByYears()})
             for (const ParamDef& def : paramTable()) {
                 if ((def.flags & paramAnimatable) == 0)
                     continue;
@@ -119,6 +128,7 @@ private slots:
         QTest::newRow("parametric") << parametricTree();
         QTest::newRow("Weber and Penn") << weberPennTree();
         QTest::newRow("colonisation") << colonisedTree();
+        QTest::newRow("growth") << grownByYears();
     }
     void whatDoesNotActChangesNoTree()
     {

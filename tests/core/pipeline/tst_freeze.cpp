@@ -92,7 +92,7 @@ private slots:
     void bytesGiveTheSameTree()
     {
         std::vector<NodeParams> trees{stacked()};
-        for (const char* preset : {"TinyTree", "FanTree", "EnglishOak", "ParkTree"})
+        for (const char* preset : {"TinyTree", "FanTree", "EnglishOak1995", "ParkTree"})
             trees.push_back(*presetParams(preset));
         for (const NodeParams& params : trees) {
             const Skeleton tree = *grownTree(params, Stage::Skeleton).skeleton;

@@ -83,7 +83,7 @@ private slots:
         QTest::newRow("Baobab") << 0.8;
         QTest::newRow("JoshuaTree") << 0.8;
         QTest::newRow("Saguaro") << 0.8; // its round ends are no tubes
-        QTest::newRow("EnglishOak") << 0.85;
+        QTest::newRow("EnglishOak1995") << 0.85;
     }
     void picturesFitEveryBranch()
     {

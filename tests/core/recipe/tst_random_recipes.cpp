@@ -16,7 +16,7 @@ namespace {
 std::vector<NodeParams> plainTrees()
 {
     std::vector<NodeParams> trees;
-    for (const char* preset : {"TinyTree", "FanTree", "HondaTree", "EnglishOak", "ParkTree"}) {
+    for (const char* preset : {"TinyTree", "FanTree", "HondaTree", "EnglishOak1995", "ParkTree"}) {
         NodeParams params = *presetParams(preset);
         params.mesh.targetTriangles = 0;
         params.sections.lengthDivisions = 2;

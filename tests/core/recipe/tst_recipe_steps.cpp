@@ -48,7 +48,7 @@ NodeParams with(NodeParams params, std::vector<TreeEdit> steps)
 
 NodeParams oak()
 {
-    NodeParams params = *presetParams("EnglishOak");
+    NodeParams params = *presetParams("EnglishOak1995");
     params.weberPenn.levels = 2;
     params.mesh.targetTriangles = 0;
     params.sections.lengthDivisions = 2;
@@ -333,7 +333,7 @@ private slots:
     void tooMuchIsALimit()
     {
         const NodeParams params =
-            with(*presetParams("EnglishOak"), {stepOf(EditOperation::WeberPenn, [](StepParams& s) {
+            with(*presetParams("EnglishOak1995"), {stepOf(EditOperation::WeberPenn, [](StepParams& s) {
                 s.where = "order = 2";
                 s.stand.way = StandWay::Along;
                 s.stand.count = 1000;
@@ -387,7 +387,7 @@ private:
                             {{0.1, -0.4, 4.5}, 0.15},
                             {{0.0, -0.2, 7.0}, 0.05}};
             TreeEdit limbs = newStep(EditOperation::WeberPenn);
-            NodeParams values = *presetParams("EnglishOak");
+            NodeParams values = *presetParams("EnglishOak1995");
             values.weberPenn.levels = 2;
             values.step = limbs.values->step;
             limbs.values = StepValues(std::move(values));
@@ -410,7 +410,7 @@ private:
         if (stack == "beside it")
             return with(oak(), {stepOf(EditOperation::Colonisation,
                                        [](StepParams& s) { s.stand.way = StandWay::Ground; })});
-        NodeParams birch = *presetParams("SilverBirch");
+        NodeParams birch = *presetParams("SilverBirch1995");
         birch.weberPenn.levels = 2;
         TreeEdit step = newStep(EditOperation::WeberPenn);
         birch.step = step.values->step;

@@ -45,7 +45,7 @@ private slots:
     /// Without a clearance, as the paper has it, limbs that sink do so.
     void onlyTreesWithAClearanceStayAbove()
     {
-        NodeParams params = *presetParams("NorwaySpruce");
+        NodeParams params = *presetParams("NorwaySpruce1995");
         params.weberPenn.clearance = 0.0;
         TreePipeline pipeline;
         QVERIFY(lowestOf(*pipeline.evaluate(params, Stage::Skeleton)->skeleton) < -0.5);

@@ -94,6 +94,8 @@ namespace {
 
 QString presetTitle(const QString& name)
 {
+    if (const QString year = QStringLiteral("1995"); name.endsWith(year))
+        return presetTitle(name.chopped(year.size())) + u' ' + year;
     return QCoreApplication::translate("presets", spacedName(name).toUtf8().constData());
 }
 
@@ -120,8 +122,10 @@ QString presetTip(const Preset& preset)
 
 bool isSpecies(const Preset& preset)
 {
-    const auto first = std::ranges::find(presets(), TreeGenerator::WeberPenn,
-                                         [](const Preset& each) { return each.params.generator.kind; });
+    const auto first = std::ranges::find_if(presets(), [](const Preset& each) {
+        return each.params.generator.kind == TreeGenerator::WeberPenn ||
+               each.params.generator.kind == TreeGenerator::Growth;
+    });
     return &preset >= &*first;
 }
 

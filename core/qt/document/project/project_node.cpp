@@ -1,5 +1,6 @@
 #include "core/qt/document/project/project_json.h"
 
+#include "core/params/presets.h"
 #include "core/params/tree_edit_table.h"
 #include "core/qt/document/project/project_arm.h"
 #include "core/qt/document/project/project_edits.h"
@@ -95,6 +96,7 @@ public:
               &NodeReader::readAnimation, &NodeReader::readGeometry})
             RAMURE_TRY((this->*step)());
         m_node.extras = extrasText(m_rest);
+        followNames();
         return std::move(m_node);
     }
 
@@ -187,6 +189,14 @@ private:
         if (!object->isEmpty())
             m_rest.insert(QStringLiteral("params"), *object);
         return {};
+    }
+    /// Where a species has come to grow by years, its tree of before has got another name.
+    void followNames()
+    {
+        const std::string older = m_node.preset + "1995";
+        if (m_node.params.generator.kind == TreeGenerator::WeberPenn &&
+            std::ranges::find(presets(), older, &Preset::name) != presets().end())
+            m_node.preset = older;
     }
     static Expected<glm::dvec3> readBend(const QJsonValue& value, const std::string& place)
     {

@@ -81,6 +81,8 @@ double usualReach(const NodeParams& params)
         return 0.35 * params.weberPenn.scale;
     case TreeGenerator::Colonisation:
         return params.colonisation.crownRadius;
+    case TreeGenerator::Growth:
+        return 0.5 * params.growth.crownWidth;
     }
     return 10.0 * params.turtle.alpha;
 }

@@ -197,7 +197,7 @@ private slots:
         };
         QCOMPARE(named("ca_black_oak").leaf.shape, LeafShape::Oak);
         QCOMPARE(named("Japanese Maple").leaf.shape, LeafShape::JapaneseMaple);
-        QCOMPARE(named("weeping-willow").bark, presetParams("WeepingWillow")->bark);
+        QCOMPARE(named("weeping-willow").bark, presetParams("WeepingWillow1995")->bark);
         QCOMPARE(named("triffid").leaf.shape, LeafShape::Beech);
     }
     /// Its own program's ranges; of those without an end some number far out. None is refused, and what is

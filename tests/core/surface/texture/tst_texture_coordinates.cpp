@@ -494,12 +494,12 @@ void TestTextureCoordinates::barkKeepsItsScaleAlongATrunk_data()
 {
     QTest::addColumn<QString>("preset");
     QTest::addColumn<double>("most");
-    for (const char* name : {"EuropeanBeech", "SilverBirch", "ScotsPine", "NorwaySpruce", "Hawthorn",
-                             "OrchardApple", "JapaneseMaple", "SmallLeavedLinden"})
+    for (const char* name : {"EuropeanBeech1995", "SilverBirch1995", "ScotsPine1995", "NorwaySpruce1995", "Hawthorn",
+                             "OrchardApple1995", "JapaneseMaple", "SmallLeavedLinden1995"})
         QTest::newRow(name) << QString(name) << 1.25;
     // Some seeds have a fork whose thickest branch takes nearly all around but is far thinner.
-    QTest::newRow("EnglishOak") << QString("EnglishOak") << 1.3;
-    QTest::newRow("WeepingWillow") << QString("WeepingWillow") << 1.65;
+    QTest::newRow("EnglishOak1995") << QString("EnglishOak1995") << 1.3;
+    QTest::newRow("WeepingWillow1995") << QString("WeepingWillow1995") << 1.65;
 }
 
 /// Tiles a metre change by no more than a quarter from one slice of 25 cm to the next, through all forks, as

@@ -85,7 +85,7 @@ private slots:
         const NodeId tree = m_document->scene().nodes().front().id;
         QVERIFY(edit::setNodeLocked(*m_document, {tree}, true));
         const int steps = m_document->undoStack()->count();
-        give("SilverBirch");
+        give("SilverBirch1995");
         QCOMPARE(m_document->undoStack()->count(), steps);
         QVERIFY(m_document->scene().find(tree)->params == presetParams("TinyTree"));
     }
@@ -106,11 +106,11 @@ private slots:
         QTest::addColumn<QString>("typed");
         QTest::addColumn<QString>("found");
         QTest::newRow("as written") << "silverbirch"
-                                    << "SilverBirch";
+                                    << "SilverBirch1995";
         QTest::newRow("words") << "birch silver"
-                               << "SilverBirch";
+                               << "SilverBirch1995";
         QTest::newRow("Latin") << "Picea abies"
-                               << "NorwaySpruce";
+                               << "NorwaySpruce1995";
         QTest::newRow("description") << "weeps curtains hanging"
                                      << "";
         QTest::newRow("nothing") << "qqq"
@@ -149,13 +149,13 @@ private slots:
         QTest::newRow("no such") << "bouleaux verts"
                                  << "";
         QTest::newRow("French") << "bouleau verruqueux"
-                                << "SilverBirch";
+                                << "SilverBirch1995";
         QTest::newRow("without accents") << "chene rouge"
                                          << "RedOak";
         QTest::newRow("English") << "silver birch"
-                                 << "SilverBirch";
+                                 << "SilverBirch1995";
         QTest::newRow("Latin") << "betula pendula"
-                               << "SilverBirch";
+                               << "SilverBirch1995";
     }
     void frenchNamesAreShownAndFound()
     {
@@ -165,21 +165,21 @@ private slots:
         Preferences().language.set(QStringLiteral("fr"));
         auto language = std::make_unique<Language>(Preferences());
         init();
-        QCOMPARE(picture("EnglishOak")->text(), QStringLiteral("Chêne pédonculé"));
+        QCOMPARE(picture("EnglishOak1995")->text(), QStringLiteral("Chêne pédonculé"));
         m_panel->gallery()->search()->setText(typed);
         QCOMPARE(shown(), found.isEmpty() ? QStringList() : QStringList{found});
-        picture("SilverBirch")->click();
+        picture("SilverBirch1995")->click();
         QCOMPARE(m_document->scene().nodes().back().name, std::string("Bouleau verruqueux"));
         cleanup();
         Preferences().language.set(QStringLiteral("en"));
         language.reset();
         language = std::make_unique<Language>(Preferences());
         init();
-        QCOMPARE(picture("EnglishOak")->text(), QStringLiteral("English Oak"));
+        QCOMPARE(picture("EnglishOak1995")->text(), QStringLiteral("English Oak"));
         m_panel->gallery()->search()->setText(typed);
         QVERIFY(shown().size() <= 1);
-        picture("SilverBirch")->click();
-        QCOMPARE(m_document->scene().nodes().back().name, std::string("SilverBirch"));
+        picture("SilverBirch1995")->click();
+        QCOMPARE(m_document->scene().nodes().back().name, std::string("SilverBirch1995"));
     }
 
     void speciesStandBeforeTheExamples()
@@ -276,9 +276,9 @@ private slots:
         const NodeParams before = m_document->scene().find(tree)->params;
         QVERIFY(m_panel->giveAction()->isEnabled());
         const int steps = m_document->undoStack()->count();
-        give("NorwaySpruce");
+        give("NorwaySpruce1995");
         QCOMPARE(m_document->undoStack()->count(), steps + 1);
-        NodeParams expected = *presetParams("NorwaySpruce");
+        NodeParams expected = *presetParams("NorwaySpruce1995");
         expected.tree = before.tree;
         expected.physics = before.physics;
         QVERIFY(m_document->scene().find(tree)->params == expected);
@@ -301,8 +301,8 @@ private slots:
         // Of what is no longer there nothing is shown.
         m_preferences->favouritePresets.set({QStringLiteral("own:Gone"), QStringLiteral("FanTree")});
         QCOMPARE(favourites(), QStringList{QStringLiteral("FanTree")});
-        clickStar(picture("SilverBirch"));
-        QCOMPARE(favourites(), (QStringList{QStringLiteral("FanTree"), QStringLiteral("SilverBirch")}));
+        clickStar(picture("SilverBirch1995"));
+        QCOMPARE(favourites(), (QStringList{QStringLiteral("FanTree"), QStringLiteral("SilverBirch1995")}));
         QCOMPARE(m_preferences->favouritePresets().size(), qsizetype(3));
         QVERIFY(m_document->scene().nodes().empty()); // the star alone was clicked
         auto* first = qobject_cast<PictureButton*>(m_panel->gallery()->first());
@@ -310,20 +310,20 @@ private slots:
         first->click();
         QCOMPARE(m_document->scene().nodes().back().name, std::string("FanTree"));
         m_panel->gallery()->search()->setText(QStringLiteral("birch"));
-        QCOMPARE(favourites(), QStringList{QStringLiteral("SilverBirch")});
+        QCOMPARE(favourites(), QStringList{QStringLiteral("SilverBirch1995")});
         m_panel->gallery()->search()->clear();
         clickStar(first); // which is gone with it
-        QCOMPARE(favourites(), QStringList{QStringLiteral("SilverBirch")});
+        QCOMPARE(favourites(), QStringList{QStringLiteral("SilverBirch1995")});
 
         QVERIFY(OwnPresets().save(QStringLiteral("Mine"), *presetTree("TinyTree")));
         m_panel->hide();
         m_panel->show();
         clickStar(picture("own:Mine"));
-        QCOMPARE(favourites(), (QStringList{QStringLiteral("SilverBirch"), QStringLiteral("own:Mine")}));
+        QCOMPARE(favourites(), (QStringList{QStringLiteral("SilverBirch1995"), QStringLiteral("own:Mine")}));
         emit picture("own:Mine")->customContextMenuRequested({});
         m_panel->renameAction()->trigger();
         answer(QStringLiteral("Ours"));
-        QCOMPARE(favourites(), (QStringList{QStringLiteral("SilverBirch"), QStringLiteral("own:Ours")}));
+        QCOMPARE(favourites(), (QStringList{QStringLiteral("SilverBirch1995"), QStringLiteral("own:Ours")}));
     }
 
     void narrowPanelsHaveOneColumn()

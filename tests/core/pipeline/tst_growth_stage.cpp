@@ -1,0 +1,159 @@
+#include "core/params/presets.h"
+#include "core/pipeline/stage_hashes.h"
+#include "tests/support/mesh_checker.h"
+#include "tests/support/shaped_tree.h"
+#include <set>
+
+namespace tst_growth_stage {
+
+using namespace ramure;
+using namespace ramure::test;
+
+namespace {
+
+NodeParams oak(double age)
+{
+    NodeParams params = *presetParams("EnglishOak");
+    params.growth.age = age;
+    return params;
+}
+
+std::vector<const Preset*> grownPresets()
+{
+    std::vector<const Preset*> grown;
+    for (const Preset& preset : presets())
+        if (preset.params.generator.kind == TreeGenerator::Growth)
+            grown.push_back(&preset);
+    return grown;
+}
+
+std::vector<std::uint64_t> addressesAt(double age)
+{
+    std::vector<std::uint64_t> addresses;
+    for (const Axis& axis : axesOf(*grownTree(oak(age), Stage::Skeleton).skeleton).axes)
+        addresses.push_back(axis.address);
+    std::ranges::sort(addresses);
+    return addresses;
+}
+
+} // namespace
+
+/// Trees that grow by years, through the pipeline.
+class TestGrowthStage : public QObject
+{
+    Q_OBJECT
+private slots:
+    void init() { test::failOnAnyWarning(); }
+
+    void impossibleLivesSayWhy()
+    {
+        NodeParams params = oak(60.0);
+        QVERIFY(!setParam(params, *findParam("growth.age"), 10'000.0));
+        QVERIFY(!setParam(params, *findParam("growth.age"), -1.0));
+        params.growth.sunlight = 0.0;
+        TreePipeline pipeline;
+        const auto dead = pipeline.evaluate(params, Stage::Skeleton);
+        QVERIFY(!dead);
+        QCOMPARE(dead.error().path, std::string("growth.age"));
+        QVERIFY(QByteArray(dead.error().message().c_str()).contains("for want of light"));
+        params = oak(60.0);
+        params.growth.crownWidth = 150.0;
+        params.growth.height = 150.0;
+        params.growth.internode = 0.001;
+        const auto huge = pipeline.evaluate(params, Stage::Skeleton);
+        QVERIFY(!huge);
+        QVERIFY(huge.error().path.starts_with("growth."));
+    }
+
+    void aSeedlingIsOneShoot()
+    {
+        const TreeResult tree = grownTree(oak(0.0), Stage::Mesh);
+        QCOMPARE(axesOf(*tree.skeleton).axes.size(), std::size_t(1));
+        QVERIFY(tree.report->valid);
+    }
+
+    /// The ages of ten years are cut out of one life: the dearest stage need not run again.
+    void agesShareALife()
+    {
+        QCOMPARE(StageHashes(oak(41.0))[Stage::Symbols], StageHashes(oak(50.0))[Stage::Symbols]);
+        QVERIFY(StageHashes(oak(41.0))[Stage::Skeleton] != StageHashes(oak(50.0))[Stage::Skeleton]);
+        QVERIFY(StageHashes(oak(51.0))[Stage::Symbols] != StageHashes(oak(50.0))[Stage::Symbols]);
+        // Whichever life it is cut out of, and whatever was looked at before.
+        NodeParams longer = oak(50.0);
+        longer.growth.age = 88.0;
+        TreePipeline pipeline;
+        QVERIFY(pipeline.evaluate(longer, Stage::Skeleton));
+        for (const double age : {33.0, 47.5, 12.25}) {
+            const auto again = pipeline.evaluate(oak(age), Stage::Skeleton);
+            QVERIFY2(again, why(again).constData());
+            QVERIFY(*again->skeleton == *grownTree(oak(age), Stage::Skeleton).skeleton);
+        }
+    }
+
+    void axesKeepTheirAddresses()
+    {
+        const auto young = addressesAt(30.0), old = addressesAt(45.0);
+        std::vector<std::uint64_t> kept;
+        std::ranges::set_intersection(young, old, std::back_inserter(kept));
+        QVERIFY(!kept.empty() && old.size() > young.size());
+        QCOMPARE(std::set<std::uint64_t>(old.begin(), old.end()).size(), old.size());
+    }
+
+    /// An edit that was made at one age is there at another.
+    void editsStayOverTheYears()
+    {
+        NodeParams params = oak(30.0);
+        params.growth.density = 0.3;
+        const Skeleton grown = *grownTree(params, Stage::Skeleton).grown;
+        const TreeAxes axes = axesOf(grown);
+        EditContext context(grown, {});
+        int made = 0, there = 0;
+        for (const Axis& axis : axes.axes)
+            if (axis.order == 1 && axis.length > 1.0 && made < 12) {
+                TreeEdit bend = editOf(EditOperation::Bend, axis.address);
+                bend.rotation = {0.1, 0.0, 0.05};
+                made += make(params, bend, context) ? 1 : 0;
+            }
+        QVERIFY(made >= 4);
+        params.growth.age = 34.0;
+        const TreeResult later = grownTree(params, Stage::Skeleton);
+        for (const EditOutcome& outcome : *later.edits)
+            there += outcome.state == EditState::ByAddress ? 1 : 0;
+        QVERIFY2(there >= made / 2, qPrintable(QString::number(there))); // the others were shed
+    }
+
+    /// RAMURE_AGES asks for so many ages of each species; each run of CI looks at others.
+    void everyAgeIsWhole_data()
+    {
+        QTest::addColumn<QByteArray>("preset");
+        for (const Preset* preset : grownPresets())
+            QTest::newRow(preset->name) << QByteArray(preset->name);
+    }
+    void everyAgeIsWhole()
+    {
+        QFETCH(QByteArray, preset);
+        const auto grown = grownPresets();
+        const Preset& tree =
+            **std::ranges::find(grown, std::string_view(preset.constData()),
+                                [](const Preset* each) { return std::string_view(each->name); });
+        const int asked = qEnvironmentVariableIntValue("RAMURE_AGES"), ages = asked > 0 ? asked : 2;
+        TreePipeline pipeline;
+        for (int i = 0; i < ages; ++i) {
+            NodeParams params = tree.params;
+            params.grammar.seed = i % 6 + 1;
+            params.growth.age = tree.ages[1] * (i + 0.37) / ages;
+            const auto made = pipeline.evaluate(params, Stage::Mesh);
+            QVERIFY2(made, why(made).constData());
+            const QByteArray label = QByteArray::number(params.growth.age) + " years";
+            QVERIFY2(made->report->valid, label.constData());
+            QCOMPARE(made->report->components, made->branches->roots);
+            QVERIFY2(checkMesh(made->branches->mesh).perfect(made->branches->roots), label.constData());
+        }
+    }
+};
+
+RAMURE_SUITE(TestGrowthStage)
+
+} // namespace tst_growth_stage
+
+#include "tst_growth_stage.moc"
