@@ -156,7 +156,7 @@ inline constexpr std::array grownTreeRows{
         ParamUnit::Share, {0, 1, 0, 1, 0.05, 2}, paramAdvanced),
     grownRow<&GrowthParams::vigour>(
         {"growth.vigour", habitGroup, RAMURE_NOOP("Vigour is shared"),
-         RAMURE_NOOP("Borchert and Honda: at each fork by the light above it. Priority: along each axis by rank, so that few buds get most of it.")},
+         RAMURE_NOOP("At forks: each fork shares by the light above it (Borchert and Honda). By rank: along each axis, so that few buds get most of it.")},
         ParamUnit::None, {}, paramAdvanced),
     grownRow<&GrowthParams::sympodial>(
         {"growth.sympodial", habitGroup, RAMURE_NOOP("Sympodial"),

@@ -25,9 +25,8 @@ template <>
 inline constexpr std::array itemsOf<GrowthLight>{EnumItem{"light", RAMURE_NOOP("Light")},
                                                  EnumItem{"space", RAMURE_NOOP("Room")}};
 template <>
-inline constexpr std::array itemsOf<VigourModel>{
-    EnumItem{"borchert_honda", RAMURE_NOOP("Borchert and Honda")},
-    EnumItem{"priority", RAMURE_NOOP("Priority")}};
+inline constexpr std::array itemsOf<VigourModel>{EnumItem{"borchert_honda", RAMURE_NOOP("At forks")},
+                                                 EnumItem{"priority", RAMURE_NOOP("By rank")}};
 template <>
 inline constexpr std::array itemsOf<StandWay>{
     EnumItem{"ground", RAMURE_NOOP("On the ground")}, EnumItem{"limbs", RAMURE_NOOP("Limbs along axes")},

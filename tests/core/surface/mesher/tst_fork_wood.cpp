@@ -32,15 +32,15 @@ constexpr Bars own[] = {
     {.preset = "Baobab", .quarter = 0.29, .whole = 0.48, .leastCollar = 1.12},
     {.preset = "CaliforniaBlackOak", .mostCollar = 1.52},
     {.preset = "CommonYew", .quarter = 0.32, .mostTwins = 1.12}, // many stems at a fork
-    {.preset = "EnglishOak", .quarter = 0.27},
+    {.preset = "EnglishOak1995", .quarter = 0.27},
     {.preset = "LiveOak", .quarter = 0.27},
     {.preset = "StonePine", .quarter = 0.28},
     {.preset = "WhiteWillow", .quarter = 0.31},
     // Limbs run along the stem, some of them inside it.
-    {.preset = "WeepingWillow", .quarter = 0.46, .whole = 0.54, .leastCollar = 1.0},
+    {.preset = "WeepingWillow1995", .quarter = 0.46, .whole = 0.54, .leastCollar = 1.0},
     {.preset = "ItalianCypress", .leastCollar = 1.0},
     {.preset = "GiantSequoia", .leastCollar = 1.0},
-    {.preset = "LombardyPoplar", .leastCollar = 1.12},
+    {.preset = "LombardyPoplar1995", .leastCollar = 1.12},
     {.preset = "DouglasFir", .leastCollar = 1.1},
     {.preset = "BlackTupelo", .leastCollar = 1.14},
     // Without a budget all branches have the same few cross-sections.
