@@ -1,3 +1,4 @@
+#include "core/math/angle.h"
 #include "core/params/species.h"
 
 #include "core/math/angle.h"
