@@ -130,6 +130,8 @@ void GrowingTree::growSide(Index metamer, double vigour, const YearFactors& fact
         double axil = m_params.axil * (0.8 + 0.4 * chance(address, 6));
         if (!m_axes[axis].tipLives && m_axes[axis].tip == metamer)
             axil *= 0.5; // it takes the place of the end
+        else if (m_params.whorl > 0 && order > 1)
+            axil *= 0.65; // limbs of pines and spruces fork less widely than the stem
         const auto [sine, cosine] = maths::sincos(std::clamp(axil, 0.05, 2.6));
         const glm::dvec3 direction = unit(cosine * node.direction + sine * side, side);
         // The buds of a side shoot begin outside and beside it.

@@ -38,6 +38,7 @@ private:
         double side = 0.0;  ///< radius of the thickest that starts at its end aside
         double reach = 0.0; ///< m to the farthest tip, itself counted
         glm::dvec3 at{0.0};
+        Index heir = noIndex; ///< piece that goes on, or where the axis ends the thickest that starts there
     };
 
     /// What lives, with its radius between the rows of the two years.
@@ -92,14 +93,21 @@ private:
         for (std::size_t k = m_pieces.size(); k-- > 0;) {
             Piece& piece = m_pieces[k];
             piece.reach += m_grown[k] * double(m_history.length[piece.metamer]);
-            if (piece.parent != noIndex && m_pieces[piece.parent].next != Index(k))
-                m_pieces[piece.parent].side = std::max(m_pieces[piece.parent].side, piece.radius);
-            if (piece.parent != noIndex)
-                m_pieces[piece.parent].reach = std::max(m_pieces[piece.parent].reach, piece.reach);
+            if (piece.parent == noIndex)
+                continue;
+            Piece& below = m_pieces[piece.parent];
+            below.reach = std::max(below.reach, piece.reach);
+            if (below.next == Index(k)) {
+                below.heir = Index(k);
+            } else if (piece.radius > below.side) {
+                below.side = piece.radius;
+                below.heir = below.next == noIndex ? Index(k) : below.heir;
+            }
         }
     }
 
-    /// Rings fill what is hollow and lie thin on what stands out: the thicker, the straighter.
+    /// Rings fill what is hollow and lie thin on what stands out: the thicker, the straighter. So does the
+    /// kink go where a side shoot took the place of a dead end.
     void smooth()
     {
         constexpr int rounds = 4;
@@ -108,10 +116,10 @@ private:
             for (std::size_t k = 0; k < m_pieces.size(); ++k) {
                 const Piece& piece = m_pieces[k];
                 moved[k] = piece.at;
-                if (piece.next == noIndex)
+                if (piece.heir == noIndex)
                     continue;
                 const glm::dvec3 foot = piece.parent == noIndex ? glm::dvec3(0.0) : m_pieces[piece.parent].at;
-                const glm::dvec3& next = m_pieces[piece.next].at;
+                const glm::dvec3& next = m_pieces[piece.heir].at;
                 const double step = 0.5 * glm::length(next - foot);
                 const double share = std::clamp(1.5 * piece.radius / std::max(step, 1e-6), 0.1, 0.9);
                 moved[k] += share * (0.5 * (foot + next) - piece.at);
