@@ -102,7 +102,7 @@ double GrowingTree::envelope(const glm::dvec3& at, float outline, unsigned order
     double wide = m_profile[step] + (up - double(step)) * (m_profile[step + 1] - m_profile[step]);
     wide *= double(outline);
     const double aside = std::sqrt(at.x * at.x + at.z * at.z) / (0.5 * p.crownWidth);
-    double room = std::min(wide + 0.04 - aside, 1.03 - y) * 4.0;
+    double room = std::min(4.0 * (wide + 0.04 - aside), 7.0 * (1.03 - y));
     if (order > 0)
         room = std::min(room, (y - 0.75 * base) / (0.25 * base + 0.01));
     return std::clamp(room, 0.0, 1.0);
