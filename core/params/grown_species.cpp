@@ -59,18 +59,18 @@ const std::array grown{
         {.age = 60, .height = 20, .crownWidth = 14, .crownBase = 0.5, .crownWidest = 0.6, .crownTop = 0.4, .maturity = 60, .leaderUntil = 40,
          .apicalControl = 0.7, .sideLength = 0.8, .axil = 72, .branching = 0.6, .whorl = 4, .autonomy = 0.55, .shadeTolerance = 0.25, .shedding = 0.75,
          .light = 0.08, .upright = 0.03, .plagiotropy = 0.5, .wander = 0.35, .droop = 0.05, .reiteration = 0.01, .tipRadius = 0.0035},
-        0.14 / 0.42, 0.07 / 0.11},
+        0.18 / 0.42, 0.045 / 0.11},
     GrownSpecies{"NorwaySpruce", "Picea abies", RAMURE_NOOP("A spire of whorls, each limb hung with twigs"), true, {12, 50, 100},
         {.age = 50, .height = 26, .crownWidth = 10, .crownBase = 0.03, .crownWidest = 0.05, .crownTop = 0.85, .maturity = 65, .density = 1.5,
          .leaderUntil = 1000, .apicalControl = 0.9, .sideLength = 0.8, .axil = 82, .branching = 0.9, .whorl = 6, .autonomy = 0.65,
          .shadeTolerance = 0.95, .shedding = 0.1, .upright = 0.05, .weeping = 0.5, .plagiotropy = 0.4, .wander = 0.15, .tipRadius = 0.0034},
-        0.16 / 0.22, 0.06 / 0.07},
+        0.19 / 0.22, 0.028 / 0.07},
     GrownSpecies{"LebanonCedar", "Cedrus libani", RAMURE_NOOP("Level limbs in storeys, a flat top when old"), true, {15, 70, 160},
         {.age = 70, .height = 20, .crownWidth = 20, .crownBase = 0.1, .crownWidest = 0.4, .crownTop = 0.3, .maturity = 60, .density = 0.8,
          .leaderUntil = 30, .apicalControl = 0.7, .sideLength = 0.85, .axil = 76, .acrotony = 0.85, .branching = 1.0, .autonomy = 0.6,
          .shortShoots = 0.3, .shadeTolerance = 0.5, .shedding = 0.5, .light = 0.1, .upright = 0.0, .plagiotropy = 0.8, .wander = 0.25, .droop = 0.05,
          .pipeExponent = 2.1, .tipRadius = 0.0036},
-        0.22 / 0.22, 0.08 / 0.075},
+        0.25 / 0.22, 0.05 / 0.075},
 };
 // clang-format on
 
@@ -92,7 +92,7 @@ NodeParams grownParams(const GrownSpecies& species, const NodeParams& dress)
     params.leaf.size = species.leaf / trunkRadius(params);
     params.leaf.internode = species.leafInternode / trunkRadius(params);
     params.fruit.size *= trunkRadius(dress) / trunkRadius(params);
-    constexpr double leafyTips = 2.0;
+    const double leafyTips = species.conifer ? 3.0 : 2.0; // needles stay for years
     params.foliage.leavesCutoff = leafyTips * params.growth.tipRadius / trunkRadius(params);
     return params;
 }
