@@ -11,8 +11,8 @@ namespace {
 using P = Phyllotaxis;
 
 // Heights, spreads and years are those of trees that stand free in a park of the temperate zone; how the
-// shoots stand is in every flora. Angles in degrees. In the end, the lengths of a leaf and from leaf to leaf over
-// what they are shares of (leaf_table.cpp); of needles, those of a shoot.
+// shoots stand is in every flora. Angles in degrees. In the end, the lengths of a leaf and from leaf to leaf
+// over what they are shares of (leaf_table.cpp); of needles, those of a shoot.
 // clang-format off
 const std::array grown{
     GrownSpecies{"EnglishOak", "Quercus robur", RAMURE_NOOP("Limbs as thick as trunks, crooked to their tips"), false, {15, 60, 140},
@@ -28,7 +28,7 @@ const std::array grown{
     GrownSpecies{"SilverBirch", "Betula pendula", RAMURE_NOOP("A slender stem, its finest twigs hanging"), false, {8, 35, 70},
         {.age = 35, .height = 20, .crownWidth = 10, .crownBase = 0.18, .crownWidest = 0.3, .crownTop = 0.65, .maturity = 45, .density = 1.4,
          .leaderUntil = 70, .apicalControl = 0.5, .axil = 42, .branching = 0.6, .shadeTolerance = 0.25, .light = 0.3, .upright = 0.14, .weeping = 0.9,
-         .wander = 0.2, .tipRadius = 0.0027, .girth = 0.5},
+         .wander = 0.2, .tipRadius = 0.0029, .girth = 0.5},
         0.05 / 0.42, 0.015 / 0.15},
     GrownSpecies{"SmallLeavedLinden", "Tilia cordata", RAMURE_NOOP("A dense tall dome on bowed limbs"), false, {12, 50, 120},
         {.age = 50, .height = 20, .crownWidth = 13, .crownBase = 0.1, .crownWidest = 0.35, .crownTop = 0.6, .maturity = 55, .density = 1.3,
@@ -36,8 +36,8 @@ const std::array grown{
          .shedding = 0.4, .light = 0.2, .upright = 0.06, .wander = 0.35, .droop = 0.6, .pipeExponent = 2.1, .tipRadius = 0.0028},
         0.07 / 0.52, 0.022 / 0.19},
     GrownSpecies{"WeepingWillow", "Salix babylonica", RAMURE_NOOP("A short trunk under curtains of hanging shoots"), false, {6, 25, 50},
-        {.age = 25, .height = 13, .crownWidth = 14, .crownBase = 0.08, .crownTop = 0.4, .maturity = 16, .leaderUntil = 3, .apicalControl = 0.55,
-         .axil = 50, .branching = 0.6, .orders = 7, .shedding = 0.35, .upright = 0.1, .weeping = 1.1, .droop = 0.06, .pipeExponent = 1.9,
+        {.age = 25, .height = 12, .crownWidth = 14, .crownBase = 0.08, .crownTop = 0.4, .maturity = 16, .leaderUntil = 1, .apicalControl = 0.45,
+         .axil = 50, .branching = 0.6, .orders = 7, .shedding = 0.35, .upright = 0.13, .weeping = 1.1, .droop = 0.06, .pipeExponent = 1.9,
          .tipRadius = 0.0032, .girth = 0.5},
         0.12 / 0.60, 0.02 / 0.13},
     GrownSpecies{"OrchardApple", "Malus domestica", RAMURE_NOOP("A low spreading head of spurs and crooked limbs"), false, {5, 25, 60},
