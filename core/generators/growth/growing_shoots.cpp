@@ -78,8 +78,8 @@ int GrowingTree::shootLength(double vigour, unsigned order, double& stretch, con
 
 void GrowingTree::growTip(Index metamer, double vigour, const YearFactors& factors)
 {
-    const Index axis = m_history.axis[metamer];
-    const unsigned order = m_history.axisOrder[axis];
+    const Index axis = m_nodes[metamer].axis;
+    const unsigned order = m_nodes[metamer].order;
     AxisState& state = m_axes[axis];
     const std::uint64_t address = m_nodes[metamer].address;
     if (m_params.sympodial > 0.0 && factors.year > 2 && state.nodes > 3 &&
@@ -108,8 +108,8 @@ void GrowingTree::growTip(Index metamer, double vigour, const YearFactors& facto
 
 void GrowingTree::growSide(Index metamer, double vigour, const YearFactors& factors)
 {
-    const Index axis = m_history.axis[metamer];
-    const unsigned order = m_history.axisOrder[axis] + 1u;
+    const Index axis = m_nodes[metamer].axis;
+    const unsigned order = m_nodes[metamer].order + 1u;
     if (order >= unsigned(m_params.orders))
         return;
     double stretch = 1.0;
@@ -128,7 +128,7 @@ void GrowingTree::growSide(Index metamer, double vigour, const YearFactors& fact
                                                           m_params.wander * (chance(address, 5) - 0.5));
         const glm::dvec3 side = turnCosine * first + turnSine * glm::cross(node.direction, first);
         double axil = m_params.axil * (0.8 + 0.4 * chance(address, 6));
-        if (!m_axes[axis].tipLives && m_axes[axis].tip == metamer)
+        if (!m_axes[axis].tipLives && m_axes[axis].tip == m_nodes[metamer].metamer)
             axil *= 0.5; // it takes the place of the end
         else if (m_params.whorl > 0 && order > 1)
             axil *= 0.65; // limbs of pines and spruces fork less widely than the stem
@@ -146,12 +146,12 @@ void GrowingTree::reiterate(Index metamer, const YearFactors& factors)
     constexpr int oldEnough = 8;
     constexpr float lit = 0.45f;
     const std::uint64_t address = m_nodes[metamer].address;
-    if (factors.year - int(m_history.birth[metamer]) < oldEnough || m_nodes[metamer].light < lit ||
+    if (factors.year - int(m_nodes[metamer].birth) < oldEnough || m_nodes[metamer].light < lit ||
         chance(address, 7 + 8 * std::uint64_t(factors.year)) >= m_params.reiteration)
         return;
     const Node node = m_nodes[metamer];
     m_nodes[metamer].dormant = 0;
-    const unsigned order = m_history.axisOrder[m_history.axis[metamer]] + 1u;
+    const unsigned order = m_nodes[metamer].order + 1u;
     if (order >= unsigned(m_params.orders))
         return;
     const Index child = newAxis(metamer, 7, order, true, factors.year);
@@ -215,7 +215,7 @@ glm::dvec3 GrowingTree::turned(const ShootStart& start, const glm::dvec3& light,
 void GrowingTree::grow(ShootStart start, int nodes, double stretch, const YearFactors& factors)
 {
     glm::dvec3 light(0.0);
-    if (!m_alive.empty()) {
+    if (!m_nodes.empty()) {
         light = m_shadows.lighter(start.at, factors.shade) * glm::dvec3(1.0, 0.35, 1.0);
         light /= std::max(glm::length(light), 0.25);
     }
@@ -243,11 +243,11 @@ void GrowingTree::grow(ShootStart start, int nodes, double stretch, const YearFa
         node.address = address;
         node.rank = std::uint8_t(rank);
         node.of = std::uint8_t(nodes);
-        axis.tip = metamer;
+        axis.tip = node.metamer;
         axis.tipDark = 0;
         axis.nodes = std::uint16_t(std::min(65535, axis.nodes + 1));
         if (axis.base == noIndex)
-            axis.base = metamer;
+            axis.base = node.metamer;
         start.from = metamer;
         start.at = node.at;
         start.direction = direction;
@@ -257,18 +257,25 @@ void GrowingTree::grow(ShootStart start, int nodes, double stretch, const YearFa
 
 Index GrowingTree::addMetamer(const ShootStart& start, const glm::dvec3& direction, double length, int year)
 {
-    const auto metamer = Index(m_nodes.size());
+    const Index slot = living();
     const glm::dquat frame =
         start.from == noIndex ? glm::dquat(1.0, 0.0, 0.0, 0.0) : m_nodes[start.from].frame;
     const glm::dquat back = glm::conjugate(frame);
-    m_history.parent.push_back(start.from);
+    m_history.parent.push_back(start.from == noIndex ? noIndex : m_nodes[start.from].metamer);
     m_history.axis.push_back(start.axis);
     m_history.birth.push_back(std::uint16_t(year));
     m_history.death.push_back(GrowthHistory::lives);
     m_history.direction.push_back(glm::vec3(back * direction));
     m_history.length.push_back(float(length));
     Node node;
-    node.at = start.at + direction * double(float(length));
+    node.metamer = Index(m_history.parent.size() - 1);
+    node.parent = start.from;
+    node.axis = start.axis;
+    node.birth = std::uint16_t(year);
+    node.order = m_history.axisOrder[start.axis];
+    node.length = float(length);
+    node.rest = m_history.direction.back();
+    node.at = start.at + direction * double(node.length);
     node.direction = direction;
     node.frame = frame;
     node.side = glm::vec3(back * start.side);
@@ -276,9 +283,8 @@ Index GrowingTree::addMetamer(const ShootStart& start, const glm::dvec3& directi
     if (glm::dvec3 open; m_params.space.space != nullptr)
         node.sky = float(openSky(node.at, open));
     m_nodes.push_back(node);
-    m_alive.push_back(metamer);
     ++m_year.born;
-    return metamer;
+    return slot;
 }
 
 } // namespace ramure::growth

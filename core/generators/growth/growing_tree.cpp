@@ -132,7 +132,7 @@ void GrowingTree::lightOf(Index metamer, const YearFactors& factors)
     const std::uint64_t address = node.address;
     const double jitter = 0.85 + 0.3 * chance(address, 1 + 8 * std::uint64_t(factors.year));
     double own = std::clamp(sky - shadow + factors.shade, 0.0, sky) * jitter;
-    const unsigned order = m_history.axisOrder[m_history.axis[metamer]];
+    const unsigned order = m_nodes[metamer].order;
     if (!m_room)
         own *= envelope(node.at, node.outline, order);
     else if (m_towards[metamer] != glm::dvec3(0.0))
@@ -164,8 +164,8 @@ void GrowingTree::age(Index metamer)
         node.dormant |= node.buds;
         node.buds = 0;
     }
-    AxisState& axis = m_axes[m_history.axis[metamer]];
-    if (axis.tip == metamer && axis.tipLives) {
+    AxisState& axis = m_axes[m_nodes[metamer].axis];
+    if (axis.tip == node.metamer && axis.tipLives) {
         axis.tipDark = node.light < dark ? std::uint8_t(axis.tipDark + 1) : std::uint8_t(0);
         axis.tipLives = axis.tipDark < darkYears;
     }
@@ -175,7 +175,7 @@ bool GrowingTree::gatherLight(const YearFactors& factors)
 {
     m_flow.resize(m_nodes.size());
     glm::dvec3 min(0.0), max(0.0);
-    for (const Index i : m_alive) {
+    for (Index i = 0; i < living(); ++i) {
         min = glm::min(min, m_nodes[i].at);
         max = glm::max(max, m_nodes[i].at);
     }
@@ -183,9 +183,9 @@ bool GrowingTree::gatherLight(const YearFactors& factors)
     const double voxel = std::max(m_params.internode, m_params.height / 80.0);
     if (!m_shadows.reset(min, max, voxel))
         return false;
-    for (const Index i : m_alive) {
-        const bool leafy = factors.year - int(m_history.birth[i]) <= leafYears || isTip(i);
-        const double size = std::min(1.0, double(m_history.length[i]) / m_params.internode);
+    for (Index i = 0; i < living(); ++i) {
+        const bool leafy = factors.year - int(m_nodes[i].birth) <= leafYears || isTip(i);
+        const double size = std::min(1.0, double(m_nodes[i].length) / m_params.internode);
         m_shadows.add(m_nodes[i].at, std::max(1, int(size * (leafy ? leafWeight : woodWeight))));
     }
     m_shadows.sum();
@@ -193,7 +193,7 @@ bool GrowingTree::gatherLight(const YearFactors& factors)
         lookForRoom();
     m_year = {};
     m_active.clear();
-    for (const Index i : m_alive) {
+    for (Index i = 0; i < living(); ++i) {
         m_flow[i] = {};
         const Node& node = m_nodes[i];
         if (node.buds == 0 && !isTip(i) && (node.dormant == 0 || m_params.reiteration <= 0.0))
@@ -241,11 +241,11 @@ void GrowingTree::lookForRoom()
 {
     constexpr double occupied = 2.0; // internodes
     m_towards.assign(m_nodes.size(), glm::dvec3(0.0));
-    const auto newest = m_alive.empty() ? std::uint16_t(0) : m_history.birth[m_alive.back()];
-    for (const Index i : m_alive)
-        if (m_history.birth[i] == newest)
+    const auto newest = m_nodes.empty() ? std::uint16_t(0) : m_nodes.back().birth;
+    for (Index i = 0; i < living(); ++i)
+        if (m_nodes[i].birth == newest)
             m_room->occupy(m_nodes[i].at, occupied * m_params.internode);
-    for (const Index i : m_alive)
+    for (Index i = 0; i < living(); ++i)
         if (m_nodes[i].buds != 0 || isTip(i))
             m_room->look(i, m_nodes[i].at, m_nodes[i].direction);
     m_room->sum(m_towards);
@@ -253,13 +253,13 @@ void GrowingTree::lookForRoom()
 
 void GrowingTree::sumLight()
 {
-    for (std::size_t k = m_alive.size(); k-- > 0;) {
-        const Index i = m_alive[k], parent = m_history.parent[i];
+    for (Index i = living(); i-- > 0;) {
+        const Index parent = m_nodes[i].parent;
         if (parent == noIndex)
             continue;
         const Flow& own = m_flow[i];
         Flow& below = m_flow[parent];
-        (m_history.axis[i] == m_history.axis[parent] ? below.main : below.side) += own.main + own.side;
+        (m_nodes[i].axis == m_nodes[parent].axis ? below.main : below.side) += own.main + own.side;
         below.light += own.light;
         below.active += own.active;
     }

@@ -40,7 +40,7 @@ public:
     void shed(const YearFactors& factors);
     void thicken(const YearFactors& factors);
     void record();
-    [[nodiscard]] bool empty() const { return m_alive.empty(); }
+    [[nodiscard]] bool empty() const { return m_nodes.empty(); }
     /// All that is left goes, at \p age.
     void die(int age);
     [[nodiscard]] const GrowthYear& seen() const { return m_year; }
@@ -56,9 +56,16 @@ private:
         bool tipLives = true;
         bool upright = false; ///< begins the tree anew
     };
-    /// A metamer's, beside what the history keeps.
+    /// A living metamer. Nodes lie in the order of birth, side by side: the indices of a year are theirs.
     struct Node
     {
+        Index metamer = noIndex; ///< of the history
+        Index parent = noIndex;  ///< node
+        Index axis = 0;
+        float length = 0.0f;
+        glm::vec3 rest{0.0f}; ///< direction, as the history keeps it
+        std::uint16_t birth = 0;
+        std::uint8_t order = 0;
         glm::dvec3 at{0.0};        ///< its upper end
         glm::dvec3 direction{0.0}; ///< as it is bent now
         glm::dquat frame{1.0, 0.0, 0.0, 0.0};
@@ -88,7 +95,7 @@ private:
     struct RankedLight
     {
         double light;
-        Index metamer;
+        Index node;
         double* vigour;
     };
     struct ShootStart
@@ -106,10 +113,11 @@ private:
     [[nodiscard]] double envelope(const glm::dvec3& at, float outline, unsigned order) const;
     [[nodiscard]] double chance(std::uint64_t address, std::uint64_t purpose) const; ///< 0 .. 1
     [[nodiscard]] double budWeight(Index metamer) const;
+    [[nodiscard]] Index living() const { return static_cast<Index>(m_nodes.size()); }
     [[nodiscard]] bool isTip(Index metamer) const
     {
-        const AxisState& axis = m_axes[m_history.axis[metamer]];
-        return axis.tip == metamer && axis.tipLives;
+        const AxisState& axis = m_axes[m_nodes[metamer].axis];
+        return axis.tip == m_nodes[metamer].metamer && axis.tipLives;
     }
     void lightOf(Index metamer, const YearFactors& factors);
     void sumLight();
@@ -134,7 +142,7 @@ private:
     double thicknessOf(float pipes);
     void bend(const YearFactors& factors);
     void place();
-    void remove(Index base, int age);
+    void remove(const Node& base, Node& below);
 
     GrowthHistory& m_history;
     const GrowthParams& m_params;
@@ -145,8 +153,8 @@ private:
     std::vector<glm::dvec3> m_towards; ///< by metamer: unit, where it sees room; 0: nowhere
     std::vector<AxisState> m_axes;
     std::vector<Node> m_nodes;
+    std::vector<Index> m_place; ///< by node: where it lies after the shedding, or noIndex
     std::vector<Flow> m_flow;
-    std::vector<Index> m_alive;          ///< ascending
     std::vector<Index> m_active;         ///< those with buds that can grow
     std::vector<float> m_thickness;      ///< by packed pipes; 0: not known yet
     std::vector<glm::dvec4> m_load;      ///< kg, and kg m in x, y, z

@@ -13,7 +13,7 @@ double GrowingTree::claim(const YearFactors& factors)
     double all = 0.0;
     for (const Index i : m_active) {
         Flow& flow = m_flow[i];
-        const unsigned order = m_history.axisOrder[m_history.axis[i]];
+        const unsigned order = m_nodes[i].order;
         const double side = m_params.autonomy * sideLongest(order + 1, factors);
         if (flow.ownSide > 0.0 && order + 1 < unsigned(m_params.orders))
             all += flow.sideClaim = flow.ownSide * side;
@@ -30,7 +30,7 @@ double GrowingTree::claim(const YearFactors& factors)
     for (const Index i : m_active) {
         Flow& flow = m_flow[i];
         flow.sideClaim *= share;
-        if (m_history.axisOrder[m_history.axis[i]] != 0)
+        if (m_nodes[i].order != 0)
             flow.mainClaim *= share;
         given += flow.sideClaim + flow.mainClaim;
     }
@@ -54,16 +54,16 @@ double GrowingTree::lambdaOf(Index axis, const YearFactors& factors) const
 void GrowingTree::shareVigour(const YearFactors& factors)
 {
     double all = 0.0;
-    for (const Index i : m_alive)
-        if (m_history.parent[i] == noIndex)
+    for (Index i = 0; i < living(); ++i)
+        if (m_nodes[i].parent == noIndex)
             all += m_flow[i].main + m_flow[i].side;
     constexpr double alpha = 2.0;
     const double seedling = std::min({double(factors.year + 1), factors.longest, 4.0 * all});
     const double whole = std::min(std::max(alpha * all, seedling), factors.vigourCap);
     m_year.vigour = (all > 0.0 ? whole : 0.0) + claim(factors);
     m_year.vigourSpent = 0.0;
-    for (const Index i : m_alive)
-        if (m_history.parent[i] == noIndex)
+    for (Index i = 0; i < living(); ++i)
+        if (m_nodes[i].parent == noIndex)
             m_flow[i].vigour = all > 0.0 ? whole * (m_flow[i].main + m_flow[i].side) / all : 0.0;
     if (m_params.vigour == VigourModel::Priority)
         shareByRank();
@@ -75,17 +75,17 @@ void GrowingTree::shareVigour(const YearFactors& factors)
 /// in section 4.2 of Palubicki et al.
 void GrowingTree::shareAtForks(const YearFactors& factors)
 {
-    for (const Index i : m_alive) {
+    for (Index i = 0; i < living(); ++i) {
         Flow& flow = m_flow[i];
-        const Index parent = m_history.parent[i];
+        const Index parent = m_nodes[i].parent;
         const double light = flow.main + flow.side;
         if (parent != noIndex) {
-            const Index axis = m_history.axis[parent];
+            const Index axis = m_nodes[parent].axis;
             const double lambda = lambdaOf(axis, factors);
-            const double share = m_history.axis[i] == axis ? lambda : 1.0 - lambda;
+            const double share = m_nodes[i].axis == axis ? lambda : 1.0 - lambda;
             flow.vigour = m_flow[parent].vigour * share * light;
         }
-        const double lambda = lambdaOf(m_history.axis[i], factors);
+        const double lambda = lambdaOf(m_nodes[i].axis, factors);
         const double sum = lambda * flow.main + (1.0 - lambda) * flow.side;
         if (isTip(i) && sum > 0.0)
             flow.tipVigour = flow.vigour * lambda * flow.main / sum;
@@ -101,11 +101,11 @@ void GrowingTree::shareByRank()
 {
     std::vector<std::vector<Index>> axes(m_axes.size());
     std::vector<std::vector<Index>> sides(m_axes.size()); // bases of the axes on each
-    for (const Index i : m_alive) {
-        const Index axis = m_history.axis[i], parent = m_history.parent[i];
+    for (Index i = 0; i < living(); ++i) {
+        const Index axis = m_nodes[i].axis, parent = m_nodes[i].parent;
         axes[axis].push_back(i);
-        if (parent != noIndex && m_history.axis[parent] != axis)
-            sides[m_history.axis[parent]].push_back(i);
+        if (parent != noIndex && m_nodes[parent].axis != axis)
+            sides[m_nodes[parent].axis].push_back(i);
     }
     std::vector<RankedLight> ranked;
     for (std::size_t axis = 0; axis < axes.size(); ++axis) { // parents come before children
@@ -131,7 +131,7 @@ void GrowingTree::rank(std::vector<RankedLight>& ranked, double vigour) const
 {
     constexpr double least = 0.006; // weight of the last, of that of the first
     std::ranges::stable_sort(ranked, [](const RankedLight& a, const RankedLight& b) {
-        return a.light > b.light || (a.light == b.light && a.metamer < b.metamer);
+        return a.light > b.light || (a.light == b.light && a.node < b.node);
     });
     const double falls = std::max(1.0, (1.0 - 0.8 * m_params.apicalControl) * double(ranked.size()));
     double sum = 0.0;

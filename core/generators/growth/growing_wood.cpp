@@ -20,14 +20,13 @@ glm::dquat bendOf(const glm::dvec3& direction, double angle)
     return {scale, scale * t * direction.z / flat, 0.0, -scale * t * direction.x / flat};
 }
 
-void GrowingTree::remove(Index base, int age)
+/// \param below what carried it
+void GrowingTree::remove(const Node& base, Node& below)
 {
-    m_history.death[base] = std::uint16_t(age);
-    const Index parent = m_history.parent[base];
-    if (parent != noIndex && m_history.axis[parent] != m_history.axis[base])
-        m_nodes[parent].lost += float(m_params.girth) * m_nodes[base].pipes;
-    else if (parent != noIndex)
-        m_nodes[parent].bare = 0;
+    if (below.axis != base.axis)
+        below.lost += float(m_params.girth) * base.pipes;
+    else
+        below.bare = 0;
 }
 
 void GrowingTree::shed(const YearFactors& factors)
@@ -35,49 +34,54 @@ void GrowingTree::shed(const YearFactors& factors)
     constexpr std::uint8_t darkYears = 2, bareYears = 3;
     // Of the mean light of the whole tree, so that no setting sheds all of it.
     double light = 0.0, active = 0.0;
-    for (const Index i : m_alive)
-        if (m_history.parent[i] == noIndex && i < m_flow.size()) {
+    for (Index i = 0; i < living(); ++i)
+        if (m_nodes[i].parent == noIndex && i < m_flow.size()) {
             light += double(m_flow[i].light);
             active += double(m_flow[i].active);
         }
     const double least = active > 0.0 ? 0.55 * m_params.shedding * light / active : 0.0;
     const int age = factors.year + 1;
-    std::size_t kept = 0;
-    for (const Index i : m_alive) {
-        const Index parent = m_history.parent[i];
-        if (parent != noIndex && m_history.death[parent] != GrowthHistory::lives) {
-            m_history.death[i] = std::uint16_t(age); // with what carried it
-            ++m_year.shed;
-            continue;
-        }
-        const bool isNew = int(m_history.birth[i]) == factors.year;
-        if (!isNew) {
+    Index kept = 0;
+    m_place.resize(m_nodes.size());
+    for (Index i = 0; i < living(); ++i) {
+        Node& node = m_nodes[i];
+        m_place[i] = noIndex;
+        const bool isRoot = node.parent == noIndex;
+        const Index parent = isRoot ? noIndex : m_place[node.parent];
+        bool goes = !isRoot && parent == noIndex; // with what carried it
+        const bool isNew = int(node.birth) == factors.year;
+        if (!goes && !isNew) {
             const Flow& flow = m_flow[i];
-            Node& node = m_nodes[i];
             node.bare = flow.active == 0 ? std::uint8_t(std::min(255, node.bare + 1)) : std::uint8_t(0);
-            AxisState& axis = m_axes[m_history.axis[i]];
-            bool goes = node.bare >= bareYears && parent != noIndex;
-            if (axis.base == i && parent != noIndex) {
+            AxisState& axis = m_axes[node.axis];
+            goes = node.bare >= bareYears && !isRoot;
+            if (axis.base == node.metamer && parent != noIndex) {
                 const double mean = flow.active > 0 ? double(flow.light) / double(flow.active) : 0.0;
                 axis.dark = mean < least ? std::uint8_t(axis.dark + 1) : std::uint8_t(0);
                 goes = goes || axis.dark >= darkYears;
             }
-            if (goes) {
-                remove(i, age);
-                ++m_year.shed;
-                continue;
-            }
+            if (goes)
+                remove(node, m_nodes[parent]);
         }
-        m_alive[kept++] = i;
+        if (goes) {
+            m_history.death[node.metamer] = std::uint16_t(age);
+            ++m_year.shed;
+            continue;
+        }
+        node.parent = parent;
+        m_place[i] = kept;
+        if (kept != i)
+            m_nodes[kept] = node;
+        ++kept;
     }
-    m_alive.resize(kept);
+    m_nodes.resize(kept);
 }
 
 void GrowingTree::die(int age)
 {
-    for (const Index i : m_alive)
-        m_history.death[i] = std::uint16_t(age);
-    m_alive.clear();
+    for (Index i = 0; i < living(); ++i)
+        m_history.death[m_nodes[i].metamer] = std::uint16_t(age);
+    m_nodes.clear();
 }
 
 /// Pipes are never lost: what shed branches carried stays in the wood in part, and no section gets thinner.
@@ -85,10 +89,10 @@ void GrowingTree::thicken(const YearFactors& factors)
 {
     constexpr float leafTrace = 0.12f;
     m_load.resize(m_nodes.size());
-    for (const Index i : m_alive)
+    for (Index i = 0; i < living(); ++i)
         m_load[i] = glm::dvec4(0.0); // in x: the pipes of those it carries
-    for (std::size_t k = m_alive.size(); k-- > 0;) {
-        const Index i = m_alive[k], parent = m_history.parent[i];
+    for (Index i = living(); i-- > 0;) {
+        const Index parent = m_nodes[i].parent;
         Node& node = m_nodes[i];
         const double carried = m_load[i].x;
         const float own = carried > 0.0 ? leafTrace : 1.0f;
@@ -122,18 +126,17 @@ void GrowingTree::bend(const YearFactors& factors)
 {
     constexpr double elasticity = 8e9, density = 900.0, leaf = 0.012, gravity = 9.81; // Pa, kg/m3, kg, m/s2
     constexpr double mostAYear = 0.012, most = 0.4;
-    std::vector<double> girth(m_alive.size());
-    for (std::size_t k = 0; k < m_alive.size(); ++k) {
-        const Index i = m_alive[k];
-        girth[k] = m_load[i].y;
+    std::vector<double> girth(m_nodes.size());
+    for (Index i = 0; i < living(); ++i) {
+        girth[i] = m_load[i].y;
         m_load[i] = glm::dvec4(0.0);
     }
-    for (std::size_t k = m_alive.size(); k-- > 0;) {
-        const Index i = m_alive[k], parent = m_history.parent[i];
+    for (Index i = living(); i-- > 0;) {
+        const Index parent = m_nodes[i].parent;
         Node& node = m_nodes[i];
         const double r2 = thicknessOf(node.pipes);
-        const double length = double(m_history.length[i]);
-        const bool leafy = factors.year - int(m_history.birth[i]) <= 1;
+        const double length = double(m_nodes[i].length);
+        const bool leafy = factors.year - int(m_nodes[i].birth) <= 1;
         const double mass = density * std::numbers::pi * r2 * length + (leafy ? leaf : 0.0);
         m_load[i] += glm::dvec4(mass * (node.at - 0.5 * length * node.direction), mass);
         const glm::dvec4 load = m_load[i];
@@ -141,7 +144,7 @@ void GrowingTree::bend(const YearFactors& factors)
             m_load[parent] += load;
         const glm::dvec3 d = node.direction;
         const double flat = std::sqrt(d.x * d.x + d.z * d.z);
-        if (flat < 1e-6 || m_history.axisOrder[m_history.axis[i]] == 0)
+        if (flat < 1e-6 || m_nodes[i].order == 0)
             continue;
         const glm::dvec3 foot = node.at - length * d;
         const double arm = ((load.x - load.w * foot.x) * d.x + (load.z - load.w * foot.z) * d.z) / flat;
@@ -152,9 +155,9 @@ void GrowingTree::bend(const YearFactors& factors)
         node.moment = float(std::max(moment, double(node.moment)));
         // Limbs turn to where they were born and a little higher.
         const double wants = std::max(0.0, double(node.bend)) * 0.5 + 0.02 * flat;
-        turn -= m_params.reaction * std::min(1.0, girth[k] * 2.0) * wants * 0.3 * std::min(1.0, length / 0.2);
+        turn -= m_params.reaction * std::min(1.0, girth[i] * 2.0) * wants * 0.3 * std::min(1.0, length / 0.2);
         // The angle counts about the horizontal at birth, from which bends below may have turned it.
-        const glm::dvec3 rest(m_history.direction[i]);
+        const glm::dvec3 rest(m_nodes[i].rest);
         const glm::dvec3 born = node.frame * glm::dvec3(rest.z, 0.0, -rest.x);
         const double same = (born.x * d.z - born.z * d.x) / (flat * std::max(glm::length(born), 1e-6));
         node.bend = float(std::clamp(double(node.bend) + turn * same, -0.25 * most, most));
@@ -165,10 +168,10 @@ void GrowingTree::bend(const YearFactors& factors)
 /// Where everything stands, from the ground up.
 void GrowingTree::place()
 {
-    for (const Index i : m_alive) {
-        const Index parent = m_history.parent[i];
+    for (Index i = 0; i < living(); ++i) {
+        const Index parent = m_nodes[i].parent;
         Node& node = m_nodes[i];
-        const glm::dvec3 rest(m_history.direction[i]);
+        const glm::dvec3 rest(m_nodes[i].rest);
         // As the rows keep it.
         const double angle = 1e-4 * double(std::lround(1e4 * double(node.bend)));
         const glm::dquat own = bendOf(rest, angle);
@@ -176,18 +179,18 @@ void GrowingTree::place()
         node.frame = below * own;
         node.direction = node.frame * rest;
         const glm::dvec3 foot = parent == noIndex ? glm::dvec3(0.0) : m_nodes[parent].at;
-        node.at = foot + node.direction * double(m_history.length[i]);
+        node.at = foot + node.direction * double(m_nodes[i].length);
     }
 }
 
 void GrowingTree::record()
 {
-    for (const Index i : m_alive) {
+    for (Index i = 0; i < living(); ++i) {
         m_history.pipes.push_back(packedPipes(m_nodes[i].pipes));
         m_history.bends.push_back(std::int16_t(std::lround(1e4 * double(m_nodes[i].bend))));
     }
     m_history.rowStart.push_back(m_history.pipes.size());
-    m_year.living = Index(m_alive.size());
+    m_year.living = Index(m_nodes.size());
     m_history.years.push_back(m_year);
 }
 
