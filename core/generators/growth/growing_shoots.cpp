@@ -25,7 +25,9 @@ glm::dvec3 square(const glm::dvec3& side, const glm::dvec3& direction)
 {
     const glm::dvec3 other =
         std::abs(direction.x) < 0.7 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 0.0, 1.0);
-    return unit(side - glm::dot(side, direction) * direction, unit(glm::cross(direction, other), other));
+    const glm::dvec3 across = side - glm::dot(side, direction) * direction;
+    const double length = glm::length(across);
+    return length > 1e-9 ? across / length : unit(glm::cross(direction, other), other);
 }
 
 } // namespace

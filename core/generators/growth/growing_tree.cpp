@@ -26,6 +26,12 @@ GrowingTree::GrowingTree(GrowthHistory& history, std::uint64_t seed)
     , m_seed(mixBits(seed * golden + 0x47726F777468ull))
 {
     drawProfile();
+    m_corners.reserve(std::size_t(cornersHigh * cornersWide * cornersWide));
+    for (int y = 63; y < 63 + cornersHigh; ++y)
+        for (int z = 64 - cornersWide / 2; z < 64 + cornersWide / 2; ++z)
+            for (int x = 64 - cornersWide / 2; x < 64 + cornersWide / 2; ++x)
+                m_corners.push_back(
+                    chance(std::uint64_t(x) << 32 | std::uint64_t(y) << 16 | std::uint64_t(z), 21));
     const double turns[] = {m_params.divergence, std::numbers::pi / 2.0, std::numbers::pi};
     for (const std::size_t kind : {0u, 1u}) {
         const bool spirals = kind == 0 && m_params.phyllotaxis == Phyllotaxis::Alternate;
@@ -72,11 +78,18 @@ double GrowingTree::outline(const glm::dvec3& at) const
         const unsigned x = k & 1u, y = k >> 1 & 1u, z = k >> 2;
         const double weight =
             (x ? ease.x : 1.0 - ease.x) * (y ? ease.y : 1.0 - ease.y) * (z ? ease.z : 1.0 - ease.z);
-        const auto corner = (std::uint64_t(cell.x) + x) << 32 | (std::uint64_t(cell.y) + y) << 16 |
-                            (std::uint64_t(cell.z) + z);
-        sum += weight * chance(corner, 21);
+        sum += weight * corner(int(cell.x) + int(x), int(cell.y) + int(y), int(cell.z) + int(z));
     }
     return 0.72 + 0.46 * sum;
+}
+
+double GrowingTree::corner(int x, int y, int z) const
+{
+    const int from = 64 - cornersWide / 2; // tree space begins at 64
+    const int i = x - from, j = y - 63, k = z - from;
+    if (i >= 0 && i < cornersWide && j >= 0 && j < cornersHigh && k >= 0 && k < cornersWide)
+        return m_corners[std::size_t((j * cornersWide + k) * cornersWide + i)];
+    return chance(std::uint64_t(x) << 32 | std::uint64_t(y) << 16 | std::uint64_t(z), 21);
 }
 
 /// Widths of the crown by height, of its widest place.

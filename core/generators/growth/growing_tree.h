@@ -110,6 +110,7 @@ private:
     void drawProfile();
     double openSky(const glm::dvec3& at, glm::dvec3& towards) const;
     [[nodiscard]] double outline(const glm::dvec3& at) const;
+    [[nodiscard]] double corner(int x, int y, int z) const; ///< chance there, for the outline
     [[nodiscard]] double envelope(const glm::dvec3& at, float outline, unsigned order) const;
     [[nodiscard]] double chance(std::uint64_t address, std::uint64_t purpose) const; ///< 0 .. 1
     [[nodiscard]] double budWeight(Index metamer) const;
@@ -159,6 +160,8 @@ private:
     std::vector<float> m_thickness;      ///< by packed pipes; 0: not known yet
     std::vector<glm::dvec4> m_load;      ///< kg, and kg m in x, y, z
     std::array<double, 242> m_profile{}; ///< of the crown
+    static constexpr int cornersWide = 12, cornersHigh = 8;
+    std::vector<double> m_corners; ///< near the tree; others are drawn when asked for
     double m_top = 0.0;
     /// Of the turn from bud to bud. Trunks of species with buds in two rows turn as they grow: a spiral.
     [[nodiscard]] double nextSine(unsigned order) const { return m_turnSine[order > 0 ? 1 : 0]; }

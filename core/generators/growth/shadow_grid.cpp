@@ -31,7 +31,11 @@ bool ShadowGrid::reset(const glm::dvec3& min, const glm::dvec3& max, double voxe
     m_x = int(count.x) + 1;
     m_y = int(count.y) + 1;
     m_z = int(count.z) + 1;
-    m_sums.assign(std::size_t(m_x) * std::size_t(m_y) * std::size_t(m_z), 0);
+    const std::size_t voxels = std::size_t(m_x) * std::size_t(m_y) * std::size_t(m_z);
+    m_sums.assign(voxels, 0);
+    m_isKnown.assign(voxels / 64 + 1, 0);
+    if (m_known.size() < voxels)
+        m_known.resize(voxels);
     return true;
 }
 
@@ -56,7 +60,22 @@ void ShadowGrid::sum()
         }
 }
 
-double ShadowGrid::shadow(int x, int y, int z) const
+double ShadowGrid::shadow(int x, int y, int z)
+{
+    if (x < 0 || x >= m_x || y < 0 || y >= m_y || z < 0 || z >= m_z)
+        return sumOver(x, y, z);
+    const std::size_t voxel =
+        (std::size_t(y) * std::size_t(m_z) + std::size_t(z)) * std::size_t(m_x) + std::size_t(x);
+    std::uint64_t& bits = m_isKnown[voxel / 64];
+    const std::uint64_t bit = std::uint64_t(1) << voxel % 64;
+    if ((bits & bit) == 0) {
+        bits |= bit;
+        m_known[voxel] = sumOver(x, y, z);
+    }
+    return m_known[voxel];
+}
+
+double ShadowGrid::sumOver(int x, int y, int z) const
 {
     double sum = 0.0;
     const auto width = std::size_t(m_x);
@@ -73,13 +92,13 @@ double ShadowGrid::shadow(int x, int y, int z) const
     return sum;
 }
 
-double ShadowGrid::shadowAt(const glm::dvec3& at, double a) const
+double ShadowGrid::shadowAt(const glm::dvec3& at, double a)
 {
     const glm::dvec3 p = (at - m_min) * m_scale;
     return a * shadow(int(std::floor(p.x)), int(std::floor(p.y)), int(std::floor(p.z)));
 }
 
-glm::dvec3 ShadowGrid::lighter(const glm::dvec3& at, double a) const
+glm::dvec3 ShadowGrid::lighter(const glm::dvec3& at, double a)
 {
     const glm::dvec3 p = (at - m_min) * m_scale;
     const int x = int(std::floor(p.x)), y = int(std::floor(p.y)), z = int(std::floor(p.z));

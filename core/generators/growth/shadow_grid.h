@@ -27,17 +27,20 @@ public:
     void sum();
 
     /// Leaves over a point, those of layer q by a b^-q.
-    [[nodiscard]] double shadowAt(const glm::dvec3& at, double a) const;
+    [[nodiscard]] double shadowAt(const glm::dvec3& at, double a);
     /// Where it gets lighter: minus the gradient of the shadow, per voxel.
-    [[nodiscard]] glm::dvec3 lighter(const glm::dvec3& at, double a) const;
+    [[nodiscard]] glm::dvec3 lighter(const glm::dvec3& at, double a);
 
 private:
-    [[nodiscard]] double shadow(int x, int y, int z) const;
+    [[nodiscard]] double shadow(int x, int y, int z);
+    [[nodiscard]] double sumOver(int x, int y, int z) const;
 
     glm::dvec3 m_min{0.0};
     double m_scale = 1.0; ///< voxels a metre
     int m_x = 0, m_y = 0, m_z = 0;
     std::vector<std::int32_t> m_sums; ///< layer by layer, with a row and a column of zeros before each
+    std::vector<double> m_known; ///< shadows that were asked for: many buds share a voxel, more a neighbour
+    std::vector<std::uint64_t> m_isKnown; ///< a bit a voxel
 };
 
 } // namespace ramure
