@@ -54,8 +54,8 @@ void GrowingTree::growShoots(const YearFactors& factors)
 void GrowingTree::growFrom(Index metamer, const YearFactors& factors)
 {
     const Flow& flow = m_flow[metamer];
-    const bool tip = isTip(metamer);
-    const double main = flow.tipVigour + flow.mainClaim, side = flow.sideVigour + flow.sideClaim;
+    const bool tip = m_nodes[metamer].tip;
+    const double main = flow.tipVigour, side = flow.sideVigour;
     m_year.vigourSpent += main + side;
     if (tip && main > 0.0)
         growTip(metamer, main, factors);
@@ -86,7 +86,7 @@ void GrowingTree::growTip(Index metamer, double vigour, const YearFactors& facto
     const std::uint64_t address = m_nodes[metamer].address;
     if (m_params.sympodial > 0.0 && factors.year > 2 && state.nodes > 3 &&
         chance(address, 4 + 8 * std::uint64_t(factors.year)) < m_params.sympodial) {
-        state.tipLives = false;
+        state.tipLives = m_nodes[metamer].tip = false;
         return;
     }
     double stretch = 1.0;
@@ -98,14 +98,14 @@ void GrowingTree::growTip(Index metamer, double vigour, const YearFactors& facto
     constexpr int weakYears = 5;
     if (order > 1 && state.weak > weakYears &&
         chance(address, 3 + 8 * std::uint64_t(factors.year)) < 0.3 * (1.1 - double(m_nodes[metamer].light))) {
-        state.tipLives = false;
+        state.tipLives = m_nodes[metamer].tip = false;
         return;
     }
-    const Node& node = m_nodes[metamer];
-    const glm::dvec3 side = node.frame * glm::dvec3(node.side);
+    const Pose& pose = m_poses[metamer];
+    const glm::dvec3 side = pose.frame * glm::dvec3(m_nodes[metamer].side);
     const glm::dvec3 next =
-        nextCosine(order) * side + nextSine(order) * glm::cross(node.direction, side); // of the next bud
-    grow({metamer, axis, node.at, node.direction, next, false}, nodes, stretch, factors);
+        nextCosine(order) * side + nextSine(order) * glm::cross(pose.direction, side); // of the next bud
+    grow({metamer, axis, pose.at, pose.direction, next, false}, nodes, stretch, factors);
 }
 
 void GrowingTree::growSide(Index metamer, double vigour, const YearFactors& factors)
@@ -122,23 +122,23 @@ void GrowingTree::growSide(Index metamer, double vigour, const YearFactors& fact
     m_nodes[metamer].buds = 0;
     const int all = std::popcount(buds);
     for (int k = 0; k < all; ++k) {
-        const Node node = m_nodes[metamer]; // the arrays move
-        const glm::dvec3 first = node.frame * glm::dvec3(node.side);
+        const Pose pose = m_poses[metamer]; // the arrays move
+        const glm::dvec3 first = pose.frame * glm::dvec3(m_nodes[metamer].side);
         const Index child = newAxis(metamer, unsigned(k), order, false, factors.year);
         const std::uint64_t address = m_history.axisAddress[child];
         const auto [turnSine, turnCosine] = maths::sincos(2.0 * std::numbers::pi * double(k) / double(all) +
                                                           m_params.wander * (chance(address, 5) - 0.5));
-        const glm::dvec3 side = turnCosine * first + turnSine * glm::cross(node.direction, first);
+        const glm::dvec3 side = turnCosine * first + turnSine * glm::cross(pose.direction, first);
         double axil = m_params.axil * (0.8 + 0.4 * chance(address, 6));
         if (!m_axes[axis].tipLives && m_axes[axis].tip == m_nodes[metamer].metamer)
             axil *= 0.5; // it takes the place of the end
         else if (m_params.whorl > 0 && order > 1)
             axil *= 0.65; // limbs of pines and spruces fork less widely than the stem
         const auto [sine, cosine] = maths::sincos(std::clamp(axil, 0.05, 2.6));
-        const glm::dvec3 direction = unit(cosine * node.direction + sine * side, side);
+        const glm::dvec3 direction = unit(cosine * pose.direction + sine * side, side);
         // The buds of a side shoot begin outside and beside it.
-        const glm::dvec3 beside = square(glm::cross(node.direction, side), direction);
-        grow({metamer, child, node.at, direction, beside, true}, nodes, stretch, factors);
+        const glm::dvec3 beside = square(glm::cross(pose.direction, side), direction);
+        grow({metamer, child, pose.at, direction, beside, true}, nodes, stretch, factors);
     }
 }
 
@@ -151,16 +151,16 @@ void GrowingTree::reiterate(Index metamer, const YearFactors& factors)
     if (factors.year - int(m_nodes[metamer].birth) < oldEnough || m_nodes[metamer].light < lit ||
         chance(address, 7 + 8 * std::uint64_t(factors.year)) >= m_params.reiteration)
         return;
-    const Node node = m_nodes[metamer];
+    const Pose pose = m_poses[metamer];
     m_nodes[metamer].dormant = 0;
     const unsigned order = m_nodes[metamer].order + 1u;
     if (order >= unsigned(m_params.orders))
         return;
     const Index child = newAxis(metamer, 7, order, true, factors.year);
-    const glm::dvec3 side = node.frame * glm::dvec3(node.side);
-    const glm::dvec3 direction = unit(0.8 * up + 0.6 * square(side, node.direction), up);
+    const glm::dvec3 side = pose.frame * glm::dvec3(m_nodes[metamer].side);
+    const glm::dvec3 direction = unit(0.8 * up + 0.6 * square(side, pose.direction), up);
     const int nodes = std::max(1, int(0.6 * factors.longest));
-    grow({metamer, child, node.at, direction, square(side, direction), true}, nodes, 1.0, factors);
+    grow({metamer, child, pose.at, direction, square(side, direction), true}, nodes, 1.0, factors);
 }
 
 Index GrowingTree::newAxis(Index parent, unsigned bud, unsigned order, bool upright, int year)
@@ -245,13 +245,16 @@ void GrowingTree::grow(ShootStart start, int nodes, double stretch, const YearFa
         node.address = address;
         node.rank = std::uint8_t(rank);
         node.of = std::uint8_t(nodes);
+        if (!start.isNew || rank > 0)
+            m_nodes[start.from].tip = false;
+        node.tip = true;
         axis.tip = node.metamer;
         axis.tipDark = 0;
         axis.nodes = std::uint16_t(std::min(65535, axis.nodes + 1));
         if (axis.base == noIndex)
             axis.base = node.metamer;
         start.from = metamer;
-        start.at = node.at;
+        start.at = m_poses[metamer].at;
         start.direction = direction;
         start.side = nextCosine(order) * start.side + nextSine(order) * glm::cross(direction, start.side);
     }
@@ -261,7 +264,7 @@ Index GrowingTree::addMetamer(const ShootStart& start, const glm::dvec3& directi
 {
     const Index slot = living();
     const glm::dquat frame =
-        start.from == noIndex ? glm::dquat(1.0, 0.0, 0.0, 0.0) : m_nodes[start.from].frame;
+        start.from == noIndex ? glm::dquat(1.0, 0.0, 0.0, 0.0) : m_poses[start.from].frame;
     const glm::dquat back = glm::conjugate(frame);
     m_history.parent.push_back(start.from == noIndex ? noIndex : m_nodes[start.from].metamer);
     m_history.axis.push_back(start.axis);
@@ -275,16 +278,18 @@ Index GrowingTree::addMetamer(const ShootStart& start, const glm::dvec3& directi
     node.axis = start.axis;
     node.birth = std::uint16_t(year);
     node.order = m_history.axisOrder[start.axis];
-    node.length = float(length);
-    node.rest = m_history.direction.back();
-    node.at = start.at + direction * double(node.length);
-    node.direction = direction;
-    node.frame = frame;
+    Pose pose;
+    pose.length = float(length);
+    pose.rest = m_history.direction.back();
+    pose.at = start.at + direction * double(pose.length);
+    pose.direction = direction;
+    pose.frame = frame;
     node.side = glm::vec3(back * start.side);
-    node.outline = float(outline(node.at));
+    node.outline = float(outline(pose.at));
     if (glm::dvec3 open; m_params.space.space != nullptr)
-        node.sky = float(openSky(node.at, open));
+        node.sky = float(openSky(pose.at, open));
     m_nodes.push_back(node);
+    m_poses.push_back(pose);
     ++m_year.born;
     return slot;
 }

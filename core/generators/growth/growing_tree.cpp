@@ -134,32 +134,33 @@ void GrowingTree::lightOf(Index metamer, const YearFactors& factors)
 {
     Node& node = m_nodes[metamer];
     Flow& flow = m_flow[metamer];
-    if (node.buds == 0 && !isTip(metamer)) {
+    const Pose& pose = m_poses[metamer];
+    if (node.buds == 0 && !m_nodes[metamer].tip) {
         if (node.dormant != 0)
             node.light =
-                float(std::clamp(m_params.sunlight - m_shadows.shadowAt(node.at, factors.shade), 0.0, 1.0));
+                float(std::clamp(m_params.sunlight - m_shadows.shadowAt(pose.at, factors.shade), 0.0, 1.0));
         return;
     }
     const double sky = std::clamp(m_params.sunlight, 0.0, 1.0) * double(node.sky);
-    const double shadow = m_shadows.shadowAt(node.at, factors.shade);
+    const double shadow = m_shadows.shadowAt(pose.at, factors.shade);
     const std::uint64_t address = node.address;
     const double jitter = 0.85 + 0.3 * chance(address, 1 + 8 * std::uint64_t(factors.year));
     double own = std::clamp(sky - shadow + factors.shade, 0.0, sky) * jitter;
     const unsigned order = m_nodes[metamer].order;
     if (!m_room)
-        own *= envelope(node.at, node.outline, order);
+        own *= envelope(pose.at, node.outline, order);
     else if (m_towards[metamer] != glm::dvec3(0.0))
         own = sky * jitter;
     else if (order > 0)
         own *= 0.15; // what fills its room lives on
     else             // leaders look for it
-        own *= m_params.space.top > 0.0 ? (node.at.y < m_params.space.top ? 0.5 : 0.15)
-                                        : 0.15 + 0.35 * envelope(node.at, node.outline, order);
+        own *= m_params.space.top > 0.0 ? (pose.at.y < m_params.space.top ? 0.5 : 0.15)
+                                        : 0.15 + 0.35 * envelope(pose.at, node.outline, order);
     node.light = float(own);
     age(metamer);
-    if (node.buds == 0 && !isTip(metamer))
+    if (node.buds == 0 && !m_nodes[metamer].tip)
         return;
-    if (isTip(metamer))
+    if (m_nodes[metamer].tip)
         flow.main = own;
     flow.ownSide = own * double(std::popcount(node.buds)) * budWeight(metamer);
     flow.side = flow.ownSide;
@@ -177,10 +178,10 @@ void GrowingTree::age(Index metamer)
         node.dormant |= node.buds;
         node.buds = 0;
     }
-    AxisState& axis = m_axes[m_nodes[metamer].axis];
-    if (axis.tip == node.metamer && axis.tipLives) {
+    if (node.tip) {
+        AxisState& axis = m_axes[node.axis];
         axis.tipDark = node.light < dark ? std::uint8_t(axis.tipDark + 1) : std::uint8_t(0);
-        axis.tipLives = axis.tipDark < darkYears;
+        axis.tipLives = node.tip = axis.tipDark < darkYears;
     }
 }
 
@@ -189,17 +190,17 @@ bool GrowingTree::gatherLight(const YearFactors& factors)
     m_flow.resize(m_nodes.size());
     glm::dvec3 min(0.0), max(0.0);
     for (Index i = 0; i < living(); ++i) {
-        min = glm::min(min, m_nodes[i].at);
-        max = glm::max(max, m_nodes[i].at);
+        min = glm::min(min, m_poses[i].at);
+        max = glm::max(max, m_poses[i].at);
     }
     m_top = max.y;
     const double voxel = std::max(m_params.internode, m_params.height / 80.0);
     if (!m_shadows.reset(min, max, voxel))
         return false;
     for (Index i = 0; i < living(); ++i) {
-        const bool leafy = factors.year - int(m_nodes[i].birth) <= leafYears || isTip(i);
-        const double size = std::min(1.0, double(m_nodes[i].length) / m_params.internode);
-        m_shadows.add(m_nodes[i].at, std::max(1, int(size * (leafy ? leafWeight : woodWeight))));
+        const bool leafy = factors.year - int(m_nodes[i].birth) <= leafYears || m_nodes[i].tip;
+        const double size = std::min(1.0, double(m_poses[i].length) / m_params.internode);
+        m_shadows.add(m_poses[i].at, std::max(1, int(size * (leafy ? leafWeight : woodWeight))));
     }
     m_shadows.sum();
     if (m_room)
@@ -209,7 +210,7 @@ bool GrowingTree::gatherLight(const YearFactors& factors)
     for (Index i = 0; i < living(); ++i) {
         m_flow[i] = {};
         const Node& node = m_nodes[i];
-        if (node.buds == 0 && !isTip(i) && (node.dormant == 0 || m_params.reiteration <= 0.0))
+        if (node.buds == 0 && !m_nodes[i].tip && (node.dormant == 0 || m_params.reiteration <= 0.0))
             continue;
         m_active.push_back(i);
         lightOf(i, factors);
@@ -257,10 +258,10 @@ void GrowingTree::lookForRoom()
     const auto newest = m_nodes.empty() ? std::uint16_t(0) : m_nodes.back().birth;
     for (Index i = 0; i < living(); ++i)
         if (m_nodes[i].birth == newest)
-            m_room->occupy(m_nodes[i].at, occupied * m_params.internode);
+            m_room->occupy(m_poses[i].at, occupied * m_params.internode);
     for (Index i = 0; i < living(); ++i)
-        if (m_nodes[i].buds != 0 || isTip(i))
-            m_room->look(i, m_nodes[i].at, m_nodes[i].direction);
+        if (m_nodes[i].buds != 0 || m_nodes[i].tip)
+            m_room->look(i, m_poses[i].at, m_poses[i].direction);
     m_room->sum(m_towards);
 }
 

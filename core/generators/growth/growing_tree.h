@@ -62,13 +62,9 @@ private:
         Index metamer = noIndex; ///< of the history
         Index parent = noIndex;  ///< node
         Index axis = 0;
-        float length = 0.0f;
-        glm::vec3 rest{0.0f}; ///< direction, as the history keeps it
         std::uint16_t birth = 0;
         std::uint8_t order = 0;
-        glm::dvec3 at{0.0};        ///< its upper end
-        glm::dvec3 direction{0.0}; ///< as it is bent now
-        glm::dquat frame{1.0, 0.0, 0.0, 0.0};
+        bool tip = false; ///< the living end of its axis
         std::uint64_t address = 0;
         glm::vec3 side{0.0f};               ///< unit, at birth: where the first bud looks
         float bend = 0.0f;                  ///< rad
@@ -81,15 +77,29 @@ private:
         std::uint8_t budYears = 0, bare = 0;
         std::uint8_t rank = 0, of = 1; ///< within its year's shoot
     };
+    /// How a node stands: apart from it, as most of a year asks for one of the two.
+    struct Pose
+    {
+        glm::dvec3 at{0.0};        ///< its upper end
+        glm::dvec3 direction{0.0}; ///< as it is bent now
+        glm::dquat frame{1.0, 0.0, 0.0, 0.0};
+        glm::vec3 rest{0.0f}; ///< direction, as the history keeps it
+        float length = 0.0f;
+    };
     /// What flows, for one year.
     struct Flow
     {
         double main = 0.0, side = 0.0, ownSide = 0.0; ///< light above: along the axis, aside, of own buds
         double vigour = 0.0;
         double tipVigour = 0.0, sideVigour = 0.0; ///< for its own buds
-        double mainClaim = 0.0, sideClaim = 0.0;  ///< what its own buds grow whatever comes from below
         float light = 0.0f;                       ///< of all that is above
         Index active = 0;                         ///< nodes above with living buds
+    };
+    /// What a node carries.
+    struct Load
+    {
+        glm::dvec4 weight{0.0}; ///< kg, and kg m in x, y, z
+        double pipes = 0.0;
     };
     /// A bud, or all buds of a node, or a limb, with the place of its vigour.
     struct RankedLight
@@ -115,11 +125,6 @@ private:
     [[nodiscard]] double chance(std::uint64_t address, std::uint64_t purpose) const; ///< 0 .. 1
     [[nodiscard]] double budWeight(Index metamer) const;
     [[nodiscard]] Index living() const { return static_cast<Index>(m_nodes.size()); }
-    [[nodiscard]] bool isTip(Index metamer) const
-    {
-        const AxisState& axis = m_axes[m_nodes[metamer].axis];
-        return axis.tip == m_nodes[metamer].metamer && axis.tipLives;
-    }
     void lightOf(Index metamer, const YearFactors& factors);
     void sumLight();
     double claim(const YearFactors& factors);
@@ -141,7 +146,7 @@ private:
     std::uint8_t budsOf(unsigned order, int rank, int nodes) const;
     Index addMetamer(const ShootStart& start, const glm::dvec3& direction, double length, int year);
     double thicknessOf(float pipes);
-    void bend(const YearFactors& factors);
+    void bend(Index node, double girth, const YearFactors& factors);
     void place();
     void remove(const Node& base, Node& below);
 
@@ -154,11 +159,12 @@ private:
     std::vector<glm::dvec3> m_towards; ///< by metamer: unit, where it sees room; 0: nowhere
     std::vector<AxisState> m_axes;
     std::vector<Node> m_nodes;
+    std::vector<Pose> m_poses;  ///< of the nodes
     std::vector<Index> m_place; ///< by node: where it lies after the shedding, or noIndex
     std::vector<Flow> m_flow;
-    std::vector<Index> m_active;         ///< those with buds that can grow
-    std::vector<float> m_thickness;      ///< by packed pipes; 0: not known yet
-    std::vector<glm::dvec4> m_load;      ///< kg, and kg m in x, y, z
+    std::vector<Index> m_active;    ///< those with buds that can grow
+    std::vector<float> m_thickness; ///< by packed pipes; 0: not known yet
+    std::vector<Load> m_load;
     std::array<double, 242> m_profile{}; ///< of the crown
     static constexpr int cornersWide = 12, cornersHigh = 8;
     std::vector<double> m_corners; ///< near the tree; others are drawn when asked for

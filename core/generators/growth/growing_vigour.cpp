@@ -16,23 +16,23 @@ double GrowingTree::claim(const YearFactors& factors)
         const unsigned order = m_nodes[i].order;
         const double side = m_params.autonomy * sideLongest(order + 1, factors);
         if (flow.ownSide > 0.0 && order + 1 < unsigned(m_params.orders))
-            all += flow.sideClaim = flow.ownSide * side;
-        if (flow.active == 0 || !isTip(i))
+            all += flow.sideVigour = flow.ownSide * side;
+        if (flow.active == 0 || !m_nodes[i].tip)
             continue;
         const double own = double(m_nodes[i].light);
         if (order == 0)
-            flow.mainClaim = factors.claim * std::min(1.0, 2.0 * own);
+            flow.tipVigour = factors.claim * std::min(1.0, 2.0 * own);
         else
-            all += flow.mainClaim = own * m_params.autonomy * sideLongest(order, factors);
+            all += flow.tipVigour = own * m_params.autonomy * sideLongest(order, factors);
     }
     const double share = all > 0.0 ? std::min(1.0, 0.7 * factors.vigourCap / all) : 0.0;
     double given = 0.0;
     for (const Index i : m_active) {
         Flow& flow = m_flow[i];
-        flow.sideClaim *= share;
+        flow.sideVigour *= share;
         if (m_nodes[i].order != 0)
-            flow.mainClaim *= share;
-        given += flow.sideClaim + flow.mainClaim;
+            flow.tipVigour *= share;
+        given += flow.sideVigour + flow.tipVigour;
     }
     return given;
 }
@@ -87,10 +87,10 @@ void GrowingTree::shareAtForks(const YearFactors& factors)
         }
         const double lambda = lambdaOf(m_nodes[i].axis, factors);
         const double sum = lambda * flow.main + (1.0 - lambda) * flow.side;
-        if (isTip(i) && sum > 0.0)
-            flow.tipVigour = flow.vigour * lambda * flow.main / sum;
+        if (m_nodes[i].tip && sum > 0.0)
+            flow.tipVigour += flow.vigour * lambda * flow.main / sum;
         if (sum > 0.0)
-            flow.sideVigour = flow.vigour * (1.0 - lambda) * flow.ownSide / sum;
+            flow.sideVigour += flow.vigour * (1.0 - lambda) * flow.ownSide / sum;
         flow.vigour = sum > 0.0 ? flow.vigour / sum : 0.0; // of each unit of weighted light
     }
 }
@@ -115,7 +115,7 @@ void GrowingTree::shareByRank()
         ranked.clear();
         for (const Index i : axes[axis]) {
             Flow& flow = m_flow[i];
-            if (isTip(i) && flow.active > 0)
+            if (m_nodes[i].tip && flow.active > 0)
                 ranked.push_back({double(m_nodes[i].light), i, &flow.tipVigour});
             if (flow.ownSide > 0.0)
                 ranked.push_back({flow.ownSide, i, &flow.sideVigour});
@@ -140,7 +140,7 @@ void GrowingTree::rank(std::vector<RankedLight>& ranked, double vigour) const
         sum += ranked[k].light;
     }
     for (const RankedLight& item : ranked)
-        *item.vigour = sum > 0.0 ? vigour * item.light / sum : 0.0;
+        *item.vigour += sum > 0.0 ? vigour * item.light / sum : 0.0;
 }
 
 } // namespace ramure::growth

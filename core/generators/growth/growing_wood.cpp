@@ -8,6 +8,16 @@
 
 namespace ramure::growth {
 
+namespace {
+
+int rowBend(float bend)
+{
+    const double steps = 1e4 * double(bend);
+    return int(steps < 0.0 ? steps - 0.5 : steps + 0.5);
+}
+
+} // namespace
+
 glm::dquat bendOf(const glm::dvec3& direction, double angle)
 {
     const double flat = std::sqrt(direction.x * direction.x + direction.z * direction.z);
@@ -70,11 +80,14 @@ void GrowingTree::shed(const YearFactors& factors)
         }
         node.parent = parent;
         m_place[i] = kept;
-        if (kept != i)
+        if (kept != i) {
             m_nodes[kept] = node;
+            m_poses[kept] = m_poses[i];
+        }
         ++kept;
     }
     m_nodes.resize(kept);
+    m_poses.resize(kept);
 }
 
 void GrowingTree::die(int age)
@@ -82,29 +95,30 @@ void GrowingTree::die(int age)
     for (Index i = 0; i < living(); ++i)
         m_history.death[m_nodes[i].metamer] = std::uint16_t(age);
     m_nodes.clear();
+    m_poses.clear();
 }
 
 /// Pipes are never lost: what shed branches carried stays in the wood in part, and no section gets thinner.
+/// They are lost all the way down: nodes below see them through their children.
 void GrowingTree::thicken(const YearFactors& factors)
 {
     constexpr float leafTrace = 0.12f;
-    m_load.resize(m_nodes.size());
-    for (Index i = 0; i < living(); ++i)
-        m_load[i] = glm::dvec4(0.0); // in x: the pipes of those it carries
+    const bool bends = m_params.droop > 0.0 || m_params.reaction > 0.0;
+    m_load.assign(m_nodes.size(), {});
     for (Index i = living(); i-- > 0;) {
-        const Index parent = m_nodes[i].parent;
         Node& node = m_nodes[i];
-        const double carried = m_load[i].x;
+        const double carried = m_load[i].pipes;
         const float own = carried > 0.0 ? leafTrace : 1.0f;
         const float now = std::max({float(carried) + own + node.lost, node.pipes, 1.0f});
-        m_load[i].y = double(now) / std::max(double(node.pipes), 1.0) - 1.0; // growth in girth
+        const double girth = double(now) / std::max(double(node.pipes), 1.0) - 1.0;
         node.pipes = now;
-        if (parent != noIndex)
-            m_load[parent].x += double(now);
+        if (node.parent != noIndex)
+            m_load[node.parent].pipes += double(now);
+        if (bends)
+            bend(i, girth, factors);
     }
-    // The lost pipes of a branch are lost all the way down: nodes below see them through their children.
-    if (m_params.droop > 0.0 || m_params.reaction > 0.0)
-        bend(factors);
+    if (bends)
+        place();
 }
 
 /// m2, the square of the radius of a section with so many pipes, as the rows keep them.
@@ -122,47 +136,42 @@ double GrowingTree::thicknessOf(float pipes)
 
 /// The new weight of a year bends the wood by M / (E I), and the ring that grows over it keeps a share; wood
 /// that grows in girth turns up again (reaction wood).
-void GrowingTree::bend(const YearFactors& factors)
+/// \param girth what it grew, over what it was
+void GrowingTree::bend(Index i, double girth, const YearFactors& factors)
 {
     constexpr double elasticity = 8e9, density = 900.0, leaf = 0.012, gravity = 9.81; // Pa, kg/m3, kg, m/s2
     constexpr double mostAYear = 0.012, most = 0.4;
-    std::vector<double> girth(m_nodes.size());
-    for (Index i = 0; i < living(); ++i) {
-        girth[i] = m_load[i].y;
-        m_load[i] = glm::dvec4(0.0);
-    }
-    for (Index i = living(); i-- > 0;) {
-        const Index parent = m_nodes[i].parent;
-        Node& node = m_nodes[i];
-        const double r2 = thicknessOf(node.pipes);
-        const double length = double(m_nodes[i].length);
-        const bool leafy = factors.year - int(m_nodes[i].birth) <= 1;
-        const double mass = density * std::numbers::pi * r2 * length + (leafy ? leaf : 0.0);
-        m_load[i] += glm::dvec4(mass * (node.at - 0.5 * length * node.direction), mass);
-        const glm::dvec4 load = m_load[i];
-        if (parent != noIndex)
-            m_load[parent] += load;
-        const glm::dvec3 d = node.direction;
-        const double flat = std::sqrt(d.x * d.x + d.z * d.z);
-        if (flat < 1e-6 || m_nodes[i].order == 0)
-            continue;
-        const glm::dvec3 foot = node.at - length * d;
-        const double arm = ((load.x - load.w * foot.x) * d.x + (load.z - load.w * foot.z) * d.z) / flat;
-        const double moment = gravity * arm;
-        const double stiff = elasticity * 0.25 * std::numbers::pi * r2 * r2;
-        double turn = m_params.droop * (moment - double(node.moment)) / stiff * length;
-        turn = std::clamp(turn, 0.0, mostAYear * length / 0.2);
-        node.moment = float(std::max(moment, double(node.moment)));
-        // Limbs turn to where they were born and a little higher.
-        const double wants = std::max(0.0, double(node.bend)) * 0.5 + 0.02 * flat;
-        turn -= m_params.reaction * std::min(1.0, girth[i] * 2.0) * wants * 0.3 * std::min(1.0, length / 0.2);
-        // The angle counts about the horizontal at birth, from which bends below may have turned it.
-        const glm::dvec3 rest(m_nodes[i].rest);
-        const glm::dvec3 born = node.frame * glm::dvec3(rest.z, 0.0, -rest.x);
-        const double same = (born.x * d.z - born.z * d.x) / (flat * std::max(glm::length(born), 1e-6));
-        node.bend = float(std::clamp(double(node.bend) + turn * same, -0.25 * most, most));
-    }
-    place();
+    Node& node = m_nodes[i];
+    const Pose& pose = m_poses[i];
+    const double r2 = thicknessOf(node.pipes);
+    const double length = double(pose.length);
+    const bool leafy = factors.year - int(node.birth) <= 1;
+    const double mass = density * std::numbers::pi * r2 * length + (leafy ? leaf : 0.0);
+    const glm::dvec4 load =
+        m_load[i].weight + glm::dvec4(mass * (pose.at - 0.5 * length * pose.direction), mass);
+    if (node.parent != noIndex)
+        m_load[node.parent].weight += load;
+    const glm::dvec3 d = pose.direction;
+    const double flat = std::sqrt(d.x * d.x + d.z * d.z);
+    if (flat < 1e-6 || node.order == 0)
+        return;
+    const glm::dvec3 foot = pose.at - length * d;
+    const double arm = ((load.x - load.w * foot.x) * d.x + (load.z - load.w * foot.z) * d.z) / flat;
+    const double moment = gravity * arm;
+    const double stiff = elasticity * 0.25 * std::numbers::pi * r2 * r2;
+    double turn = m_params.droop * (moment - double(node.moment)) / stiff * length;
+    turn = std::clamp(turn, 0.0, mostAYear * length / 0.2);
+    node.moment = float(std::max(moment, double(node.moment)));
+    // Limbs turn to where they were born and a little higher.
+    const double wants = std::max(0.0, double(node.bend)) * 0.5 + 0.02 * flat;
+    turn -= m_params.reaction * std::min(1.0, girth * 2.0) * wants * 0.3 * std::min(1.0, length / 0.2);
+    if (turn == 0.0)
+        return;
+    // The angle counts about the horizontal at birth, from which bends below may have turned it.
+    const glm::dvec3 rest(pose.rest);
+    const glm::dvec3 born = pose.frame * glm::dvec3(rest.z, 0.0, -rest.x);
+    const double same = (born.x * d.z - born.z * d.x) / (flat * std::max(glm::length(born), 1e-6));
+    node.bend = float(std::clamp(double(node.bend) + turn * same, -0.25 * most, most));
 }
 
 /// Where everything stands, from the ground up.
@@ -170,16 +179,14 @@ void GrowingTree::place()
 {
     for (Index i = 0; i < living(); ++i) {
         const Index parent = m_nodes[i].parent;
-        Node& node = m_nodes[i];
-        const glm::dvec3 rest(m_nodes[i].rest);
-        // As the rows keep it.
-        const double angle = 1e-4 * double(std::lround(1e4 * double(node.bend)));
-        const glm::dquat own = bendOf(rest, angle);
-        const glm::dquat below = parent == noIndex ? glm::dquat(1.0, 0.0, 0.0, 0.0) : m_nodes[parent].frame;
-        node.frame = below * own;
-        node.direction = node.frame * rest;
-        const glm::dvec3 foot = parent == noIndex ? glm::dvec3(0.0) : m_nodes[parent].at;
-        node.at = foot + node.direction * double(m_nodes[i].length);
+        Pose& pose = m_poses[i];
+        const glm::dvec3 rest(pose.rest);
+        const glm::dquat below = parent == noIndex ? glm::dquat(1.0, 0.0, 0.0, 0.0) : m_poses[parent].frame;
+        const int bend = rowBend(m_nodes[i].bend); // as the rows keep it
+        pose.frame = bend == 0 ? below : below * bendOf(rest, 1e-4 * double(bend));
+        pose.direction = pose.frame * rest;
+        const glm::dvec3 foot = parent == noIndex ? glm::dvec3(0.0) : m_poses[parent].at;
+        pose.at = foot + pose.direction * double(pose.length);
     }
 }
 
@@ -187,7 +194,7 @@ void GrowingTree::record()
 {
     for (Index i = 0; i < living(); ++i) {
         m_history.pipes.push_back(packedPipes(m_nodes[i].pipes));
-        m_history.bends.push_back(std::int16_t(std::lround(1e4 * double(m_nodes[i].bend))));
+        m_history.bends.push_back(std::int16_t(rowBend(m_nodes[i].bend)));
     }
     m_history.rowStart.push_back(m_history.pipes.size());
     m_year.living = Index(m_nodes.size());
