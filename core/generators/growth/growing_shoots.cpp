@@ -68,7 +68,7 @@ void GrowingTree::growFrom(Index metamer, const YearFactors& factors)
 /// \param stretch becomes the length of each metamer over the usual one.
 int GrowingTree::shootLength(double vigour, unsigned order, double& stretch, const YearFactors& factors) const
 {
-    const double pays = std::min(vigour, std::max(1.0, sideLongest(order, factors)));
+    const double pays = std::min(vigour, std::max(1.0, factors.sideLongest[order]));
     if (pays >= 1.0) {
         const int nodes = std::min(250, int(pays));
         stretch = std::min(1.5, pays / double(nodes));
@@ -214,19 +214,27 @@ glm::dvec3 GrowingTree::turned(const ShootStart& start, const glm::dvec3& light,
     return direction;
 }
 
-void GrowingTree::grow(ShootStart start, int nodes, double stretch, const YearFactors& factors)
+/// Where a shoot turns to: unit or shorter.
+glm::dvec3 GrowingTree::lightAt(const ShootStart& start, const YearFactors& factors)
 {
     glm::dvec3 light(0.0);
-    if (!m_nodes.empty()) {
+    if (start.from != noIndex) {
         light = m_shadows.lighter(start.at, factors.shade) * glm::dvec3(1.0, 0.35, 1.0);
         light /= std::max(glm::length(light), 0.25);
+        if (m_room && start.from < m_towards.size() && m_towards[start.from] != glm::dvec3(0.0))
+            light = m_towards[start.from];
     }
-    if (m_room && start.from != noIndex && start.from < m_towards.size() &&
-        m_towards[start.from] != glm::dvec3(0.0))
-        light = m_towards[start.from];
-    const GrowthSpace* space = m_params.space.space.get();
-    if (glm::dvec3 open; space != nullptr && openSky(start.at, open) < 1.0)
+    if (glm::dvec3 open; m_params.space.space != nullptr && openSky(start.at, open) < 1.0)
         light += open;
+    return light;
+}
+
+void GrowingTree::grow(ShootStart start, int nodes, double stretch, const YearFactors& factors)
+{
+    const GrowthSpace* space = m_params.space.space.get();
+    glm::dvec3 light(0.0);
+    if (nodes > 1 || !start.isNew)
+        light = lightAt(start, factors);
     const unsigned order = m_history.axisOrder[start.axis];
     for (int rank = 0; rank < nodes; ++rank) {
         AxisState& axis = m_axes[start.axis];

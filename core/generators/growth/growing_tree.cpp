@@ -187,7 +187,7 @@ void GrowingTree::age(Index metamer)
 
 bool GrowingTree::gatherLight(const YearFactors& factors)
 {
-    m_flow.resize(m_nodes.size());
+    m_flow.assign(m_nodes.size(), {});
     glm::dvec3 min(0.0), max(0.0);
     for (Index i = 0; i < living(); ++i) {
         min = glm::min(min, m_poses[i].at);
@@ -208,7 +208,6 @@ bool GrowingTree::gatherLight(const YearFactors& factors)
     m_year = {};
     m_active.clear();
     for (Index i = 0; i < living(); ++i) {
-        m_flow[i] = {};
         const Node& node = m_nodes[i];
         if (node.buds == 0 && !m_nodes[i].tip && (node.dormant == 0 || m_params.reiteration <= 0.0))
             continue;

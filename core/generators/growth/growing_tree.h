@@ -18,9 +18,10 @@ struct YearFactors
     double shade = 0.1;       ///< a of the shadows
     double trunkLambda = 0.5; ///< Borchert and Honda's, of axes of order 0
     double limbLambda = 0.5;
-    double vigourCap = 1.0; ///< metamers that the roots pay for
-    double longest = 1.0;   ///< metamers of the longest shoot
-    double claim = 0.0;     ///< metamers that a leader takes before all others
+    double vigourCap = 1.0;               ///< metamers that the roots pay for
+    double longest = 1.0;                 ///< metamers of the longest shoot
+    std::array<double, 16> sideLongest{}; ///< the same, by the order of its axis
+    double claim = 0.0;                   ///< metamers that a leader takes before all others
 };
 
 /// Rotation by what wood has bent down since its birth. \param direction unit, at birth.
@@ -132,7 +133,6 @@ private:
     void shareAtForks(const YearFactors& factors);
     void shareByRank();
     void rank(std::vector<RankedLight>& ranked, double vigour) const;
-    [[nodiscard]] double sideLongest(unsigned order, const YearFactors& factors) const;
     void age(Index metamer);
     void growFrom(Index metamer, const YearFactors& factors);
     void growTip(Index metamer, double vigour, const YearFactors& factors);
@@ -141,6 +141,7 @@ private:
     Index newAxis(Index parent, unsigned bud, unsigned order, bool upright, int year);
     [[nodiscard]] int shootLength(double vigour, unsigned order, double& stretch,
                                   const YearFactors& factors) const;
+    glm::dvec3 lightAt(const ShootStart& start, const YearFactors& factors);
     void grow(ShootStart start, int nodes, double length, const YearFactors& factors);
     glm::dvec3 turned(const ShootStart& start, const glm::dvec3& light, std::uint64_t address) const;
     std::uint8_t budsOf(unsigned order, int rank, int nodes) const;

@@ -14,7 +14,7 @@ double GrowingTree::claim(const YearFactors& factors)
     for (const Index i : m_active) {
         Flow& flow = m_flow[i];
         const unsigned order = m_nodes[i].order;
-        const double side = m_params.autonomy * sideLongest(order + 1, factors);
+        const double side = m_params.autonomy * factors.sideLongest[order + 1];
         if (flow.ownSide > 0.0 && order + 1 < unsigned(m_params.orders))
             all += flow.sideVigour = flow.ownSide * side;
         if (flow.active == 0 || !m_nodes[i].tip)
@@ -23,7 +23,7 @@ double GrowingTree::claim(const YearFactors& factors)
         if (order == 0)
             flow.tipVigour = factors.claim * std::min(1.0, 2.0 * own);
         else
-            all += flow.tipVigour = own * m_params.autonomy * sideLongest(order, factors);
+            all += flow.tipVigour = own * m_params.autonomy * factors.sideLongest[order];
     }
     const double share = all > 0.0 ? std::min(1.0, 0.7 * factors.vigourCap / all) : 0.0;
     double given = 0.0;
@@ -35,14 +35,6 @@ double GrowingTree::claim(const YearFactors& factors)
         given += flow.sideVigour + flow.tipVigour;
     }
     return given;
-}
-
-double GrowingTree::sideLongest(unsigned order, const YearFactors& factors) const
-{
-    double longest = factors.longest;
-    for (unsigned k = 0; k < order; ++k)
-        longest *= m_params.sideLength;
-    return longest;
 }
 
 double GrowingTree::lambdaOf(Index axis, const YearFactors& factors) const

@@ -105,6 +105,11 @@ YearFactors factorsOf(const GrowthParams& p, int year)
     f.limbLambda = 0.44 + 0.11 * p.apicalControl;
     const double youth = 2.0 * p.height / p.maturity / p.internode;
     f.longest = std::max(1.0, youth * (0.45 + 0.55 * maths::exp(-double(year) / p.maturity)));
+    double side = f.longest;
+    for (double& longest : f.sideLongest) {
+        longest = side;
+        side *= p.sideLength;
+    }
     f.claim = f.longest * (1.0 - lost);
     // The leaves of a crown are its surface: about as many shoots a year as it has places in the sun.
     const double grown = 1.0 - maths::exp(-2.0 * double(year + 1) / p.maturity);
