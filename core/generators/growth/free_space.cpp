@@ -46,7 +46,7 @@ FreeSpace::FreeSpace(std::vector<glm::dvec3> points, double reach)
         m_points[next[cellOf(p)]++] = p;
 }
 
-template <class Visit> void FreeSpace::around(const glm::dvec3& at, double radius, Visit&& visit)
+template <class Visit> void FreeSpace::around(const glm::dvec3& at, double radius, bool gone, Visit&& visit)
 {
     const auto cell = [&](double offset, double low, int count) {
         return int(std::clamp((offset - low) / m_cell, 0.0, double(count - 1)));
@@ -59,7 +59,7 @@ template <class Visit> void FreeSpace::around(const glm::dvec3& at, double radiu
             const auto row = (std::size_t(y) * std::size_t(m_z) + std::size_t(z)) * std::size_t(m_x);
             const Index end = m_first[row + std::size_t(x1) + 1];
             for (Index k = m_first[row + std::size_t(x0)]; k < end; ++k)
-                if (!m_gone[k]) {
+                if (m_gone[k] == gone) {
                     const glm::dvec3 to = m_points[k] - at;
                     if (const double apart = glm::dot(to, to); apart <= radius * radius)
                         visit(k, to, apart);
@@ -69,12 +69,17 @@ template <class Visit> void FreeSpace::around(const glm::dvec3& at, double radiu
 
 void FreeSpace::occupy(const glm::dvec3& at, double radius)
 {
-    around(at, radius, [&](Index k, const glm::dvec3&, double) { m_gone[k] = true; });
+    around(at, radius, false, [&](Index k, const glm::dvec3&, double) { m_gone[k] = true; });
+}
+
+void FreeSpace::release(const glm::dvec3& at, double radius)
+{
+    around(at, radius, true, [&](Index k, const glm::dvec3&, double) { m_gone[k] = false; });
 }
 
 void FreeSpace::look(Index bud, const glm::dvec3& at, const glm::dvec3& direction)
 {
-    around(at, m_reach, [&](Index k, const glm::dvec3& to, double apart) {
+    around(at, m_reach, false, [&](Index k, const glm::dvec3& to, double apart) {
         const double along = glm::dot(to, direction);
         if (apart >= m_nearest[k] || along <= 0.0 || along * along < cone * cone * apart)
             return;

@@ -19,6 +19,8 @@ public:
 
     /// Wood has come here.
     void occupy(const glm::dvec3& at, double radius);
+    /// Wood has gone from here; what still stands has to occupy() its room again.
+    void release(const glm::dvec3& at, double radius);
     /// A bud looks, before sum(). Of two as near as each other the one that looked first gets the point.
     void look(Index bud, const glm::dvec3& at, const glm::dvec3& direction);
     /// After all have looked: \p towards of each bud that got points becomes their mean direction, the others
@@ -26,7 +28,7 @@ public:
     Index sum(std::vector<glm::dvec3>& towards);
 
 private:
-    template <class Visit> void around(const glm::dvec3& at, double radius, Visit&& visit);
+    template <class Visit> void around(const glm::dvec3& at, double radius, bool gone, Visit&& visit);
 
     double m_reach, m_cell;
     glm::dvec3 m_min{0.0};

@@ -61,6 +61,8 @@ void GrowingTree::growFrom(Index metamer, const YearFactors& factors)
         growTip(metamer, main, factors);
     if (m_nodes[metamer].buds != 0 && side > 0.0)
         growSide(metamer, side / double(std::popcount(m_nodes[metamer].buds)), factors);
+    if (m_nodes[metamer].woken)
+        sprout(metamer, factors);
     if (m_nodes[metamer].dormant != 0 && m_params.reiteration > 0.0)
         reiterate(metamer, factors);
 }

@@ -209,7 +209,8 @@ bool GrowingTree::gatherLight(const YearFactors& factors)
     m_active.clear();
     for (Index i = 0; i < living(); ++i) {
         const Node& node = m_nodes[i];
-        if (node.buds == 0 && !m_nodes[i].tip && (node.dormant == 0 || m_params.reiteration <= 0.0))
+        if (node.buds == 0 && !m_nodes[i].tip &&
+            (node.dormant == 0 || (m_params.reiteration <= 0.0 && !node.woken)))
             continue;
         m_active.push_back(i);
         lightOf(i, factors);
@@ -252,12 +253,12 @@ Expected<void> GrowingTree::findRoom(const Progress& progress)
 
 void GrowingTree::lookForRoom()
 {
-    constexpr double occupied = 2.0; // internodes
     m_towards.assign(m_nodes.size(), glm::dvec3(0.0));
     const auto newest = m_nodes.empty() ? std::uint16_t(0) : m_nodes.back().birth;
     for (Index i = 0; i < living(); ++i)
-        if (m_nodes[i].birth == newest)
+        if (m_wasCut || m_nodes[i].birth == newest)
             m_room->occupy(m_poses[i].at, occupied * m_params.internode);
+    m_wasCut = false;
     for (Index i = 0; i < living(); ++i)
         if (m_nodes[i].buds != 0 || m_nodes[i].tip)
             m_room->look(i, m_poses[i].at, m_poses[i].direction);

@@ -38,6 +38,8 @@ public:
     bool gatherLight(const YearFactors& factors);
     void shareVigour(const YearFactors& factors);
     void growShoots(const YearFactors& factors);
+    /// Marks those of \p age for the shedding.
+    void cut(const GrowthCuts& cuts, int age);
     void shed(const YearFactors& factors);
     void thicken(const YearFactors& factors);
     void record();
@@ -77,6 +79,8 @@ private:
         std::uint8_t buds = 0, dormant = 0; ///< alive; asleep
         std::uint8_t budYears = 0, bare = 0;
         std::uint8_t rank = 0, of = 1; ///< within its year's shoot
+        bool cut = false;              ///< somebody cuts it below
+        bool woken = false;            ///< its dormant buds shoot next year
     };
     /// How a node stands: apart from it, as most of a year asks for one of the two.
     struct Pose
@@ -137,6 +141,8 @@ private:
     void growFrom(Index metamer, const YearFactors& factors);
     void growTip(Index metamer, double vigour, const YearFactors& factors);
     void growSide(Index metamer, double vigour, const YearFactors& factors);
+    void wake(Index below);
+    void sprout(Index metamer, const YearFactors& factors);
     void reiterate(Index metamer, const YearFactors& factors);
     Index newAxis(Index parent, unsigned bud, unsigned order, bool upright, int year);
     [[nodiscard]] int shootLength(double vigour, unsigned order, double& stretch,
@@ -157,7 +163,9 @@ private:
     void lookForRoom();
     ShadowGrid m_shadows;
     std::optional<FreeSpace> m_room;
-    std::vector<glm::dvec3> m_towards; ///< by metamer: unit, where it sees room; 0: nowhere
+    static constexpr double occupied = 2.0; ///< internodes around wood
+    bool m_wasCut = false;                  ///< this year
+    std::vector<glm::dvec3> m_towards;      ///< by metamer: unit, where it sees room; 0: nowhere
     std::vector<AxisState> m_axes;
     std::vector<Node> m_nodes;
     std::vector<Pose> m_poses;  ///< of the nodes

@@ -73,7 +73,14 @@ void GrowingTree::shed(const YearFactors& factors)
             if (goes)
                 remove(node, m_nodes[parent]);
         }
+        if (node.cut && !goes) {
+            remove(node, m_nodes[parent]);
+            wake(parent);
+            goes = true;
+        }
         if (goes) {
+            if (m_wasCut && m_room)
+                m_room->release(m_poses[i].at, occupied * m_params.internode);
             m_history.death[node.metamer] = std::uint16_t(age);
             ++m_year.shed;
             continue;

@@ -139,45 +139,106 @@ std::size_t GrowthHistory::bytes() const
            of(axisOrder) + of(rowStart) + of(pipes) + of(bends) + of(years);
 }
 
-Expected<GrowthHistory> growHistory(const GrowthParams& params, std::uint64_t seed, const Progress& progress)
+struct GrowthRun::State
+{
+    State(const GrowthParams& params, std::uint64_t seed, GrowthCuts all)
+        : history(seedOf(params, seed))
+        , tree(history, seed)
+        , cuts(std::move(all))
+    {
+    }
+    static GrowthHistory seedOf(const GrowthParams& params, std::uint64_t seed)
+    {
+        GrowthHistory history;
+        history.params = params;
+        history.seed = seed;
+        history.rowStart = {0, 0}; // nothing stands at age 0
+        return history;
+    }
+    GrowthHistory history;
+    GrowingTree tree;
+    GrowthCuts cuts;
+    int dark = 0; ///< years without light
+};
+
+GrowthRun::GrowthRun(std::unique_ptr<State> state)
+    : m_state(std::move(state))
+{
+}
+GrowthRun::GrowthRun(GrowthRun&& other) noexcept = default;
+GrowthRun& GrowthRun::operator=(GrowthRun&& other) noexcept = default;
+GrowthRun::~GrowthRun() = default;
+
+Expected<GrowthRun> GrowthRun::begin(const GrowthParams& params, std::uint64_t seed, GrowthCuts cuts,
+                                     const Progress& progress)
 {
     if (auto checked = check(params); !checked)
         return fail(std::move(checked.error()));
-    GrowthHistory history;
-    history.params = params;
-    history.seed = seed;
-    history.rowStart = {0, 0}; // nothing stands at age 0
-    GrowingTree tree(history, seed);
-    if (auto found = tree.findRoom(progress); !found)
+    std::erase_if(cuts, [](const GrowthCut& cut) { return !std::isfinite(cut.share); });
+    auto state = std::make_unique<State>(params, seed, std::move(cuts));
+    if (auto found = state->tree.findRoom(progress); !found)
         return fail(std::move(found.error()));
-    const int years = int(std::ceil(params.age));
-    int dark = 0;
-    for (int year = 0; year < years; ++year) {
+    return GrowthRun(std::move(state));
+}
+
+Expected<void> GrowthRun::growTo(double age, const Progress& progress)
+{
+    GrowthHistory& history = m_state->history;
+    GrowingTree& tree = m_state->tree;
+    history.params.age = age;
+    if (auto checked = check(history.params); !checked)
+        return checked;
+    const int years = int(std::ceil(age));
+    for (int year = history.grownYears(); year < years && history.diedAt == 0; ++year) {
         if (progress.cancelled())
             return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
-        const YearFactors factors = factorsOf(params, year);
+        const YearFactors factors = factorsOf(history.params, year);
         if (!tree.gatherLight(factors))
             return refuse(ErrorCode::Limit, RAMURE_NOOP("the crown's shadows need more than %1 voxels"),
                           "growth.internode", {std::to_string(ShadowGrid::maxVoxels)});
-        dark = year > 0 && tree.seen().light <= 0.0 ? dark + 1 : 0;
+        m_state->dark = year > 0 && tree.seen().light <= 0.0 ? m_state->dark + 1 : 0;
         tree.shareVigour(factors);
         tree.growShoots(factors);
+        tree.cut(m_state->cuts, year + 1);
         tree.shed(factors);
         constexpr int starves = 3;
-        if (dark >= starves || tree.empty()) {
+        if (m_state->dark >= starves || tree.empty()) {
             tree.die(year + 1);
             history.diedAt = year + 1;
         }
         tree.thicken(factors);
         tree.record();
-        if (history.diedAt > 0)
-            break;
         if (history.parent.size() > maxMetamers)
             return refuse(ErrorCode::Limit, RAMURE_NOOP("the tree bears more pieces than the limit of %1"),
                           "growth.density", {std::to_string(maxMetamers)});
         progress.report(double(year + 1) / double(years));
     }
-    return history;
+    return {};
+}
+
+const GrowthHistory& GrowthRun::history() const
+{
+    return m_state->history;
+}
+
+GrowthHistory GrowthRun::take() &&
+{
+    return std::move(m_state->history);
+}
+
+Expected<GrowthHistory> growHistory(const GrowthParams& params, std::uint64_t seed, const GrowthCuts& cuts,
+                                    const Progress& progress)
+{
+    auto run = GrowthRun::begin(params, seed, cuts, progress);
+    RAMURE_TRY(run);
+    if (auto grown = run->growTo(params.age, progress); !grown)
+        return fail(std::move(grown.error()));
+    return std::move(*run).take();
+}
+
+Expected<GrowthHistory> growHistory(const GrowthParams& params, std::uint64_t seed, const Progress& progress)
+{
+    return growHistory(params, seed, {}, progress);
 }
 
 } // namespace ramure

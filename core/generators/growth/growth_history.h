@@ -8,6 +8,7 @@
 #include "core/base/progress.h"
 #include "core/params/growth_params.h"
 #include <glm/vec3.hpp>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -17,6 +18,18 @@ namespace ramure {
 inline constexpr double maxGrowthAge = 2000.0;
 /// Most metamers that one tree may bear, living or shed.
 inline constexpr std::size_t maxMetamers = 4'000'000;
+
+/// A limb that somebody cuts. What shaded is gone and what it shaded gets light; buds that slept below the
+/// wound shoot in the next year (epicormic shoots). A stump without shoots dies back.
+struct GrowthCut
+{
+    std::uint64_t axis = 0; ///< address, see GrowthHistory::axisAddress
+    double share = 0.0;     ///< of the axis's length that stays; the first internode of a trunk always does
+    int age = 0;            ///< of the tree, in years: at this age and above the limb is not there
+    bool operator==(const GrowthCut&) const = default;
+};
+/// Their order changes nothing. Cuts of axes that do not stand at that age do nothing.
+using GrowthCuts = std::vector<GrowthCut>;
 
 /// What a year did.
 struct GrowthYear
@@ -82,10 +95,39 @@ float pipesOf(std::uint16_t packed);
 /// thickness by the pipe model (Shinozaki et al. 1964), and the bend that the new weight leaves in the wood.
 /// Nothing in a year knows of later ones: growing longer only adds.
 ///
+/// Cuts are made at the end of the year before their age, so that all years before are as without them.
+///
 /// Random numbers are keyed by the addresses of axes. Errors, path = "growth." and the parameter: Invalid (a
 /// number that is not finite or allowed), Limit (age above maxGrowthAge, more metamers than maxMetamers, more
 /// voxels than ShadowGrid has), Cancelled.
+Expected<GrowthHistory> growHistory(const GrowthParams& params, std::uint64_t seed, const GrowthCuts& cuts,
+                                    const Progress& progress = {});
+/// The same without cuts.
 Expected<GrowthHistory> growHistory(const GrowthParams& params, std::uint64_t seed,
                                     const Progress& progress = {});
+
+/// A tree that can go on from where it stopped: growTo() twice is the same history as once.
+class GrowthRun
+{
+public:
+    /// Errors: those of growHistory(). \param params whose age counts for nothing
+    static Expected<GrowthRun> begin(const GrowthParams& params, std::uint64_t seed, GrowthCuts cuts = {},
+                                     const Progress& progress = {});
+    GrowthRun(GrowthRun&& other) noexcept;
+    GrowthRun& operator=(GrowthRun&& other) noexcept;
+    ~GrowthRun();
+
+    /// Errors: Limit, Cancelled; the years before are there, and it can be called again.
+    /// \param age years; nothing happens where it is as old already.
+    Expected<void> growTo(double age, const Progress& progress = {});
+    [[nodiscard]] const GrowthHistory& history() const;
+    /// The history itself; the run is over.
+    GrowthHistory take() &&;
+
+private:
+    struct State;
+    explicit GrowthRun(std::unique_ptr<State> state);
+    std::unique_ptr<State> m_state;
+};
 
 } // namespace ramure
