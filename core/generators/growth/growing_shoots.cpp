@@ -47,8 +47,16 @@ void GrowingTree::growShoots(const YearFactors& factors)
         }
         return;
     }
+    if (m_uncut != nullptr) {
+        noteTwins();
+        const Index all = living();
+        for (Index i = 0; i < all; ++i)
+            if (m_nodes[i].twin != noIndex)
+                growAsTwin(i, factors);
+    }
     for (const Index i : m_active)
-        growFrom(i, factors);
+        if (m_nodes[i].twin == noIndex)
+            growFrom(i, factors);
 }
 
 void GrowingTree::growFrom(Index metamer, const YearFactors& factors)
@@ -243,9 +251,12 @@ void GrowingTree::grow(ShootStart start, int nodes, double stretch, const YearFa
         const std::uint64_t address =
             mixBits(m_history.axisAddress[start.axis] +
                     0x9E3779B97F4A7C15ull * (std::uint64_t(factors.year) * 256 + std::uint64_t(rank) + 1));
-        const glm::dvec3 direction =
-            start.isNew && rank == 0 ? start.direction : turned(start, light, address);
-        const double length = m_params.internode * stretch * (0.8 + 0.4 * chance(address, 14));
+        glm::dvec3 direction = start.isNew && rank == 0 ? start.direction : turned(start, light, address);
+        double length = m_params.internode * stretch * (0.8 + 0.4 * chance(address, 14));
+        if (start.twin != noIndex) {
+            direction = m_poses[start.from].frame * glm::dvec3(m_uncut->direction[start.twin]);
+            length = double(m_uncut->length[start.twin]);
+        }
         if (space != nullptr && space->blocks(start.at, start.at + 1.5 * length * direction))
             return;
         start.side = square(start.side, direction);
@@ -258,7 +269,11 @@ void GrowingTree::grow(ShootStart start, int nodes, double stretch, const YearFa
         if (!start.isNew || rank > 0)
             m_nodes[start.from].tip = false;
         node.tip = true;
+        node.twin = start.twin;
+        if (start.twin != noIndex)
+            start.twin = twinOnAxis(start.twin, factors.year);
         axis.tip = node.metamer;
+        axis.tipLives = true;
         axis.tipDark = 0;
         axis.nodes = std::uint16_t(std::min(65535, axis.nodes + 1));
         if (axis.base == noIndex)

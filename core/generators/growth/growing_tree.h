@@ -8,6 +8,7 @@
 #include <array>
 #include <glm/gtc/quaternion.hpp>
 #include <optional>
+#include <unordered_set>
 
 namespace ramure::growth {
 
@@ -38,9 +39,11 @@ public:
     bool gatherLight(const YearFactors& factors);
     void shareVigour(const YearFactors& factors);
     void growShoots(const YearFactors& factors);
-    /// Marks those of \p age for the shedding.
-    void cut(const GrowthCuts& cuts, int age);
+    /// Marks those of \p age for the shedding. \return whether there are any
+    bool cut(const GrowthCuts& cuts, int age);
     void shed(const YearFactors& factors);
+    /// From now on all but what stands where something was cut shares the life of this tree.
+    void follow(const GrowthHistory& uncut);
     void thicken(const YearFactors& factors);
     void record();
     [[nodiscard]] bool empty() const { return m_nodes.empty(); }
@@ -81,6 +84,7 @@ private:
         std::uint8_t rank = 0, of = 1; ///< within its year's shoot
         bool cut = false;              ///< somebody cuts it below
         bool woken = false;            ///< its dormant buds shoot next year
+        Index twin = noIndex;          ///< metamer of the tree without cuts whose life it shares
     };
     /// How a node stands: apart from it, as most of a year asks for one of the two.
     struct Pose
@@ -120,6 +124,7 @@ private:
         glm::dvec3 at{0.0}, direction{0.0};
         glm::dvec3 side{0.0};
         bool isNew = false;
+        Index twin = noIndex; ///< of the first metamer
     };
 
     void drawProfile();
@@ -142,6 +147,11 @@ private:
     void growTip(Index metamer, double vigour, const YearFactors& factors);
     void growSide(Index metamer, double vigour, const YearFactors& factors);
     void wake(Index below);
+    void noteTwins();
+    void opened(const glm::dvec3& at);
+    [[nodiscard]] std::uint64_t cellOf(const glm::dvec3& at) const;
+    void growAsTwin(Index node, const YearFactors& factors);
+    [[nodiscard]] Index twinOnAxis(Index twin, int year) const;
     void sprout(Index metamer, const YearFactors& factors);
     void reiterate(Index metamer, const YearFactors& factors);
     Index newAxis(Index parent, unsigned bud, unsigned order, bool upright, int year);
@@ -174,7 +184,10 @@ private:
     std::vector<Index> m_active;    ///< those with buds that can grow
     std::vector<float> m_thickness; ///< by packed pipes; 0: not known yet
     std::vector<Load> m_load;
-    std::array<double, 242> m_profile{}; ///< of the crown
+    const GrowthHistory* m_uncut = nullptr;
+    std::vector<Index> m_firstTwin, m_nextTwin; ///< children of its metamers, by parent and by child
+    std::unordered_set<std::uint64_t> m_opened; ///< cells where something was cut
+    std::array<double, 242> m_profile{};        ///< of the crown
     static constexpr int cornersWide = 12, cornersHigh = 8;
     std::vector<double> m_corners; ///< near the tree; others are drawn when asked for
     double m_top = 0.0;

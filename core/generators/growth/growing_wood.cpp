@@ -65,20 +65,24 @@ void GrowingTree::shed(const YearFactors& factors)
             node.bare = flow.active == 0 ? std::uint8_t(std::min(255, node.bare + 1)) : std::uint8_t(0);
             AxisState& axis = m_axes[node.axis];
             goes = node.bare >= bareYears && !isRoot;
+            if (node.twin != noIndex)
+                goes = int(m_uncut->death[node.twin]) == age && !isRoot;
             if (axis.base == node.metamer && parent != noIndex) {
                 const double mean = flow.active > 0 ? double(flow.light) / double(flow.active) : 0.0;
                 axis.dark = mean < least ? std::uint8_t(axis.dark + 1) : std::uint8_t(0);
-                goes = goes || axis.dark >= darkYears;
+                goes = goes || (axis.dark >= darkYears && node.twin == noIndex);
             }
             if (goes)
                 remove(node, m_nodes[parent]);
         }
-        if (node.cut && !goes) {
+        if (node.cut && !goes) { // what it carries goes with it
             remove(node, m_nodes[parent]);
             wake(parent);
             goes = true;
         }
         if (goes) {
+            if (node.cut)
+                opened(m_poses[i].at);
             if (m_wasCut && m_room)
                 m_room->release(m_poses[i].at, occupied * m_params.internode);
             m_history.death[node.metamer] = std::uint16_t(age);

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <string>
 
 namespace ramure {
@@ -158,7 +159,9 @@ struct GrowthRun::State
     GrowthHistory history;
     GrowingTree tree;
     GrowthCuts cuts;
-    int dark = 0; ///< years without light
+    std::optional<GrowthRun> uncut; ///< where there are cuts: what the others live like
+    bool follows = false;           ///< something was cut
+    int dark = 0;                   ///< years without light
 };
 
 GrowthRun::GrowthRun(std::unique_ptr<State> state)
@@ -178,6 +181,11 @@ Expected<GrowthRun> GrowthRun::begin(const GrowthParams& params, std::uint64_t s
     auto state = std::make_unique<State>(params, seed, std::move(cuts));
     if (auto found = state->tree.findRoom(progress); !found)
         return fail(std::move(found.error()));
+    if (!state->cuts.empty()) {
+        auto uncut = begin(params, seed, {}, progress);
+        RAMURE_TRY(uncut);
+        state->uncut.emplace(std::move(*uncut));
+    }
     return GrowthRun(std::move(state));
 }
 
@@ -189,9 +197,14 @@ Expected<void> GrowthRun::growTo(double age, const Progress& progress)
     if (auto checked = check(history.params); !checked)
         return checked;
     const int years = int(std::ceil(age));
+    if (m_state->uncut)
+        if (auto grown = m_state->uncut->growTo(age, progress.part(0.0, 0.5)); !grown)
+            return grown;
     for (int year = history.grownYears(); year < years && history.diedAt == 0; ++year) {
         if (progress.cancelled())
             return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
+        if (m_state->follows)
+            tree.follow(m_state->uncut->history());
         const YearFactors factors = factorsOf(history.params, year);
         if (!tree.gatherLight(factors))
             return refuse(ErrorCode::Limit, RAMURE_NOOP("the crown's shadows need more than %1 voxels"),
@@ -199,7 +212,7 @@ Expected<void> GrowthRun::growTo(double age, const Progress& progress)
         m_state->dark = year > 0 && tree.seen().light <= 0.0 ? m_state->dark + 1 : 0;
         tree.shareVigour(factors);
         tree.growShoots(factors);
-        tree.cut(m_state->cuts, year + 1);
+        const bool isCut = tree.cut(m_state->cuts, year + 1);
         tree.shed(factors);
         constexpr int starves = 3;
         if (m_state->dark >= starves || tree.empty()) {
@@ -208,6 +221,7 @@ Expected<void> GrowthRun::growTo(double age, const Progress& progress)
         }
         tree.thicken(factors);
         tree.record();
+        m_state->follows = m_state->follows || isCut;
         if (history.parent.size() > maxMetamers)
             return refuse(ErrorCode::Limit, RAMURE_NOOP("the tree bears more pieces than the limit of %1"),
                           "growth.density", {std::to_string(maxMetamers)});

@@ -19,7 +19,7 @@ inline constexpr double maxGrowthAge = 2000.0;
 /// Most metamers that one tree may bear, living or shed.
 inline constexpr std::size_t maxMetamers = 4'000'000;
 
-/// A limb that somebody cuts. What shaded is gone and what it shaded gets light; buds that slept below the
+/// A limb that somebody cuts. What it shaded gets light; buds that slept below the
 /// wound shoot in the next year (epicormic shoots). A stump without shoots dies back.
 struct GrowthCut
 {
@@ -95,11 +95,15 @@ float pipesOf(std::uint16_t packed);
 /// thickness by the pipe model (Shinozaki et al. 1964), and the bend that the new weight leaves in the wood.
 /// Nothing in a year knows of later ones: growing longer only adds.
 ///
-/// Cuts are made at the end of the year before their age, so that all years before are as without them.
+/// Cuts are made at the end of the year before their age, so that all years before are as without them. From
+/// then on the tree without them grows beside, and what stands away from the wounds shares its life: else the
+/// vigour that a limb leaves to all others would change every axis within decades. So vigour is not
+/// conserved.
 ///
-/// Random numbers are keyed by the addresses of axes. Errors, path = "growth." and the parameter: Invalid (a
-/// number that is not finite or allowed), Limit (age above maxGrowthAge, more metamers than maxMetamers, more
-/// voxels than ShadowGrid has), Cancelled.
+/// Random numbers are keyed by the addresses of axes, with a hash of their own: Random mixes four times and
+/// keeps a state for a stream, of which each number here would be the first. Errors, path = "growth." and the
+/// parameter: Invalid (a number that is not finite or allowed), Limit (age above maxGrowthAge, more metamers
+/// than maxMetamers, more voxels than ShadowGrid has), Cancelled.
 Expected<GrowthHistory> growHistory(const GrowthParams& params, std::uint64_t seed, const GrowthCuts& cuts,
                                     const Progress& progress = {});
 /// The same without cuts.
