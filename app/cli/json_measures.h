@@ -2,7 +2,7 @@
 /// A tree's measures as info and list print them.
 #pragma once
 
-#include "core/params/tree_measures.h"
+#include "core/presets/tree_measures.h"
 #include <QJsonObject>
 
 namespace ramure::cli {

@@ -1,6 +1,6 @@
 #include "core/scene/preset_scene.h"
 
-#include "core/params/presets.h"
+#include "core/presets/presets.h"
 
 namespace ramure {
 

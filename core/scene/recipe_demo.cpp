@@ -1,7 +1,7 @@
 #include "core/scene/recipe_demo.h"
 
-#include "core/params/presets.h"
 #include "core/params/tree_edit_table.h"
+#include "core/presets/presets.h"
 
 namespace ramure {
 namespace {

@@ -2,7 +2,7 @@
 /// What foresters would measure of a skeleton.
 #pragma once
 
-#include "core/params/tree_measures.h"
+#include "core/presets/tree_measures.h"
 #include "core/skeleton/skeleton.h"
 
 namespace ramure {

@@ -1,7 +1,7 @@
 #include "app/cli/editor_options.h"
 #include "core/params/param_def.h"
-#include "core/params/presets.h"
 #include "core/params/tree_edit_table.h"
+#include "core/presets/presets.h"
 #include "tests/cli/cli_support.h"
 
 namespace tst_ramure_cli_reference {

@@ -1,6 +1,6 @@
 #include "core/generators/variety.h"
-#include "core/params/presets.h"
 #include "core/pipeline/tree_pipeline.h"
+#include "core/presets/presets.h"
 #include "core/qt/session/jobs/variations.h"
 #include "tests/cli/batch_support.h"
 

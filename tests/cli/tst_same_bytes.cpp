@@ -1,6 +1,6 @@
 #include "core/math/random.h"
 #include "core/math/stage_hash.h"
-#include "core/params/presets.h"
+#include "core/presets/presets.h"
 #include "core/qt/document/project/project_file.h"
 #include "tests/cli/cli_support.h"
 #include "tests/support/cannot_run.h"

@@ -172,6 +172,7 @@ constexpr const char* floors[] = {
     "core/base",
     "core/math",
     "core/params",
+    "core/presets",
     "core/skeleton",
     "core/surface/mesh",
     "core/surface/proof",

@@ -1,5 +1,5 @@
-#include "core/params/presets.h"
 #include "core/pipeline/tree_pipeline.h"
+#include "core/presets/presets.h"
 #include "core/qt/session/arm/arm_reach.h"
 #include "core/qt/session/motion/auto_key.h"
 #include "core/qt/session/motion/player.h"

@@ -1,6 +1,6 @@
 // A mesh of a million triangles is looked at in the background while the view goes on turning in the real
 // window. Times are printed, not judged: the machine of a test may be any.
-#include "core/params/presets.h"
+#include "core/presets/presets.h"
 #include "core/qt/session/jobs/analysis.h"
 #include "core/qt/session/jobs/recompute.h"
 #include "tests/bench/interaction/watched_application.h"

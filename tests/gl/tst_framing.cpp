@@ -1,5 +1,5 @@
 // Home and the first picture: what is visible fills the view.
-#include "core/params/presets.h"
+#include "core/presets/presets.h"
 #include "core/qt/session/jobs/recompute.h"
 #include "core/scene/demo_scenes.h"
 #include "tests/support/cannot_run.h"

@@ -1,8 +1,8 @@
 // One session of an artist, from outside: a new tree, another number, a branch chosen by a click, rolled,
 // undone, saved, opened again, exported; and the exported file is what the command line makes of the saved
 // project.
-#include "core/params/presets.h"
 #include "core/pipeline/tree_pipeline.h"
+#include "core/presets/presets.h"
 #include "core/qt/document/project/project_file.h"
 #include "tests/gl/desk.h"
 #include "tests/support/cannot_run.h"

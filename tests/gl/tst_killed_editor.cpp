@@ -2,7 +2,7 @@
 // aside is offered at the next start and comes back, and nothing stays lying about. RAMURE_KILLS says how
 // many times.
 #include "core/math/random.h"
-#include "core/params/presets.h"
+#include "core/presets/presets.h"
 #include "core/qt/session/jobs/autosave.h"
 #include "tests/gl/desk.h"
 #include "tests/support/cannot_run.h"

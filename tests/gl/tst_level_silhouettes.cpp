@@ -1,5 +1,5 @@
 #include "core/lod/tree_levels.h"
-#include "core/params/presets.h"
+#include "core/presets/presets.h"
 #include "tests/support/cannot_run.h"
 #include "tests/support/suite.h"
 #include "widgets/view/render/gl_setup.h"

@@ -1,4 +1,4 @@
-#include "core/params/presets.h"
+#include "core/presets/presets.h"
 #include "tests/support/cannot_run.h"
 #include "tests/support/suite.h"
 #include "tests/widgets/tree_document.h"

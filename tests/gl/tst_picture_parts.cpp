@@ -1,7 +1,7 @@
 // A picture of the best quality is made in parts where the processor draws: it is the same, and other things
 // happen meanwhile.
-#include "core/params/presets.h"
 #include "core/pipeline/tree_pipeline.h"
+#include "core/presets/presets.h"
 #include "tests/support/cannot_run.h"
 #include "tests/support/preset_trees.h"
 #include "tests/support/sample_tree.h"

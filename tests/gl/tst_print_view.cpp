@@ -1,5 +1,5 @@
-#include "core/params/presets.h"
 #include "core/pipeline/tree_pipeline.h"
+#include "core/presets/presets.h"
 #include "tests/support/cannot_run.h"
 #include "tests/support/suite.h"
 #include "widgets/dialogs/export/print_view.h"

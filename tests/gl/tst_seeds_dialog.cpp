@@ -1,8 +1,8 @@
 #include "widgets/dialogs/variations/seeds_dialog.h"
 
 #include "core/generators/variety.h"
-#include "core/params/named_seeds.h"
-#include "core/params/presets.h"
+#include "core/presets/named_seeds.h"
+#include "core/presets/presets.h"
 #include "core/qt/document/commands.h"
 #include "core/qt/session/jobs/job.h"
 #include "core/scene/preset_scene.h"

@@ -1,5 +1,5 @@
 // Sequences of meshes and pictures from the editor are, byte for byte, those of the command line.
-#include "core/params/presets.h"
+#include "core/presets/presets.h"
 #include "core/qt/document/document.h"
 #include "core/qt/session/jobs/recompute.h"
 #include "tests/support/suite.h"

@@ -1,7 +1,7 @@
 #include "widgets/dialogs/variations/variations_dialog.h"
 
 #include "core/io/csv_table.h"
-#include "core/params/presets.h"
+#include "core/presets/presets.h"
 #include "core/qt/document/commands.h"
 #include "core/qt/document/project/own_presets.h"
 #include "core/qt/session/jobs/job.h"

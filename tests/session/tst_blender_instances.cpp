@@ -1,7 +1,7 @@
 // Headless Blender as the judge of lists of instances and of the colours of a PLY. Skipped where there is no
 // Blender.
 #include "core/io/copy_list.h"
-#include "core/params/presets.h"
+#include "core/presets/presets.h"
 #include "core/qt/session/export/exporter.h"
 #include "tests/support/cannot_run.h"
 #include "tests/support/suite.h"

@@ -1,7 +1,7 @@
 #include "core/evaluate/evaluator.h"
 #include "core/io/formats/glb/glb_reader.h"
 #include "core/io/formats/text/blender_scene.h"
-#include "core/params/presets.h"
+#include "core/presets/presets.h"
 #include "core/qt/session/export/exporter.h"
 #include "core/scene/demo_scenes.h"
 #include "tests/core/io/io_support.h"

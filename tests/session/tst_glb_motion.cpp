@@ -2,7 +2,7 @@
 #include "core/io/formats/file_format.h"
 #include "core/io/formats/glb/glb_motion.h"
 #include "core/math/random.h"
-#include "core/params/presets.h"
+#include "core/presets/presets.h"
 #include "core/qt/session/export/exporter.h"
 #include "core/scene/demo_scenes.h"
 #include "tests/core/io/io_support.h"

@@ -1,5 +1,5 @@
 #include "core/io/copy_list.h"
-#include "core/params/presets.h"
+#include "core/presets/presets.h"
 #include "core/qt/session/export/exporter.h"
 #include "core/qt/session/motion/sequence.h"
 #include "core/surface/mesh/transformed.h"

@@ -1,7 +1,7 @@
 #include "core/qt/session/jobs/planting.h"
 
-#include "core/params/presets.h"
 #include "core/pipeline/tree_pipeline.h"
+#include "core/presets/presets.h"
 #include "core/qt/document/commands.h"
 #include "core/scene/preset_scene.h"
 #include "tests/support/suite.h"

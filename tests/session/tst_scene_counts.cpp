@@ -1,4 +1,4 @@
-#include "core/params/presets.h"
+#include "core/presets/presets.h"
 #include "core/qt/session/export/scene_counts.h"
 #include "core/scene/kinds/node_kinds.h"
 #include "tests/support/flat_export.h"

@@ -1,5 +1,5 @@
 #include "core/evaluate/evaluator.h"
-#include "core/params/presets.h"
+#include "core/presets/presets.h"
 #include "core/qt/session/export/exporter.h"
 #include "core/qt/session/motion/sequence.h"
 #include "core/rig/arm/arm_chain.h"

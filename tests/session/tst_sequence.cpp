@@ -1,6 +1,6 @@
 #include "core/evaluate/evaluator.h"
-#include "core/params/presets.h"
 #include "core/pipeline/tree_pipeline.h"
+#include "core/presets/presets.h"
 #include "core/qt/session/export/exporter.h"
 #include "core/qt/session/motion/sequence.h"
 #include "core/scene/preset_scene.h"

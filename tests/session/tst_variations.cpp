@@ -2,7 +2,7 @@
 
 #include "core/generators/variety.h"
 #include "core/io/csv_table.h"
-#include "core/params/presets.h"
+#include "core/presets/presets.h"
 #include "core/qt/document/project/project_file.h"
 #include "tests/support/suite.h"
 #include <QDir>

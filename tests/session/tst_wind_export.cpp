@@ -1,6 +1,6 @@
 #include "core/evaluate/evaluator.h"
 #include "core/io/formats/glb/glb_packed.h"
-#include "core/params/presets.h"
+#include "core/presets/presets.h"
 #include "core/qt/session/export/exporter.h"
 #include "tests/core/io/io_support.h"
 #include "tests/support/wind_preview.h"

@@ -2,7 +2,7 @@
 /// A tree under a hand: the tools of the view with a small tree that is grown in the background.
 #pragma once
 
-#include "core/params/presets.h"
+#include "core/presets/presets.h"
 #include "core/qt/session/jobs/recompute.h"
 #include "tests/support/tool_bench.h"
 

@@ -4,7 +4,7 @@
 #include "core/generators/grammar/rewrite.h"
 #include "core/generators/grammar/turtle.h"
 #include "core/generators/parametric/module_turtle.h"
-#include "core/params/presets.h"
+#include "core/presets/presets.h"
 #include "core/skeleton/simplify.h"
 
 namespace ramure::test {

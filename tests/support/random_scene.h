@@ -2,7 +2,7 @@
 /// Scenes in which everything moves that can, for tests of what is seen of them at a time.
 #pragma once
 
-#include "core/params/presets.h"
+#include "core/presets/presets.h"
 #include "core/rig/tracks/track.h"
 #include "core/scene/scene.h"
 #include <random>

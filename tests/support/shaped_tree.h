@@ -3,9 +3,9 @@
 #pragma once
 
 #include "core/math/random.h"
-#include "core/params/presets.h"
 #include "core/params/tree_edit_table.h"
 #include "core/pipeline/tree_pipeline.h"
+#include "core/presets/presets.h"
 #include "core/recipe/edit_context.h"
 #include "tests/support/suite.h"
 

@@ -1,7 +1,7 @@
 #include "widgets/actions/edit_actions.h"
 
 #include "core/generators/variety.h"
-#include "core/params/presets.h"
+#include "core/presets/presets.h"
 #include "core/qt/document/commands.h"
 #include "core/qt/document/project/own_presets.h"
 #include "core/qt/session/jobs/planting.h"

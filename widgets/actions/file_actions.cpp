@@ -2,7 +2,7 @@
 
 #include "core/base/file_writer.h"
 #include "core/io/formats/file_format.h"
-#include "core/params/presets.h"
+#include "core/presets/presets.h"
 #include "core/qt/document/project/own_presets.h"
 #include "core/qt/document/project/project_file.h"
 #include "core/qt/session/export/packing.h"

@@ -2,7 +2,7 @@
 /// Menus of the presets, a submenu for each group: species first, then what grammars are shown with.
 #pragma once
 
-#include "core/params/presets.h"
+#include "core/presets/presets.h"
 
 class QAction;
 class QMenu;

@@ -1,7 +1,7 @@
 #include "widgets/actions/recipe_actions.h"
 
-#include "core/params/presets.h"
 #include "core/params/tree_edit_table.h"
+#include "core/presets/presets.h"
 #include "core/qt/document/commands.h"
 #include "core/qt/document/project/own_presets.h"
 #include "widgets/actions/preset_menu.h"

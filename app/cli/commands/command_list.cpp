@@ -2,11 +2,11 @@
 #include "app/cli/json_measures.h"
 #include "app/cli/work.h"
 #include "core/generators/variety.h"
-#include "core/params/named_seeds.h"
-#include "core/params/presets.h"
 #include "core/params/recipe.h"
 #include "core/params/tree_edit_table.h"
 #include "core/pipeline/tree_pipeline.h"
+#include "core/presets/named_seeds.h"
+#include "core/presets/presets.h"
 #include "core/skeleton/measures.h"
 #include <QJsonArray>
 #include <QJsonObject>

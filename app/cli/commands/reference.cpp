@@ -2,8 +2,8 @@
 #include "app/cli/commands/commands.h"
 #include "app/cli/editor_options.h"
 #include "core/base/version.h"
-#include "core/params/presets.h"
 #include "core/params/tree_edit_table.h"
+#include "core/presets/presets.h"
 #include "core/scene/demo_scenes.h"
 #include <QRegularExpression>
 

@@ -71,7 +71,7 @@ Expected<void> setParam(Document& document, const std::vector<NodeId>& nodes, co
 Expected<void> setParams(Document& document, const std::vector<NodeId>& nodes,
                          const std::vector<std::pair<const ParamDef*, ParamValue>>& values,
                          const QString& text, GestureId gesture = 0);
-/// Back to what each node's preset says, or to the default where it came from none (core/params/presets.h).
+/// Back to what each node's preset says, or to the default where it came from none (core/presets/presets.h).
 /// Errors: as above.
 Expected<void> resetParams(Document& document, const std::vector<NodeId>& nodes,
                            const std::vector<const ParamDef*>& params, const QString& text);

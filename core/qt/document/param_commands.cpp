@@ -1,6 +1,6 @@
 // Parameters of nodes.
 #include "core/generators/variety.h"
-#include "core/params/presets.h"
+#include "core/presets/presets.h"
 #include "core/qt/document/document_command.h"
 #include <QLocale>
 #include <algorithm>

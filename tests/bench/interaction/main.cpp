@@ -1,7 +1,7 @@
 // Measures the editor in its real window: from a slider's move to the new picture, and how long the interface
 // is held up. Needs a display with OpenGL, a virtual one will do (./dev bench-window). Asserts nothing.
 #include "core/base/kept_memory.h"
-#include "core/params/presets.h"
+#include "core/presets/presets.h"
 #include "tests/bench/interaction/editor_bench.h"
 #include "widgets/panels/presets/preset_gallery.h"
 #include "widgets/view/render/gl_setup.h"

@@ -1,6 +1,6 @@
 // One move of the mouse while nodes are dragged by the gizmo, with all of the window following: what the
 // interface's thread does for it, the picture's drawing apart.
-#include "core/params/presets.h"
+#include "core/presets/presets.h"
 #include "core/qt/session/jobs/recompute.h"
 #include "core/scene/demo_scenes.h"
 #include "tests/widgets/base/fixture.h"

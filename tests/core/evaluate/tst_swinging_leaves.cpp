@@ -1,6 +1,6 @@
 #include "core/evaluate/evaluator.h"
 #include "core/params/param_def.h"
-#include "core/params/presets.h"
+#include "core/presets/presets.h"
 #include "tests/support/suite.h"
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include "core/lod/level_skins.h"
 #include "core/lod/tree_levels.h"
 #include "core/math/principal_axes.h"
-#include "core/params/presets.h"
+#include "core/presets/presets.h"
 #include "core/surface/proof/validate.h"
 #include "tests/support/shaped_tree.h"
 #include <algorithm>

@@ -1,5 +1,5 @@
-#include "core/params/presets.h"
 #include "core/pipeline/stage_hashes.h"
+#include "core/presets/presets.h"
 #include "tests/support/mesh_checker.h"
 #include "tests/support/shaped_tree.h"
 #include <set>

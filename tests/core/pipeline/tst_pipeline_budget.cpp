@@ -1,6 +1,6 @@
 #include "core/params/param_def.h"
-#include "core/params/presets.h"
 #include "core/pipeline/tree_pipeline.h"
+#include "core/presets/presets.h"
 #include "core/surface/mesher/mesh_divisions.h"
 #include "tests/support/suite.h"
 

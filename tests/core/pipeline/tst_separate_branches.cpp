@@ -1,6 +1,6 @@
 #include "core/math/random.h"
-#include "core/params/presets.h"
 #include "core/pipeline/separate_branches.h"
+#include "core/presets/presets.h"
 #include "core/skeleton/bend.h"
 #include "tests/support/preset_trees.h"
 #include "tests/support/suite.h"

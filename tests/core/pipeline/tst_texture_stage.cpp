@@ -1,5 +1,5 @@
-#include "core/params/presets.h"
 #include "core/pipeline/tree_pipeline.h"
+#include "core/presets/presets.h"
 #include "core/surface/check/texture_report.h"
 #include "tests/support/suite.h"
 #include <QFile>

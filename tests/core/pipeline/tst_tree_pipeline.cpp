@@ -1,10 +1,10 @@
 #include "core/math/random.h"
 #include "core/math/stage_hash.h"
 #include "core/params/param_def.h"
-#include "core/params/presets.h"
 #include "core/pipeline/draft_tubes.h"
 #include "core/pipeline/stage_cache.h"
 #include "core/pipeline/tree_pipeline.h"
+#include "core/presets/presets.h"
 #include "tests/support/kind_with.h"
 #include "tests/support/suite.h"
 

@@ -1,5 +1,5 @@
-#include "core/params/presets.h"
 #include "core/pipeline/tree_pipeline.h"
+#include "core/presets/presets.h"
 #include "core/print/leaf_sheets.h"
 #include "core/print/print_tree.h"
 #include "tests/core/io/io_support.h"

@@ -1,5 +1,5 @@
-#include "core/params/presets.h"
 #include "core/pipeline/tree_pipeline.h"
+#include "core/presets/presets.h"
 #include "core/print/print_tree.h"
 #include "core/print/thinned_mesh.h"
 #include "core/print/united_surface.h"

@@ -1,6 +1,6 @@
 #include "core/math/random.h"
-#include "core/params/presets.h"
 #include "core/pipeline/tree_pipeline.h"
+#include "core/presets/presets.h"
 #include "core/skeleton/edit_places.h"
 #include "tests/support/step_map.h"
 #include "tests/support/suite.h"

@@ -1,7 +1,7 @@
 #include "core/generators/variety.h"
-#include "core/params/named_seeds.h"
-#include "core/params/presets.h"
 #include "core/pipeline/tree_pipeline.h"
+#include "core/presets/named_seeds.h"
+#include "core/presets/presets.h"
 #include "core/skeleton/measures.h"
 #include "tests/support/suite.h"
 #include <cmath>

@@ -2,7 +2,7 @@
 #include "core/generators/grammar/rewrite.h"
 #include "core/generators/grammar/turtle.h"
 #include "core/math/random.h"
-#include "core/params/presets.h"
+#include "core/presets/presets.h"
 #include "core/skeleton/simplify.h"
 #include "tests/support/suite.h"
 

@@ -1,6 +1,6 @@
 #include "core/generators/variety.h"
-#include "core/params/presets.h"
 #include "core/pipeline/tree_pipeline.h"
+#include "core/presets/presets.h"
 #include "core/surface/check/self_intersections.h"
 #include "core/surface/mesh/near_positions.h"
 #include "core/surface/proof/validate.h"

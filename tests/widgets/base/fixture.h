@@ -2,7 +2,7 @@
 /// What the suites of the editor share: settings of their own, documents, a chooser that knows its answers.
 #pragma once
 
-#include "core/params/presets.h"
+#include "core/presets/presets.h"
 #include "core/qt/document/commands.h"
 #include "core/qt/document/document.h"
 #include "tests/support/suite.h"

@@ -1,4 +1,4 @@
-#include "core/params/presets.h"
+#include "core/presets/presets.h"
 #include "tests/support/suite.h"
 #include "tests/support/waits.h"
 #include "widgets/view/background_builder.h"

@@ -1,6 +1,6 @@
 // The picture of bark needs texture coordinates, which take their time: nobody waits for them.
-#include "core/params/presets.h"
 #include "core/pipeline/tree_pipeline.h"
+#include "core/presets/presets.h"
 #include "tests/support/suite.h"
 #include "widgets/view/bark_waiter.h"
 

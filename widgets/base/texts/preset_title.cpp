@@ -1,6 +1,6 @@
 #include "widgets/base/texts/preset_title.h"
 
-#include "core/params/presets.h"
+#include "core/presets/presets.h"
 #include "core/scene/scene.h"
 #include "widgets/base/texts/core_text.h"
 #include <QCoreApplication>

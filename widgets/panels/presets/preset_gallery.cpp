@@ -1,6 +1,6 @@
 #include "widgets/panels/presets/preset_gallery.h"
 
-#include "core/params/presets.h"
+#include "core/presets/presets.h"
 #include "core/qt/document/project/own_presets.h"
 #include "widgets/base/texts/core_text.h"
 #include "widgets/base/texts/preset_title.h"

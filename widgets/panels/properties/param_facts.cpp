@@ -1,6 +1,6 @@
 #include "widgets/panels/properties/param_facts.h"
 
-#include "core/params/presets.h"
+#include "core/presets/presets.h"
 #include "core/rig/physics/wind.h"
 #include "widgets/base/texts/core_text.h"
 #include <QCoreApplication>

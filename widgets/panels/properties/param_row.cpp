@@ -1,6 +1,6 @@
 #include "widgets/panels/properties/param_row.h"
 
-#include "core/params/presets.h"
+#include "core/presets/presets.h"
 #include "widgets/base/fields/key_button.h"
 #include "widgets/base/targets.h"
 #include "widgets/base/texts/core_text.h"

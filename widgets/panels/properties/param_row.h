@@ -23,7 +23,7 @@ public:
     [[nodiscard]] QString message() const;
 
     /// Of the selected nodes, one each: the values, and the presets they came from, which say what a reset
-    /// gives (core/params/presets.h).
+    /// gives (core/presets/presets.h).
     void showValues(std::span<const ParamValue> values, std::span<const std::string> presets);
     /// The error of the computation that concerns this parameter.
     void showProblem(const std::optional<Error>& error);

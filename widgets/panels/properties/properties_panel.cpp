@@ -1,7 +1,7 @@
 #include "widgets/panels/properties/properties_panel.h"
 
 #include "core/params/param_relevance.h"
-#include "core/params/presets.h"
+#include "core/presets/presets.h"
 #include "core/qt/document/commands.h"
 #include "core/qt/session/motion/auto_key.h"
 #include "core/qt/session/motion/player.h"

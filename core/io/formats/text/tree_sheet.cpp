@@ -4,8 +4,8 @@
 #include "core/base/plain_text.h"
 #include "core/math/reproducible.h"
 #include "core/params/param_def.h"
-#include "core/params/presets.h"
-#include "core/params/species.h"
+#include "core/presets/presets.h"
+#include "core/presets/species.h"
 #include "core/surface/foliage/leaf_table.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "core/qt/document/project/project_json.h"
 
-#include "core/params/presets.h"
 #include "core/params/tree_edit_table.h"
+#include "core/presets/presets.h"
 #include "core/qt/document/project/project_arm.h"
 #include "core/qt/document/project/project_edits.h"
 #include "core/qt/document/project/project_mesh.h"

@@ -1,8 +1,8 @@
 #include "core/generators/colonisation/colonisation.h"
 #include "core/generators/colonisation/colonised_nodes.h"
 #include "core/generators/colonisation/crown_shape.h"
-#include "core/params/presets.h"
 #include "core/pipeline/tree_pipeline.h"
+#include "core/presets/presets.h"
 #include "tests/support/suite.h"
 #include <cmath>
 

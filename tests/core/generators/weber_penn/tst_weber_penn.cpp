@@ -1,6 +1,6 @@
 #include "core/generators/weber_penn/weber_penn.h"
-#include "core/params/presets.h"
 #include "core/pipeline/tree_pipeline.h"
+#include "core/presets/presets.h"
 #include "core/skeleton/axes.h"
 #include "tests/support/suite.h"
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "core/io/formats/text/blender_scene.h"
 #include "core/math/random.h"
 #include "core/params/param_def.h"
-#include "core/params/presets.h"
+#include "core/presets/presets.h"
 #include "tests/support/suite.h"
 #include <QFile>
 #include <QTemporaryDir>

@@ -4,7 +4,7 @@
 
 #include "core/math/random.h"
 #include "core/params/param_def.h"
-#include "core/params/presets.h"
+#include "core/presets/presets.h"
 #include "core/rig/physics/tree_physics.h"
 #include "core/surface/foliage/foliage.h"
 #include "tests/support/preset_trees.h"

@@ -1,7 +1,7 @@
 #include "core/surface/foliage/leaf_placement.h"
 
-#include "core/params/presets.h"
 #include "core/pipeline/tree_pipeline.h"
+#include "core/presets/presets.h"
 #include "core/surface/foliage/leaf_table.h"
 #include "tests/support/suite.h"
 

@@ -1,6 +1,6 @@
 #include "core/generators/variety.h"
-#include "core/params/presets.h"
 #include "core/pipeline/tree_pipeline.h"
+#include "core/presets/presets.h"
 #include "tests/support/suite.h"
 #include "tests/support/wood_sections.h"
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "core/base/parallel.h"
 #include "core/generators/variety.h"
-#include "core/params/presets.h"
 #include "core/pipeline/tree_pipeline.h"
+#include "core/presets/presets.h"
 #include "core/surface/check/texture_report.h"
 #include "tests/support/preset_trees.h"
 #include "tests/support/skeleton_zoo.h"
@@ -109,7 +109,8 @@ std::vector<Index> islandsOf(const BranchMesh& mesh, const TextureCoordinates& m
 std::vector<std::size_t> trunkOf(const BranchMesh& mesh)
 {
     constexpr auto none = std::size_t(-1);
-    std::map<Index, std::size_t> latest; // by branch: its upper part comes after all that leaves the lower one
+    std::map<Index, std::size_t>
+        latest; // by branch: its upper part comes after all that leaves the lower one
     std::vector<std::size_t> next(mesh.tubes.size(), none);
     for (std::size_t t = 0; t < mesh.tubes.size(); ++t) {
         if (const auto from = latest.find(mesh.tubes[t].parent); from != latest.end()) {
@@ -494,8 +495,8 @@ void TestTextureCoordinates::barkKeepsItsScaleAlongATrunk_data()
 {
     QTest::addColumn<QString>("preset");
     QTest::addColumn<double>("most");
-    for (const char* name : {"EuropeanBeech1995", "SilverBirch1995", "ScotsPine1995", "NorwaySpruce1995", "Hawthorn",
-                             "OrchardApple1995", "JapaneseMaple", "SmallLeavedLinden1995"})
+    for (const char* name : {"EuropeanBeech1995", "SilverBirch1995", "ScotsPine1995", "NorwaySpruce1995",
+                             "Hawthorn", "OrchardApple1995", "JapaneseMaple", "SmallLeavedLinden1995"})
         QTest::newRow(name) << QString(name) << 1.25;
     // Some seeds have a fork whose thickest branch takes nearly all around but is far thinner.
     QTest::newRow("EnglishOak1995") << QString("EnglishOak1995") << 1.3;

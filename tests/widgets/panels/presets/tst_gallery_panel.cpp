@@ -1,4 +1,4 @@
-#include "core/params/presets.h"
+#include "core/presets/presets.h"
 #include "core/qt/document/project/own_presets.h"
 #include "core/scene/preset_scene.h"
 #include "tests/widgets/base/fixture.h"

@@ -1,5 +1,5 @@
 // What a leaf, a fruit and a bark look like, beside the numbers that make them.
-#include "core/params/presets.h"
+#include "core/presets/presets.h"
 #include "core/qt/document/commands.h"
 #include "tests/widgets/base/fixture.h"
 #include "tests/widgets/tree_document.h"

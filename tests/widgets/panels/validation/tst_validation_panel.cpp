@@ -1,4 +1,4 @@
-#include "core/params/presets.h"
+#include "core/presets/presets.h"
 #include "core/qt/session/jobs/analysis.h"
 #include "tests/support/suite.h"
 #include "tests/widgets/tree_document.h"

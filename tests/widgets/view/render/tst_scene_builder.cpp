@@ -1,5 +1,5 @@
-#include "core/params/presets.h"
 #include "core/pipeline/tree_pipeline.h"
+#include "core/presets/presets.h"
 #include "core/scene/demo_scenes.h"
 #include "core/surface/mesher/rough_model.h"
 #include "tests/support/suite.h"

@@ -1,4 +1,4 @@
-#include "core/params/presets.h"
+#include "core/presets/presets.h"
 #include "core/qt/document/commands.h"
 #include "core/qt/session/jobs/recompute.h"
 #include "tests/support/suite.h"

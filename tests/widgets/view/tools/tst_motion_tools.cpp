@@ -1,5 +1,5 @@
 #include "core/math/random.h"
-#include "core/params/presets.h"
+#include "core/presets/presets.h"
 #include "core/qt/document/commands.h"
 #include "core/qt/session/jobs/recompute.h"
 #include "core/qt/session/motion/player.h"

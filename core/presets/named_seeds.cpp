@@ -1,4 +1,4 @@
-#include "core/params/named_seeds.h"
+#include "core/presets/named_seeds.h"
 
 #include "core/base/error.h"
 #include <algorithm>

@@ -1,5 +1,5 @@
 #include "core/math/angle.h"
-#include "core/params/species.h"
+#include "core/presets/species.h"
 
 #include "core/math/angle.h"
 #include <algorithm>

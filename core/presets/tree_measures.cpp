@@ -1,4 +1,4 @@
-#include "core/params/tree_measures.h"
+#include "core/presets/tree_measures.h"
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/params/node_params.h"
-#include "core/params/presets.h"
+#include "core/presets/presets.h"
 #include <array>
 #include <span>
 #include <vector>

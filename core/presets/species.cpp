@@ -1,4 +1,4 @@
-#include "core/params/species.h"
+#include "core/presets/species.h"
 
 #include "core/math/angle.h"
 #include <array>

@@ -1,6 +1,6 @@
 #include "core/generators/growth/grown_skeleton.h"
 #include "core/math/angle.h"
-#include "core/params/species.h"
+#include "core/presets/species.h"
 #include "tests/support/suite.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
-#include "core/params/presets.h"
+#include "core/presets/presets.h"
 
-#include "core/params/species.h"
+#include "core/presets/species.h"
 #include <algorithm>
 #include <vector>
 
