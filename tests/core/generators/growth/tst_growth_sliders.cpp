@@ -1,7 +1,5 @@
 #include "core/generators/growth/grown_skeleton.h"
-#include "core/math/random.h"
 #include "tests/support/suite.h"
-#include <algorithm>
 #include <cmath>
 #include <ctime>
 #include <set>
@@ -115,36 +113,6 @@ private slots:
                 params.*slider.value = value;
                 grows(params, slider.name);
             }
-    }
-
-    void anyCombination()
-    {
-        constexpr int sets = 300;
-        Random random(1, RandomStream::Test);
-        for (int k = 0; k < sets; ++k) {
-            GrowthParams params = small(4.0 + 6.0 * random.unit());
-            for (const Slider& slider : sliders) {
-                // Half of them at an end: that is where things break.
-                const double at = random.unit() < 0.5 ? random.unit() : double(random.below(2));
-                if (slider.value != &GrowthParams::sunlight || at > 0.2)
-                    params.*slider.value = slider.low + at * (slider.high - slider.low);
-            }
-            // An internode of centimetres in a tree of 150 m is what the limits are for, not this test.
-            params.height = 1.0 + 4.0 * random.unit();
-            params.crownWidth = 0.5 + 3.5 * random.unit();
-            params.internode = 0.08 + 0.4 * random.unit();
-            params.phyllotaxis = Phyllotaxis(random.below(3));
-            params.vigour = VigourModel(random.below(2));
-            params.sees = GrowthLight(random.below(2));
-            // Ten times the points of room, each looked at by ten times the buds, take seconds.
-            if (params.sees == GrowthLight::Space)
-                params.density = std::min(params.density, 3.0);
-            params.whorl = std::int64_t(random.below(9));
-            params.endBuds = 1 + std::int64_t(random.below(8));
-            params.orders = 1 + std::int64_t(random.below(12));
-            params.stems = 1 + std::int64_t(random.below(12));
-            grows(params, qPrintable(QString::number(k)));
-        }
     }
 };
 
