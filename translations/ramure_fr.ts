@@ -8524,10 +8524,6 @@
         <translation>Partage de la vigueur</translation>
     </message>
     <message>
-        <source>Borchert and Honda: at each fork by the light above it. Priority: along each axis by rank, so that few buds get most of it.</source>
-        <translation>Borchert et Honda : à chaque fourche, selon la lumière au-dessus. Priorité : le long de chaque axe, par rang, si bien que peu de bourgeons en ont le plus.</translation>
-    </message>
-    <message>
         <source>Sympodial</source>
         <translation>Sympodial</translation>
     </message>
@@ -8628,20 +8624,24 @@
         <translation>Place</translation>
     </message>
     <message>
-        <source>Borchert and Honda</source>
-        <translation>Borchert et Honda</translation>
-    </message>
-    <message>
-        <source>Priority</source>
-        <translation>Priorité</translation>
-    </message>
-    <message>
         <source>Weber and Penn 1995</source>
         <translation>Weber et Penn 1995</translation>
     </message>
     <message>
         <source>Shoots that compete for light, year by year</source>
         <translation>Des pousses qui se disputent la lumière, année après année</translation>
+    </message>
+    <message>
+        <source>At forks: each fork shares by the light above it (Borchert and Honda). By rank: along each axis, so that few buds get most of it.</source>
+        <translation>Aux fourches : chaque fourche partage selon la lumière au-dessus d’elle (Borchert et Honda). Par rang : le long de chaque axe, si bien que peu de bourgeons en ont le plus.</translation>
+    </message>
+    <message>
+        <source>At forks</source>
+        <translation>Aux fourches</translation>
+    </message>
+    <message>
+        <source>By rank</source>
+        <translation>Par rang</translation>
     </message>
 </context>
 <context>
