@@ -62,7 +62,7 @@ const std::array grown{
         0.18 / 0.42, 0.045 / 0.11},
     GrownSpecies{"NorwaySpruce", "Picea abies", RAMURE_NOOP("A spire of whorls, each limb hung with twigs"), true, {12, 50, 100},
         {.age = 50, .height = 26, .crownWidth = 10, .crownBase = 0.03, .crownWidest = 0.05, .crownTop = 0.85, .maturity = 65, .density = 1.5,
-         .leaderUntil = 1000, .apicalControl = 0.9, .sideLength = 0.8, .axil = 82, .branching = 0.9, .whorl = 6, .autonomy = 0.65,
+         .leaderUntil = 1000, .apicalControl = 0.9, .sideLength = 0.8, .axil = 82, .branching = 0.9, .whorl = 5, .autonomy = 0.65,
          .shadeTolerance = 0.95, .shedding = 0.1, .upright = 0.05, .weeping = 0.5, .plagiotropy = 0.4, .wander = 0.15, .tipRadius = 0.0034},
         0.19 / 0.22, 0.028 / 0.07},
     GrownSpecies{"LebanonCedar", "Cedrus libani", RAMURE_NOOP("Level limbs in storeys, a flat top when old"), true, {15, 70, 160},

@@ -33,7 +33,7 @@ private slots:
             QTest::newRow(arguments) << words(arguments) << QString::fromUtf8(part);
         };
         QTest::newRow("nothing") << QStringList() << "missing command";
-        row("grow", "unknown command \"grow\": list, info, import, recipe, edit, export, validate, "
+        row("grow", "unknown command \"grow\": list, info, import, recipe, edit, export, age, validate, "
                     "simulate, ik, "
                     "render, billboard, "
                     "textures, batch, job, sheet expected");
@@ -238,7 +238,11 @@ private slots:
             QVERIFY(!entry["group"].toString().isEmpty());
             const bool isSpecies = entry["group"] == "Broadleaved trees" || entry["group"] == "Conifers";
             QVERIFY(!isSpecies || !entry["latin"].toString().isEmpty());
-            QCOMPARE(entry["seeds"].toObject().size(), entry["latin"].toString().isEmpty() ? 0 : 6);
+            const bool grows = entry["steps"].toArray() == QJsonArray{"growth"};
+            QCOMPARE(entry["seeds"].toObject().size(), grows || entry["latin"].toString().isEmpty() ? 0 : 6);
+            QCOMPARE(entry["ages"].toObject().keys(),
+                     grows ? QStringList({"mature", "old", "young"}) : QStringList());
+            QCOMPARE(entry["ours"].toObject().isEmpty(), entry["latin"].toString().isEmpty());
             if (entry["name"] == "SilverBirch1995") {
                 QCOMPARE(entry["published"]["height"].toDouble(), 19.0);
                 QVERIFY(std::abs(entry["ours"]["crownWidth"].toDouble() - 10.7) < 1.0);

@@ -103,7 +103,7 @@ private slots:
                 << QString::fromLatin1(name) << isWhole << bar;
         };
         add("SmallTree", false, 0.865);
-        add("EnglishOak1995", false, 0.915);
+        add("EnglishOak1995", false, 0.91);
         add("SilverBirch1995", false, 0.86);
         add("ScotsPine1995", false, 0.87);
         add("CoconutPalm", false, 0.92);

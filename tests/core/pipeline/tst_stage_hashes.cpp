@@ -15,6 +15,8 @@ namespace {
 ParamValue otherValue(const ParamDef& def, const NodeParams& params)
 {
     const ParamValue now = def.get(params);
+    if (std::string_view(def.key) == "growth.age") // within ten years, whose ages are cut out of one life
+        return params.growth.age - 0.5;
     if (const auto* flag = std::get_if<bool>(&now))
         return !*flag;
     if (const auto* whole = std::get_if<std::int64_t>(&now))

@@ -60,9 +60,17 @@ void TestPresets::valuesAreValidAndDeterministic()
                  preset.name);
         QVERIFY(*preset.description && *preset.group);
         const std::string_view group = preset.group;
-        const bool isSpecies = preset.params.generator.kind == TreeGenerator::WeberPenn && group != "Forms";
+        const TreeGenerator generator = preset.params.generator.kind;
+        const bool grows = generator == TreeGenerator::Growth;
+        const bool isSpecies = grows || (generator == TreeGenerator::WeberPenn && group != "Forms");
         QVERIFY2(!isSpecies || *preset.latin, preset.name);
-        QVERIFY2(isSpecies == (group == "Broadleaved trees" || group == "Conifers"), preset.name);
+        QVERIFY2(isSpecies ==
+                     (group == "Broadleaved trees" || group == "Conifers" || group == "Weber and Penn 1995"),
+                 preset.name);
+        QVERIFY2(grows == (preset.ages[0] > 0 && preset.ages[1] > preset.ages[0] &&
+                           preset.ages[2] > preset.ages[1]),
+                 preset.name);
+        QVERIFY2(!grows || presetParams(std::string(preset.name) + "1995"), preset.name);
         QVERIFY(*presetParams(preset.name) == preset.params);
     }
 }

@@ -37,7 +37,7 @@ QString errorTextWithPlace(const Error& error)
 
 QString spacedName(const QString& preset)
 {
-    static const QRegularExpression word(QStringLiteral("(?<=[a-z])(?=[A-Z][a-z])"));
+    static const QRegularExpression word(QStringLiteral("(?<=[a-z])(?=[A-Z][a-z]|1995$)"));
     return QString(preset).replace(word, QStringLiteral(" "));
 }
 
