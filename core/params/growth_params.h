@@ -76,8 +76,8 @@ struct GrowthParams
 
     double pipeExponent = 2.2; ///< e of d^e = sum of the children's d^e
     double tipRadius = 0.0035;
-    double girth = 0.35;   ///< share of shed branches' wood that the stem keeps as girth
-    double sunlight = 1.0; ///< of the open sky; 0: the tree dies
+    double girth = 0.35;     ///< share of shed branches' wood that the stem keeps as girth
+    double sunlight = 1.0;   ///< of the open sky; 0: the tree dies
     GrowthSpaceLink space{}; ///< no parameter: what the scene says; obstacles shade and stop shoots
     bool operator==(const GrowthParams&) const = default;
 };

@@ -330,9 +330,9 @@ private slots:
     /// They are what is proved and counted; a picture beside them is no mesh.
     void levelsAloneAreProved()
     {
-        const auto ended =
-            runCli({"batch", table("preset,seed\nSilverBirch1995,1\n"), "-o", path("out"), "--file", "{row}.glb",
-                    "--file", "{row}.png", "--levels", "2", "--budget", "4000,900", "--map-size", "0"});
+        const auto ended = runCli({"batch", table("preset,seed\nSilverBirch1995,1\n"), "-o", path("out"),
+                                   "--file", "{row}.glb", "--file", "{row}.png", "--levels", "2", "--budget",
+                                   "4000,900", "--map-size", "0"});
         QVERIFY2(ended.code == 0, qPrintable(ended.err));
         const QJsonObject line = linesOf(path("out/manifest.jsonl"))[0];
         const QJsonObject counts = line["counts"].toObject();

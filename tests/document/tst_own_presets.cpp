@@ -78,7 +78,8 @@ private slots:
     {
         QTemporaryDir folder;
         write(folder.path() + "/file", "");
-        const auto saved = OwnPresets(folder.path() + "/file/presets").save("Oak", *presetTree("EnglishOak1995"));
+        const auto saved =
+            OwnPresets(folder.path() + "/file/presets").save("Oak", *presetTree("EnglishOak1995"));
         QVERIFY(!saved);
         QCOMPARE(saved.error().code, ErrorCode::Io);
         QVERIFY(OwnPresets(folder.path() + "/none").names().isEmpty());

@@ -71,8 +71,8 @@ void TestRandomEdits::everyMeshIsWhole_data()
     const int times = std::max(1, qEnvironmentVariableIntValue("RAMURE_EDITS"));
     for (const Preset& preset : courseworkPresets())
         QTest::newRow(preset.name) << QByteArray(preset.name) << 300 * times;
-    for (const char* preset : {"HondaTree", "QuakingAspen", "WeepingWillow1995", "CaliforniaBlackOak", "Ginkgo",
-                               "NorwaySpruce1995", "UmbrellaAcacia"})
+    for (const char* preset : {"HondaTree", "QuakingAspen", "WeepingWillow1995", "CaliforniaBlackOak",
+                               "Ginkgo", "NorwaySpruce1995", "UmbrellaAcacia"})
         QTest::newRow(preset) << QByteArray(preset) << 120 * times;
 }
 
