@@ -141,7 +141,8 @@ private:
             const bool root = piece.parent == noIndex;
             const bool goesOn = root || m_pieces[piece.parent].next == Index(k);
             const Index below = root ? noIndex : m_branch[piece.parent];
-            if (!root && (m_out[piece.parent] || (!goesOn && (below == noIndex || !leavesTheWood(piece))))) {
+            const bool stands = goesOn || (below != noIndex && leavesTheWood(piece) && hasRoom(piece, below));
+            if (!root && (m_out[piece.parent] || !stands)) {
                 m_out[k] = true;
                 continue;
             }
@@ -155,6 +156,14 @@ private:
     [[nodiscard]] bool leavesTheWood(const Piece& piece) const
     {
         return piece.reach >= std::max(0.02, 1.6 * m_pieces[piece.parent].radius);
+    }
+    /// Whether a side shoot has a node of its own, or is thick enough to share one with others: a thin one
+    /// would take too much of thick wood's end.
+    [[nodiscard]] bool hasRoom(const Piece& piece, Index below) const
+    {
+        constexpr double thinnest = 0.3;
+        const Piece& stem = m_pieces[piece.parent];
+        return m_skeleton.p1[below] == stem.at || piece.radius >= thinnest * stem.radius;
     }
     /// \param length m, from the node before that was kept
     [[nodiscard]] bool isKept(const Piece& piece, double length, bool goesOn) const

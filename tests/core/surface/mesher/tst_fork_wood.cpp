@@ -43,15 +43,11 @@ constexpr Bars own[] = {
     {.preset = "LombardyPoplar1995", .leastCollar = 1.12},
     {.preset = "DouglasFir", .leastCollar = 1.1},
     {.preset = "BlackTupelo", .leastCollar = 1.14},
-    // Grown by years: what many limbs of one year take, the stem above has not.
-    {.preset = "EnglishOak", .quarter = 0.41},
-    {.preset = "EuropeanBeech", .quarter = 0.3},
-    {.preset = "LombardyPoplar", .quarter = 0.59, .whole = 0.44, .leastCollar = 1.0},
-    {.preset = "OliveTree", .quarter = 0.32, .whole = 0.52, .leastCollar = 1.13},
-    {.preset = "OrchardApple", .quarter = 0.34, .whole = 0.48},
+    // Grown by years: stout limbs of one year stand close to each other.
+    {.preset = "LombardyPoplar", .leastCollar = 1.0},
+    {.preset = "OliveTree", .quarter = 0.34, .whole = 0.55},
+    {.preset = "OrchardApple", .quarter = 0.43, .whole = 0.48},
     {.preset = "WeepingWillow", .whole = 0.49},
-    {.preset = "LebanonCedar", .quarter = 0.51, .whole = 0.66},
-    {.preset = "NorwaySpruce", .quarter = 0.3},
     // Without a budget all branches have the same few cross-sections.
     {.preset = "ParkTree", .leastCollar = 1.07},
     {.preset = "UmbrellaAcacia", .leastCollar = 1.09},
