@@ -6064,34 +6064,6 @@
         <translation>aucun point du houppier n’est à portée de vue du tronc</translation>
     </message>
     <message>
-        <source>an age is 0 years or more</source>
-        <translation>un âge est de 0 an ou plus</translation>
-    </message>
-    <message>
-        <source>no tree here gets older than %1 years</source>
-        <translation>aucun arbre ne dépasse ici %1 ans</translation>
-    </message>
-    <message>
-        <source>the value is not one that a tree can grow with</source>
-        <translation>un arbre ne peut pas pousser avec cette valeur</translation>
-    </message>
-    <message>
-        <source>a whorl has at most 8 limbs</source>
-        <translation>un verticille a au plus 8 branches</translation>
-    </message>
-    <message>
-        <source>a shoot ends with 1 to 8 buds</source>
-        <translation>une pousse se termine par 1 à 8 bourgeons</translation>
-    </message>
-    <message>
-        <source>a tree has 1 to 12 orders of axes</source>
-        <translation>un arbre a de 1 à 12 ordres d’axes</translation>
-    </message>
-    <message>
-        <source>a tree has 1 to 12 stems</source>
-        <translation>un arbre a de 1 à 12 troncs</translation>
-    </message>
-    <message>
         <source>the crown is too wide for its height: its shadows need more than %1 voxels</source>
         <translation>le houppier est trop large pour sa hauteur : ses ombres demandent plus de %1 voxels</translation>
     </message>

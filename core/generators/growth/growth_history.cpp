@@ -2,6 +2,7 @@
 
 #include "core/generators/growth/growing_tree.h"
 #include "core/math/reproducible.h"
+#include "core/params/param_def.h"
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -23,67 +24,9 @@ tl::unexpected<Error> refuse(ErrorCode code, const char* text, const char* path,
     return error;
 }
 
-struct Limit
-{
-    double GrowthParams::*value;
-    const char* path;
-    double low, high;
-};
-
-constexpr Limit limits[] = {
-    {&GrowthParams::height, "growth.height", 0.05, 150.0},
-    {&GrowthParams::crownWidth, "growth.crownWidth", 0.02, 150.0},
-    {&GrowthParams::crownBase, "growth.crownBase", 0.0, 0.95},
-    {&GrowthParams::crownWidest, "growth.crownWidest", 0.0, 1.0},
-    {&GrowthParams::crownTop, "growth.crownTop", 0.05, 3.0},
-    {&GrowthParams::maturity, "growth.maturity", 2.0, 2000.0},
-    {&GrowthParams::density, "growth.density", 0.05, 10.0},
-    {&GrowthParams::leaderUntil, "growth.leaderUntil", 0.0, 1e5},
-    {&GrowthParams::apicalControl, "growth.apicalControl", 0.0, 1.0},
-    {&GrowthParams::sideLength, "growth.sideLength", 0.1, 1.0},
-    {&GrowthParams::autonomy, "growth.autonomy", 0.0, 1.0},
-    {&GrowthParams::internode, "growth.internode", 0.001, 5.0},
-    {&GrowthParams::divergence, "growth.divergence", -6.3, 6.3},
-    {&GrowthParams::axil, "growth.axil", 0.0, 2.6},
-    {&GrowthParams::acrotony, "growth.acrotony", 0.0, 1.0},
-    {&GrowthParams::branching, "growth.branching", 0.0, 2.0},
-    {&GrowthParams::shortShoots, "growth.shortShoots", 0.0, 1.0},
-    {&GrowthParams::sympodial, "growth.sympodial", 0.0, 1.0},
-    {&GrowthParams::shadeTolerance, "growth.shadeTolerance", 0.0, 1.0},
-    {&GrowthParams::shedding, "growth.shedding", 0.0, 1.0},
-    {&GrowthParams::light, "growth.light", 0.0, 2.0},
-    {&GrowthParams::upright, "growth.upright", -1.0, 1.0},
-    {&GrowthParams::weeping, "growth.weeping", 0.0, 2.0},
-    {&GrowthParams::plagiotropy, "growth.plagiotropy", 0.0, 1.0},
-    {&GrowthParams::wander, "growth.wander", 0.0, 2.0},
-    {&GrowthParams::droop, "growth.droop", 0.0, 2.0},
-    {&GrowthParams::reaction, "growth.reaction", 0.0, 1.0},
-    {&GrowthParams::reiteration, "growth.reiteration", 0.0, 1.0},
-    {&GrowthParams::pipeExponent, "growth.pipeExponent", 1.5, 4.0},
-    {&GrowthParams::tipRadius, "growth.tipRadius", 0.0001, 0.1},
-    {&GrowthParams::girth, "growth.girth", 0.0, 1.0},
-    {&GrowthParams::sunlight, "growth.sunlight", 0.0, 1.0},
-};
-
 Expected<void> check(const GrowthParams& params)
 {
-    if (!std::isfinite(params.age) || params.age < 0.0)
-        return refuse(ErrorCode::Invalid, RAMURE_NOOP("an age is 0 years or more"), "growth.age");
-    if (params.age > maxGrowthAge)
-        return refuse(ErrorCode::Limit, RAMURE_NOOP("no tree here gets older than %1 years"), "growth.age",
-                      {std::to_string(int(maxGrowthAge))});
-    for (const Limit& limit : limits)
-        if (const double value = params.*limit.value; !(value >= limit.low && value <= limit.high))
-            return refuse(ErrorCode::Invalid, RAMURE_NOOP("the value is not one that a tree can grow with"),
-                          limit.path);
-    if (params.whorl < 0 || params.whorl > 8)
-        return refuse(ErrorCode::Invalid, RAMURE_NOOP("a whorl has at most 8 limbs"), "growth.whorl");
-    if (params.endBuds < 1 || params.endBuds > 8)
-        return refuse(ErrorCode::Invalid, RAMURE_NOOP("a shoot ends with 1 to 8 buds"), "growth.endBuds");
-    if (params.orders < 1 || params.orders > 12)
-        return refuse(ErrorCode::Invalid, RAMURE_NOOP("a tree has 1 to 12 orders of axes"), "growth.orders");
-    if (params.stems < 1 || params.stems > 12)
-        return refuse(ErrorCode::Invalid, RAMURE_NOOP("a tree has 1 to 12 stems"), "growth.stems");
+    RAMURE_TRY(checkPart(&NodeParams::growth, params));
     const double voxel = std::max(params.internode, params.height / 80.0);
     const double voxels = params.height * params.crownWidth * params.crownWidth / (voxel * voxel * voxel);
     if (voxels > double(ShadowGrid::maxVoxels))

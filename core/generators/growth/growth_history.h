@@ -102,8 +102,8 @@ float pipesOf(std::uint16_t packed);
 ///
 /// Random numbers are keyed by the addresses of axes, with a hash of their own: Random mixes four times and
 /// keeps a state for a stream, of which each number here would be the first. Errors, path = "growth." and the
-/// parameter: Invalid (a number that is not finite or allowed), Limit (age above maxGrowthAge, more metamers
-/// than maxMetamers, more voxels than ShadowGrid has), Cancelled.
+/// parameter: Invalid (what the table of parameters refuses), Limit (more metamers than maxMetamers, more
+/// voxels than ShadowGrid has), Cancelled.
 Expected<GrowthHistory> growHistory(const GrowthParams& params, std::uint64_t seed, const GrowthCuts& cuts,
                                     const Progress& progress = {});
 /// The same without cuts.

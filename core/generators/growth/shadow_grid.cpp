@@ -52,10 +52,11 @@ void ShadowGrid::sum()
     for (int y = 0; y < m_y; ++y)
         for (int z = 1; z < m_z; ++z) {
             std::int32_t* row = m_sums.data() + (std::size_t(y) * std::size_t(m_z) + std::size_t(z)) * width;
+            const std::int32_t* before = row - width;
             std::int32_t along = 0;
             for (std::size_t x = 1; x < width; ++x) {
                 along += std::min(row[x], densest);
-                row[x] = along + row[x - width];
+                row[x] = along + before[x];
             }
         }
 }

@@ -86,7 +86,7 @@ private slots:
         constexpr double nan = std::numeric_limits<double>::quiet_NaN();
         refused([](GrowthParams& p) { p.age = -1.0; }, ErrorCode::Invalid, "growth.age");
         refused([](GrowthParams& p) { p.age = nan; }, ErrorCode::Invalid, "growth.age");
-        refused([](GrowthParams& p) { p.age = 10'000.0; }, ErrorCode::Limit, "growth.age");
+        refused([](GrowthParams& p) { p.age = 10'000.0; }, ErrorCode::Invalid, "growth.age");
         refused([](GrowthParams& p) { p.height = 0.0; }, ErrorCode::Invalid, "growth.height");
         refused([](GrowthParams& p) { p.internode = nan; }, ErrorCode::Invalid, "growth.internode");
         refused([](GrowthParams& p) { p.orders = 0; }, ErrorCode::Invalid, "growth.orders");

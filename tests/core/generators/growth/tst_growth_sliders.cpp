@@ -1,4 +1,5 @@
 #include "core/generators/growth/grown_skeleton.h"
+#include "core/params/param_def.h"
 #include "tests/support/suite.h"
 #include <cmath>
 #include <ctime>
@@ -22,48 +23,12 @@ GrowthParams small(double age)
     return params;
 }
 
-struct Slider
+/// What a tree of a few thousand metamers can have of a row's hard range.
+std::pair<double, double> range(const ParamDef& def)
 {
-    const char* name;
-    double GrowthParams::*value;
-    double low, high;
-};
-
-/// The hard limits, but for the sizes: those are a small tree's.
-constexpr Slider sliders[] = {
-    {"height", &GrowthParams::height, 0.05, 150.0},
-    {"crownWidth", &GrowthParams::crownWidth, 0.02, 40.0},
-    {"crownBase", &GrowthParams::crownBase, 0.0, 0.95},
-    {"crownWidest", &GrowthParams::crownWidest, 0.0, 1.0},
-    {"crownTop", &GrowthParams::crownTop, 0.05, 3.0},
-    {"maturity", &GrowthParams::maturity, 2.0, 2000.0},
-    {"density", &GrowthParams::density, 0.05, 10.0},
-    {"leaderUntil", &GrowthParams::leaderUntil, 0.0, 1e5},
-    {"apicalControl", &GrowthParams::apicalControl, 0.0, 1.0},
-    {"sideLength", &GrowthParams::sideLength, 0.1, 1.0},
-    {"autonomy", &GrowthParams::autonomy, 0.0, 1.0},
-    {"internode", &GrowthParams::internode, 0.02, 5.0},
-    {"divergence", &GrowthParams::divergence, -6.3, 6.3},
-    {"axil", &GrowthParams::axil, 0.0, 2.6},
-    {"acrotony", &GrowthParams::acrotony, 0.0, 1.0},
-    {"branching", &GrowthParams::branching, 0.0, 2.0},
-    {"shortShoots", &GrowthParams::shortShoots, 0.0, 1.0},
-    {"sympodial", &GrowthParams::sympodial, 0.0, 1.0},
-    {"shadeTolerance", &GrowthParams::shadeTolerance, 0.0, 1.0},
-    {"shedding", &GrowthParams::shedding, 0.0, 1.0},
-    {"light", &GrowthParams::light, 0.0, 2.0},
-    {"upright", &GrowthParams::upright, -1.0, 1.0},
-    {"weeping", &GrowthParams::weeping, 0.0, 2.0},
-    {"plagiotropy", &GrowthParams::plagiotropy, 0.0, 1.0},
-    {"wander", &GrowthParams::wander, 0.0, 2.0},
-    {"droop", &GrowthParams::droop, 0.0, 2.0},
-    {"reaction", &GrowthParams::reaction, 0.0, 1.0},
-    {"reiteration", &GrowthParams::reiteration, 0.0, 1.0},
-    {"pipeExponent", &GrowthParams::pipeExponent, 1.5, 4.0},
-    {"tipRadius", &GrowthParams::tipRadius, 0.0001, 0.1},
-    {"girth", &GrowthParams::girth, 0.0, 1.0},
-    {"sunlight", &GrowthParams::sunlight, 0.0, 1.0},
-};
+    const std::string_view key = def.key;
+    return {key == "growth.internode" ? 0.02 : def.hardMin, key == "growth.crownWidth" ? 40.0 : def.hardMax};
+}
 
 void checkTree(const Skeleton& tree, const char* what)
 {
@@ -107,12 +72,21 @@ private slots:
 
     void everySliderAtItsEnds()
     {
-        for (const Slider& slider : sliders)
-            for (const double value : {slider.low, slider.high}) {
-                GrowthParams params = small(18.0);
-                params.*slider.value = value;
-                grows(params, slider.name);
+        int rows = 0;
+        for (const ParamDef& def : paramTable()) {
+            const std::string_view key = def.key;
+            if (def.type != ParamType::Real || !key.starts_with("growth.") || key == "growth.age")
+                continue;
+            ++rows;
+            const auto [low, high] = range(def);
+            for (const double value : {low, high}) {
+                NodeParams params;
+                params.growth = small(18.0);
+                def.assign(params, value);
+                grows(params.growth, def.key);
             }
+        }
+        QVERIFY(rows > 30);
     }
 };
 
