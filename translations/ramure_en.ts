@@ -579,6 +579,17 @@
     </message>
 </context>
 <context>
+    <name>ramure::SeedsDialog</name>
+    <message numerus="yes">
+        <source>Seed %1, %n year(s)</source>
+        <comment>2, 40 years</comment>
+        <translation>
+            <numerusform>Seed %1, %n year</numerusform>
+            <numerusform>Seed %1, %n years</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ramure::SeparateDialog</name>
     <message numerus="yes">
         <source>All %Ln colliding pair(s) moved apart</source>

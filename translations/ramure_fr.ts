@@ -8615,6 +8615,10 @@
         <source>By rank</source>
         <translation>Par rang</translation>
     </message>
+    <message>
+        <source>the limb did not stand when the tree was of that age</source>
+        <translation>la branche n’existait pas quand l’arbre avait cet âge</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>
@@ -13247,6 +13251,15 @@ restantes</translation>
         <source>It does not run: a step below holds what it has made</source>
         <translation>Elle ne s’exécute pas : une étape plus bas garde ce qu’elle a fait</translation>
     </message>
+    <message>
+        <source>%1, in year %2</source>
+        <comment>an edit and the age of the tree</comment>
+        <translation>%1, à %2 ans</translation>
+    </message>
+    <message>
+        <source>The tree is younger: it acts from the year %1 on</source>
+        <translation>L’arbre est plus jeune : elle agit à partir de %1 ans</translation>
+    </message>
 </context>
 <context>
     <name>ramure::RecipePanel</name>
@@ -13329,6 +13342,18 @@ restantes</translation>
     <message>
         <source>Thaw: the steps above run again</source>
         <translation>Dégeler : les étapes du dessus s’exécutent de nouveau</translation>
+    </message>
+    <message>
+        <source>The tree answers in later years</source>
+        <translation>L’arbre répond les années suivantes</translation>
+    </message>
+    <message>
+        <source>Cut the tree as it has grown</source>
+        <translation>Couper l’arbre tel qu’il a poussé</translation>
+    </message>
+    <message>
+        <source>Let the tree answer a cut</source>
+        <translation>Laisser l’arbre répondre à une coupe</translation>
     </message>
 </context>
 <context>
@@ -14003,6 +14028,26 @@ restantes</translation>
         <source>Seed %1: %2</source>
         <comment>2: tall, wide …</comment>
         <translation>Graine %1 : %2</translation>
+    </message>
+    <message>
+        <source>At three &amp;ages</source>
+        <translation>À trois â&amp;ges</translation>
+    </message>
+    <message>
+        <source>Three seeds, each young, mature and old</source>
+        <translation>Trois graines, chacune jeune, adulte et vieille</translation>
+    </message>
+    <message>
+        <source>Give the tree seed %1</source>
+        <translation>Donner à l’arbre la graine %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Seed %1, %n year(s)</source>
+        <comment>2, 40 years</comment>
+        <translation>
+            <numerusform>Graine %1, %n an</numerusform>
+            <numerusform>Graine %1, %n ans</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -6,6 +6,7 @@
 #include "core/generators/growth/grown_skeleton.h"
 #include "core/generators/parametric/module_turtle.h"
 #include "core/generators/weber_penn/weber_penn.h"
+#include "core/params/tree_edit_table.h"
 #include <algorithm>
 #include <cmath>
 
@@ -41,7 +42,8 @@ Expected<GrownSymbols> growYears(const NodeParams& all, const Progress& progress
 {
     GrowthParams params = all.growth;
     params.age = historyYears(all);
-    auto history = growHistory(params, static_cast<std::uint64_t>(all.grammar.seed), progress);
+    auto history =
+        growHistory(params, static_cast<std::uint64_t>(all.grammar.seed), growthCuts(all), progress);
     RAMURE_TRY(history);
     return GrownSymbols{{}, {}, std::make_shared<const GrowthHistory>(std::move(*history))};
 }
@@ -69,6 +71,31 @@ double historyYears(const NodeParams& params)
 {
     constexpr double step = 10.0;
     return std::min(step * std::max(std::ceil(params.growth.age / step), 1.0), maxGrowthAge);
+}
+
+bool canLiveOn(const TreeEdit& edit)
+{
+    // What falls hangs on its stump until then; what a graft has made never grew.
+    return (infoOf(edit.operation).fields & editYear) && !edit.falls && edit.target.maker == 0;
+}
+
+double growthYears(const NodeParams& params)
+{
+    const bool grows = params.generator.kind == TreeGenerator::Growth && stepsFrozen(params.edits) == 0;
+    return grows ? std::max(std::floor(params.growth.age), 1.0) : 0.0;
+}
+
+GrowthCuts growthCuts(const NodeParams& params)
+{
+    GrowthCuts cuts;
+    if (growthYears(params) <= 0.0)
+        return cuts;
+    for (const TreeEdit& edit : params.edits)
+        if (edit.enabled && edit.year > 0.0 && canLiveOn(edit)) {
+            const double share = edit.operation == EditOperation::Cut ? edit.at : 0.0;
+            cuts.push_back({edit.target.address, share, std::max(int(edit.year), 1), edit.id});
+        }
+    return cuts;
 }
 
 const char* sizeKey(const NodeParams& params)

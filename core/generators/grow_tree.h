@@ -30,6 +30,13 @@ Expected<Skeleton> growSkeleton(const GrownSymbols& grown, const NodeParams& par
 /// Years that the history of a tree is grown for: as many for all ages of ten years.
 double historyYears(const NodeParams& params);
 
+/// Edits that say at what age of a growing tree they are made. Behind a frozen step they are not of its life.
+GrowthCuts growthCuts(const NodeParams& params);
+/// Whether an edit can be one of those.
+bool canLiveOn(const TreeEdit& edit);
+/// TreeEdit::year of an edit that is made now; 0: the tree does not grow by years, or is frozen.
+double growthYears(const NodeParams& params);
+
 /// The parameter that most likely makes a tree too large.
 const char* sizeKey(const NodeParams& params);
 

@@ -13,8 +13,9 @@ namespace {
 constexpr double farAway = 1e5; ///< m
 
 constexpr EditOperationInfo operations[] = {
-    {EditOperation::Cut, "cut", RAMURE_NOOP("Cut"), "target", "", editAt | editFalls | editNeedsTarget},
-    {EditOperation::Remove, "remove", RAMURE_NOOP("Remove"), "target", "", editNeedsTarget},
+    {EditOperation::Cut, "cut", RAMURE_NOOP("Cut"), "target", "",
+     editAt | editFalls | editYear | editNeedsTarget},
+    {EditOperation::Remove, "remove", RAMURE_NOOP("Remove"), "target", "", editYear | editNeedsTarget},
     {EditOperation::Keep, "keep", RAMURE_NOOP("Keep only this"), "target", "", editNeedsTarget},
     {EditOperation::Bend, "bend", RAMURE_NOOP("Bend"), "target", "",
      editFrom | editTo | editRotation | editNeedsTarget},
@@ -82,6 +83,7 @@ constexpr EditNumber numbers[] = {
     {"radius", &TreeEdit::radius, editRadius, 1e-6, farAway, false},
     {"strength", &TreeEdit::strength, editStrength, -1.0, 1.0, false},
     {"seconds", &TreeEdit::seconds, editFalls, 0.0, 86400.0, false},
+    {"year", &TreeEdit::year, editYear, 0.0, 2000.0, false},
 };
 
 constexpr EditVector vectors[] = {

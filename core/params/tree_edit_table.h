@@ -38,6 +38,7 @@ enum EditField : std::uint32_t {
     editFalls = 4194304,   ///< TreeEdit::falls and seconds
     editPath = 8388608,    ///< points, or none
     editFrozen = 16777216, ///< TreeEdit::frozen
+    editYear = 33554432,   ///< TreeEdit::year
 };
 
 /// Whose doing a step is.

@@ -58,7 +58,7 @@ void add(StageHash& hash, const TreeEdit& edit)
     add(hash, edit.other);
     hash.add(edit.at).add(edit.from).add(edit.to).add(edit.factor).add(edit.angleRad).add(edit.azimuthRad);
     hash.add(edit.radius).add(edit.strength).add(edit.below).add(edit.shown);
-    hash.add(edit.falls).add(edit.seconds).add(static_cast<int>(edit.organ));
+    hash.add(edit.falls).add(edit.seconds).add(edit.year).add(static_cast<int>(edit.organ));
     for (const glm::dvec3& v : {edit.rotation, edit.direction, edit.centre, edit.offset})
         add(hash, v);
     hash.add(static_cast<int>(edit.shape.kind));
@@ -89,6 +89,16 @@ void add(StageHash& hash, const TreeEdit& edit)
     hash.add(edit.version);
 }
 
+/// What the history of a growing tree is made from beside its parameters.
+std::uint64_t lifeHash(std::uint64_t before, const NodeParams& params)
+{
+    StageHash hash(before);
+    hash.add(historyYears(params)).add(params.growth.space.hash);
+    for (const GrowthCut& cut : growthCuts(params))
+        hash.add(cut.axis).add(cut.share).add(cut.age).add(cut.edit);
+    return hash.value();
+}
+
 } // namespace
 
 StageHashes::StageHashes(const NodeParams& params)
@@ -105,8 +115,7 @@ StageHashes::StageHashes(const NodeParams& params)
         of(def.stage) = hash.value();
     }
     if (params.generator.kind == TreeGenerator::Growth)
-        of(Stage::Symbols) =
-            StageHash(of(Stage::Symbols)).add(historyYears(params)).add(params.growth.space.hash).value();
+        of(Stage::Symbols) = lifeHash(of(Stage::Symbols), params);
     if (params.generator.kind == TreeGenerator::Colonisation && params.colonisation.space.hash != 0)
         of(Stage::Skeleton) = StageHash(of(Stage::Skeleton)).add(params.colonisation.space.hash).value();
     // So far each has its own parameters alone: now what comes before it too.

@@ -78,7 +78,7 @@ bool areSettled(const EditReport& report, std::span<const TreeEdit> steps)
         const bool isIdle =
             outcome.state == EditState::Idle && infoOf(step.operation).group != StepGroup::Hand;
         return isIdle || outcome.state == EditState::ByAddress || outcome.state == EditState::Off ||
-               outcome.state == EditState::Frozen;
+               outcome.state == EditState::Frozen || outcome.state == EditState::Waits;
     });
 }
 

@@ -104,7 +104,7 @@ public:
             wanted.push_back(&into);
         };
         for (std::size_t i = 0; i < edits.size(); ++i)
-            if (edits[i].enabled) {
+            if (edits[i].enabled && !tree.livedWith(edits[i].id)) {
                 want(edits[i].target, m_targets[i]);
                 want(edits[i].other, m_others[i]);
             }
@@ -142,6 +142,8 @@ private:
     EditOutcome done(std::size_t i)
     {
         const TreeEdit& edit = m_edits[i];
+        if (const LivedEdit* lived = m_tree.livedWith(edit.id))
+            return outcomeOf(edit, lived->state);
         EditOutcome outcome{edit.id, EditState::ByAddress};
         const Index target = axisOf(edit.target, m_targets[i], outcome);
         const Index other = axisOf(edit.other, m_others[i], outcome);
@@ -160,6 +162,16 @@ private:
         return outcome;
     }
 
+    [[nodiscard]] static EditOutcome outcomeOf(const TreeEdit& edit, LivedEdit::State state)
+    {
+        if (state == LivedEdit::State::Waits)
+            return {edit.id, EditState::Waits, {}, edit.target.address};
+        if (state == LivedEdit::State::Made)
+            return {edit.id, EditState::ByAddress, {}, edit.target.address};
+        return {edit.id, EditState::Unplaced,
+                fail(ErrorCode::Unknown, RAMURE_NOOP("the limb did not stand when the tree was of that age"))
+                    .value()};
+    }
     /// Of a tree whose axes are called by where they stand on others.
     Index placed(const EditTarget& target, const GrownPlace& grown, EditOutcome& outcome) const
     {

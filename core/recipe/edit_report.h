@@ -11,6 +11,7 @@ namespace ramure {
 enum class EditState : std::uint8_t {
     Off,        ///< switched off: nobody looked for its place
     Frozen,     ///< did not run: a later step holds what it made
+    Waits,      ///< of a later age of the tree
     ByAddress,  ///< acts where it was made
     ByLikeness, ///< acts on what looks like it
     Unplaced,   ///< there is nothing like it

@@ -15,6 +15,7 @@ constexpr double sameSpot = 1e-3;
 EditTree::EditTree(const Skeleton& grown, const TreeAxes& axes, std::uint64_t seed)
     : m_pieces(grown.size())
     , m_axes(axes.axes.size())
+    , m_lived(grown.lived)
     , m_grownAxes(static_cast<Index>(axes.axes.size()))
     , m_hasOwnAddresses(!grown.axisStarts.empty())
     , m_seed(seed)
@@ -49,6 +50,12 @@ EditTree::EditTree(const Skeleton& grown, const TreeAxes& axes, std::uint64_t se
         m_head = 0;
         m_tail = m_size - 1;
     }
+}
+
+const LivedEdit* EditTree::livedWith(std::uint64_t edit) const
+{
+    const auto found = std::ranges::find(m_lived, edit, &LivedEdit::edit);
+    return found == m_lived.end() ? nullptr : &*found;
 }
 
 Index EditTree::axisAt(std::uint64_t address) const

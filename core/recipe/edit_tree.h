@@ -63,6 +63,8 @@ public:
     EditTree(const Skeleton& grown, const TreeAxes& axes, std::uint64_t seed = 0);
 
     [[nodiscard]] std::uint64_t seed() const { return m_seed; }
+    /// Null: the edit is not of the life of the tree.
+    [[nodiscard]] const LivedEdit* livedWith(std::uint64_t edit) const;
     /// Whether the skeleton that it began with names its axes itself: their addresses hold, whatever stands
     /// where on them by now.
     [[nodiscard]] bool hasOwnAddresses() const { return m_hasOwnAddresses; }
@@ -185,6 +187,7 @@ private:
     std::vector<EditAxis> m_axes;
     std::vector<EditOrganSeat> m_organs;             ///< by piece
     std::unordered_map<std::uint64_t, Index> m_made; ///< axes that edits made, by address
+    std::vector<LivedEdit> m_lived;
     std::vector<bool> m_meant;
     Index m_grownAxes = 0;
     bool m_hasOwnAddresses = false;

@@ -40,6 +40,19 @@ struct LooseLimb
     bool operator==(const LooseLimb&) const = default;
 };
 
+/// An edit that the generator has lived with (growth): it is in the tree already, and nobody makes it again.
+struct LivedEdit
+{
+    enum class State : std::uint8_t {
+        Made,   ///< the tree is as it left it, and has answered
+        Waits,  ///< the tree is younger than at the edit
+        Missed, ///< what it is of was not there at that age
+    };
+    std::uint64_t edit = 0; ///< TreeEdit::id
+    State state = State::Made;
+    bool operator==(const LivedEdit&) const = default;
+};
+
 /// Invariants: all arrays have one length; parent[i] < i or noIndex (a root); a child starts at its parent's
 /// p1.
 struct Skeleton
@@ -61,6 +74,7 @@ struct Skeleton
     std::vector<Index> bare;      ///< branches on which no leaf and no fruit grows by itself, ascending
     std::vector<Index> sawn;      ///< branches whose end was cut, ascending: it is flat
     std::vector<LooseLimb> loose; ///< ascending by their roots
+    std::vector<LivedEdit> lived; ///< of a tree as it has grown
 
     [[nodiscard]] Index size() const { return static_cast<Index>(parent.size()); }
     [[nodiscard]] bool empty() const { return parent.empty(); }

@@ -9,6 +9,7 @@
 #include "tests/support/suite.h"
 #include "tests/widgets/tree_document.h"
 #include "widgets/panels/presets/picture_button.h"
+#include <QCheckBox>
 #include <QLabel>
 #include <QPushButton>
 
@@ -123,6 +124,31 @@ private slots:
         QVERIFY(document.scene().find(tree)->params == expected);
         document.undo();
         QCOMPARE(document.scene().find(tree)->params.grammar.seed, chosen);
+    }
+    void grownTreesAreOfferedAtThreeAges()
+    {
+        test::TreeDocument trees;
+        Document& document = trees.document();
+        SeedsDialog dialog(&document, nullptr);
+        dialog.offerNew(*presetTree("SilverBirch1995"));
+        QVERIFY(dialog.agesBox()->isHidden());
+        const Node like = *presetTree("SilverBirch");
+        const auto ages = std::ranges::find(presets(), std::string_view("SilverBirch"), &Preset::name)->ages;
+        dialog.offerNew(like);
+        QVERIFY(!dialog.agesBox()->isHidden());
+        dialog.agesBox()->setChecked(true);
+        QCOMPARE(dialog.seedOf(3), dialog.seedOf(5));
+        QVERIFY(dialog.seedOf(2) != dialog.seedOf(3));
+        dialog.choices()[5]->click();
+        NodeParams expected = reseeded(like.params, dialog.seedOf(5));
+        expected.growth.age = ages[2];
+        QVERIFY(document.scene().nodes().front().params == expected);
+        const NodeId tree = document.scene().nodes().front().id;
+        dialog.offerFor(tree);
+        dialog.choices()[0]->click();
+        QCOMPARE(document.scene().find(tree)->params.growth.age, double(ages[0]));
+        document.undo();
+        QVERIFY(document.scene().find(tree)->params == expected);
     }
     void aTreeWithoutChanceSaysThatOnlyLeavesVary()
     {

@@ -10,10 +10,11 @@
 
 namespace ramure::growth {
 
-bool GrowingTree::cut(const GrowthCuts& cuts, int age)
+bool GrowingTree::cut(int age)
 {
     bool isCut = false;
-    for (const GrowthCut& cut : cuts) {
+    for (std::size_t c = 0; c < m_history.cuts.size(); ++c) {
+        const GrowthCut& cut = m_history.cuts[c];
         if (cut.age != age)
             continue;
         const auto found = std::ranges::find(m_history.axisAddress, cut.axis);
@@ -24,6 +25,7 @@ bool GrowingTree::cut(const GrowthCuts& cuts, int age)
         for (Index i = 0; i < living(); ++i)
             if (m_nodes[i].axis == axis)
                 whole += double(m_poses[i].length);
+        m_history.isMade[c] = whole > 0.0;
         double below = 0.0;
         for (Index i = 0; i < living(); ++i) {
             if (m_nodes[i].axis != axis)

@@ -39,8 +39,8 @@ public:
     bool gatherLight(const YearFactors& factors);
     void shareVigour(const YearFactors& factors);
     void growShoots(const YearFactors& factors);
-    /// Marks those of \p age for the shedding. \return whether there are any
-    bool cut(const GrowthCuts& cuts, int age);
+    /// Marks what cuts of \p age take for the shedding. \return whether there is any
+    bool cut(int age);
     void shed(const YearFactors& factors);
     /// From now on all but what stands where something was cut shares the life of this tree.
     void follow(const GrowthHistory& uncut);

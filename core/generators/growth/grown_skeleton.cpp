@@ -24,7 +24,19 @@ public:
         choose();
         pose();
         smooth();
+        findStumps();
         draw();
+        // Where a shoot took over, the end is hidden.
+        std::erase_if(m_skeleton.sawn,
+                      [this](Index branch) { return std::ranges::count(m_skeleton.parent, branch) > 0; });
+        for (std::size_t c = 0; c < m_history.cuts.size(); ++c) {
+            const GrowthCut& cut = m_history.cuts[c];
+            if (cut.edit == 0)
+                continue;
+            m_skeleton.lived.push_back({cut.edit, cut.age > m_whole     ? LivedEdit::State::Waits
+                                                  : m_history.isMade[c] ? LivedEdit::State::Made
+                                                                        : LivedEdit::State::Missed});
+        }
         return std::move(m_skeleton);
     }
 
@@ -129,6 +141,18 @@ private:
         }
     }
 
+    /// Axes that were cut so lately that the wound is open.
+    void findStumps()
+    {
+        constexpr int years = 5;
+        for (std::size_t c = 0; c < m_history.cuts.size(); ++c) {
+            const GrowthCut& cut = m_history.cuts[c];
+            if (m_history.isMade[c] && cut.share < 1.0 && cut.age <= m_whole && m_whole < cut.age + years)
+                m_stumps.push_back(Index(std::ranges::find(m_history.axisAddress, cut.axis) -
+                                         m_history.axisAddress.begin()));
+        }
+    }
+
     /// A branch from the last node that was kept to this one; what starts at nodes that are left out starts
     /// at the one before.
     void draw()
@@ -186,12 +210,15 @@ private:
         double end = std::max(piece.side, 0.6 * piece.radius);
         if (piece.next != noIndex)
             end = std::max(m_pieces[piece.next].radius, 0.6 * piece.radius);
-        end = std::min(end, start);
+        const bool isStump = piece.next == noIndex && std::ranges::count(m_stumps, axis) > 0;
+        end = std::min(isStump ? piece.radius : end, start);
         const Index branch = m_skeleton.add(below, from, piece.at, start, end, h.axisOrder[axis]);
         m_axes.push_back(axis);
         m_skeleton.key[branch] = mixBits(h.axisAddress[axis] + 0x9E3779B97F4A7C15ull * (piece.metamer + 1));
         if (!goesOn)
             m_skeleton.axisStarts.emplace_back(branch, h.axisAddress[axis]);
+        if (isStump)
+            m_skeleton.sawn.push_back(branch);
         m_branch[k] = branch;
     }
     [[nodiscard]] Index axisOf(Index branch) const { return m_axes[branch]; }
@@ -203,7 +230,8 @@ private:
     std::vector<double> m_bends, m_grown;
     std::vector<Index> m_branch; ///< by piece: that ends at it or before
     std::vector<bool> m_out;
-    std::vector<Index> m_axes; ///< by branch
+    std::vector<Index> m_axes;   ///< by branch
+    std::vector<Index> m_stumps; ///< axes
     Skeleton m_skeleton;
 };
 

@@ -85,23 +85,23 @@ std::size_t GrowthHistory::bytes() const
 
 struct GrowthRun::State
 {
-    State(const GrowthParams& params, std::uint64_t seed, GrowthCuts all)
-        : history(seedOf(params, seed))
+    State(const GrowthParams& params, std::uint64_t seed, GrowthCuts cuts)
+        : history(seedOf(params, seed, std::move(cuts)))
         , tree(history, seed)
-        , cuts(std::move(all))
     {
     }
-    static GrowthHistory seedOf(const GrowthParams& params, std::uint64_t seed)
+    static GrowthHistory seedOf(const GrowthParams& params, std::uint64_t seed, GrowthCuts cuts)
     {
         GrowthHistory history;
         history.params = params;
         history.seed = seed;
+        history.isMade.assign(cuts.size(), false);
+        history.cuts = std::move(cuts);
         history.rowStart = {0, 0}; // nothing stands at age 0
         return history;
     }
     GrowthHistory history;
     GrowingTree tree;
-    GrowthCuts cuts;
     std::optional<GrowthRun> uncut; ///< where there are cuts: what the others live like
     bool follows = false;           ///< something was cut
     int dark = 0;                   ///< years without light
@@ -124,7 +124,7 @@ Expected<GrowthRun> GrowthRun::begin(const GrowthParams& params, std::uint64_t s
     auto state = std::make_unique<State>(params, seed, std::move(cuts));
     if (auto found = state->tree.findRoom(progress); !found)
         return fail(std::move(found.error()));
-    if (!state->cuts.empty()) {
+    if (!state->history.cuts.empty()) {
         auto uncut = begin(params, seed, {}, progress);
         RAMURE_TRY(uncut);
         state->uncut.emplace(std::move(*uncut));
@@ -155,7 +155,7 @@ Expected<void> GrowthRun::growTo(double age, const Progress& progress)
         m_state->dark = year > 0 && tree.seen().light <= 0.0 ? m_state->dark + 1 : 0;
         tree.shareVigour(factors);
         tree.growShoots(factors);
-        const bool isCut = tree.cut(m_state->cuts, year + 1);
+        const bool isCut = tree.cut(year + 1);
         tree.shed(factors);
         constexpr int starves = 3;
         if (m_state->dark >= starves || tree.empty()) {

@@ -26,6 +26,7 @@ struct GrowthCut
     std::uint64_t axis = 0; ///< address, see GrowthHistory::axisAddress
     double share = 0.0;     ///< of the axis's length that stays; the first internode of a trunk always does
     int age = 0;            ///< of the tree, in years: at this age and above the limb is not there
+    std::uint64_t edit = 0; ///< TreeEdit::id of what asks for it
     bool operator==(const GrowthCut&) const = default;
 };
 /// Their order changes nothing. Cuts of axes that do not stand at that age do nothing.
@@ -66,6 +67,9 @@ struct GrowthHistory
     std::vector<std::size_t> rowStart;
     std::vector<std::uint16_t> pipes; ///< see pipesOf()
     std::vector<std::int16_t> bends;  ///< 1e-4 rad, down about the horizontal at birth; since birth
+
+    GrowthCuts cuts;          ///< that were asked for
+    std::vector<bool> isMade; ///< by cut: its axis stood at that age
 
     std::vector<GrowthYear> years;
     /// The age at which nothing lived any more; 0: it lives.

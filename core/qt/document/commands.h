@@ -164,9 +164,6 @@ Expected<void> wearMesh(Document& document, NodeId arm, NodeId mesh, bool fitted
 /// trees, and trees in which chance has no say (core/generators/variety.h), are left out; error where
 /// no tree remains.
 Expected<void> newTree(Document& document, const std::vector<NodeId>& nodes);
-/// Grows one tree from this seed, branches and leaves, also where it had no chance. Errors: those of editable
-/// nodes; Invalid (no tree).
-Expected<void> reseedTree(Document& document, NodeId tree, std::int64_t seed);
 /// Tracks of any channels of any nodes as one step: every edit of keys (insert, remove, drag, paste, modes,
 /// extrapolation) is made on copies of the tracks and set with this. While a gesture goes on, the dragged
 /// tracks are given again from the ones before the gesture. Of a channel named twice the last counts. Errors:

@@ -188,18 +188,6 @@ void addSeed(std::vector<ParamEntry>& entries, const Node& tree, std::int64_t se
 }
 } // namespace
 
-Expected<void> edit::reseedTree(Document& document, NodeId tree, std::int64_t seed)
-{
-    const auto ids = editable(document.scene(), {tree});
-    RAMURE_TRY(ids);
-    if (ids->empty() || document.scene().find(tree)->kind != NodeKind::Tree)
-        return fail(ErrorCode::Invalid, RAMURE_NOOP("there is no tree that could be drawn anew"));
-    std::vector<ParamEntry> entries;
-    addSeed(entries, *document.scene().find(tree), seed);
-    pushSet<ParamTarget>(document, std::move(entries), DocumentCommand::tr("New tree"));
-    return {};
-}
-
 Expected<void> edit::newTree(Document& document, const std::vector<NodeId>& nodes)
 {
     std::vector<NodeId> trees;

@@ -1,11 +1,13 @@
 #include "core/generators/growth/grown_skeleton.h"
 #include "core/math/angle.h"
 #include "core/presets/species.h"
+#include "core/skeleton/axes.h"
 #include "tests/support/suite.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <string_view>
 #include <vector>
@@ -45,6 +47,31 @@ GrowthParams paramsOf(const GrownSpecies& species)
     GrowthParams params = species.growth;
     params.axil *= oneDegree;
     return params;
+}
+
+/// Of the ends of branches, from the same axis of the other tree.
+double largestMove(const Skeleton& before, const Skeleton& after)
+{
+    const TreeAxes from = axesOf(before), to = axesOf(after);
+    std::map<std::uint64_t, Index> axes;
+    for (Index a = 0; a < to.axes.size(); ++a)
+        axes.emplace(to.axes[a].address, a);
+    double largest = 0.0;
+    for (Index a = 0; a < from.axes.size(); ++a) {
+        const auto same = axes.find(from.axes[a].address);
+        if (same == axes.end()) // what it grows on has become too thick to show it
+            continue;
+        for (const Index i : from.nodesOf(a)) {
+            double nearest = std::numeric_limits<double>::max();
+            for (const Index j : to.nodesOf(same->second)) {
+                const glm::dvec3 way = after.p1[j] - after.p0[j], p = before.p1[i] - after.p0[j];
+                const double t = std::clamp(glm::dot(p, way) / glm::dot(way, way), 0.0, 1.0);
+                nearest = std::min(nearest, glm::length(p - t * way));
+            }
+            largest = std::max(largest, nearest);
+        }
+    }
+    return largest;
 }
 
 double median(std::vector<double> values)
@@ -133,6 +160,25 @@ class TestGrownSpecies : public QObject
     Q_OBJECT
 private slots:
     void init() { test::failOnAnyWarning(); }
+
+    /// From month to month nothing jumps, as long as nothing is shed.
+    void agesFlow()
+    {
+        constexpr double most = 0.005; // of the height
+        for (const GrownSpecies& species : grownSpecies()) {
+            GrowthParams params = paramsOf(species);
+            const double mature = double(species.ages[1]);
+            params.age = mature + 1.0;
+            const auto history = growHistory(params, 1);
+            QVERIFY(history);
+            Skeleton before = skeletonAtAge(*history, mature);
+            for (int month = 1; month < 12; ++month) {
+                const Skeleton after = skeletonAtAge(*history, mature + month / 12.0);
+                QVERIFY2(largestMove(before, after) <= most * params.height, species.name);
+                before = after;
+            }
+        }
+    }
 
     void everySpeciesHasItsFacts()
     {

@@ -9,15 +9,28 @@
 #include "widgets/base/texts/preset_title.h"
 #include "widgets/panels/presets/picture_button.h"
 #include "widgets/panels/presets/preset_gallery.h"
+#include <QCheckBox>
 #include <QDialogButtonBox>
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <algorithm>
+#include <cmath>
 
 namespace ramure {
 namespace {
 
 constexpr int columns = 3;
+
+/// Years: young, mature and old, of a species as it ships.
+std::array<double, 3> agesOf(const Node& tree)
+{
+    const auto preset = std::ranges::find(presets(), std::string_view(tree.preset), &Preset::name);
+    if (preset != presets().end() && preset->ages[0] > 0)
+        return {double(preset->ages[0]), double(preset->ages[1]), double(preset->ages[2])};
+    const double mature = std::max(std::round(tree.params.growth.maturity), 2.0);
+    return {std::ceil(0.3 * mature), mature, 2.0 * mature};
+}
 
 } // namespace
 
@@ -25,6 +38,7 @@ SeedsDialog::SeedsDialog(Document* document, QWidget* parent)
     : QDialog(parent)
     , m_document(document)
     , m_hint(new QLabel(this))
+    , m_agesBox(new QCheckBox(tr("At three &ages"), this))
 {
     setObjectName(QStringLiteral("seeds"));
     m_hint->setWordWrap(true);
@@ -38,10 +52,14 @@ SeedsDialog::SeedsDialog(Document* document, QWidget* parent)
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     m_other = buttons->addButton(tr("Nine &others"), QDialogButtonBox::ActionRole);
     m_other->setAutoDefault(false);
+    m_agesBox->setToolTip(tr("Three seeds, each young, mature and old"));
+    connect(m_agesBox, &QCheckBox::toggled, this,
+            [this] { begin(m_like.params.grammar.seed + 1, m_hasNames); });
     connect(m_other, &QPushButton::clicked, this, [this] { begin(seedOf(count - 1) + 1, false); });
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(m_hint);
+    layout->addWidget(m_agesBox);
     layout->addLayout(grid);
     layout->addWidget(buttons);
     layout->setSizeConstraint(QLayout::SetFixedSize);
@@ -66,9 +84,16 @@ void SeedsDialog::offer(const Node& like)
 {
     m_like = like;
     const auto preset = presetParams(like.preset);
-    const bool grownAsItShips = preset && preset->weberPenn == like.params.weberPenn &&
-                                preset->colonisation == like.params.colonisation;
-    begin(like.params.grammar.seed + 1, grownAsItShips && namedSeeds(like.preset));
+    NodeParams asItShips = preset.value_or(NodeParams());
+    asItShips.growth.age = like.params.growth.age;
+    m_hasNames = preset && asItShips.weberPenn == like.params.weberPenn &&
+                 asItShips.colonisation == like.params.colonisation &&
+                 asItShips.growth == like.params.growth && namedSeeds(like.preset);
+    m_ages = agesOf(like);
+    m_agesBox->setVisible(like.params.generator.kind == TreeGenerator::Growth);
+    if (m_agesBox->isHidden())
+        m_agesBox->setChecked(false);
+    begin(like.params.grammar.seed + 1, m_hasNames);
     show();
     raise();
     activateWindow();
@@ -78,9 +103,19 @@ void SeedsDialog::offer(const Node& like)
 std::int64_t SeedsDialog::seedOf(int choice) const
 {
     constexpr int named = int(namedSeedCount);
+    if (m_agesBox->isChecked())
+        choice /= columns;
     if (!m_named)
         return m_first + choice;
     return choice < named ? (*namedSeeds(m_like.preset))[std::size_t(choice)] : m_first + choice - named;
+}
+
+Variation SeedsDialog::variationOf(int choice) const
+{
+    Variation variation{seedOf(choice), {}};
+    if (m_agesBox->isChecked())
+        variation.values.emplace_back(findParam("growth.age"), m_ages[std::size_t(choice % columns)]);
+    return variation;
 }
 
 void SeedsDialog::begin(std::int64_t first, bool named)
@@ -100,7 +135,8 @@ void SeedsDialog::drawNext()
     if (m_drawn == count)
         return;
     const QSize size = m_choices.front()->pictureSize() * devicePixelRatioF();
-    m_pictures.draw(reseeded(m_like.params, seedOf(m_drawn)), size, [this](Expected<QImage>&& made) {
+    const auto params = variedParams(m_like.params, variationOf(m_drawn));
+    m_pictures.draw(params.value_or(m_like.params), size, [this](Expected<QImage>&& made) {
         if (!made) { // the others would not fare better
             m_problem = errorText(made.error());
             return showTexts();
@@ -115,12 +151,16 @@ void SeedsDialog::choose(int choice)
 {
     m_problem.clear();
     std::optional<Error> problem;
+    const Variation chosen = variationOf(choice);
     if (m_tree == noNode) {
         Node tree = m_like;
-        tree.params = reseeded(std::move(tree.params), seedOf(choice));
+        tree.params = variedParams(m_like.params, chosen).value_or(m_like.params);
         if (auto planted = edit::plantNode(*m_document, std::move(tree)); !planted)
             problem = std::move(planted.error());
-    } else if (auto given = edit::reseedTree(*m_document, m_tree, seedOf(choice)); !given) {
+    } else if (auto given =
+                   edit::setParams(*m_document, {m_tree}, valuesOf(m_like.params, chosen, paramsOf({chosen})),
+                                   tr("Give the tree seed %1").arg(chosen.seed));
+               !given) {
         problem = std::move(given.error());
     }
     if (problem)
@@ -145,10 +185,18 @@ void SeedsDialog::showTexts()
                         : choose + chance);
     m_hint->setMinimumHeight(2 * fontMetrics().lineSpacing());
     for (int i = 0; i < count; ++i)
-        m_choices[std::size_t(i)]->setText(
-            m_named && i < int(namedSeedCount)
-                ? tr("Seed %1: %2", "2: tall, wide …").arg(seedOf(i)).arg(coreText(seedNames[std::size_t(i)]))
-                : tr("Seed %1").arg(seedOf(i)));
+        m_choices[std::size_t(i)]->setText(textOf(i));
+}
+
+QString SeedsDialog::textOf(int choice) const
+{
+    const auto seed = std::size_t(m_agesBox->isChecked() ? choice / columns : choice);
+    if (m_agesBox->isChecked())
+        return tr("Seed %1, %n year(s)", "2, 40 years", int(m_ages[std::size_t(choice % columns)]))
+            .arg(seedOf(choice));
+    return m_named && seed < namedSeedCount
+               ? tr("Seed %1: %2", "2: tall, wide …").arg(seedOf(choice)).arg(coreText(seedNames[seed]))
+               : tr("Seed %1").arg(seedOf(choice));
 }
 
 /// Nobody sees what is not drawn yet.

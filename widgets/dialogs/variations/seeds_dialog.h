@@ -3,10 +3,12 @@
 #pragma once
 
 #include "core/qt/document/document.h"
+#include "core/qt/session/jobs/variations.h"
 #include "widgets/view/tree_pictures.h"
 #include <QDialog>
 #include <array>
 
+class QCheckBox;
 class QLabel;
 class QPushButton;
 
@@ -26,11 +28,13 @@ public:
 
     /// A choice adds a tree like \p like, whose id does not count.
     void offerNew(const Node& like);
-    /// A choice gives this tree another seed.
+    /// A choice gives this tree another seed, and where they show three ages an age.
     void offerFor(NodeId tree);
     [[nodiscard]] std::int64_t seedOf(int choice) const;
     [[nodiscard]] const std::array<PictureButton*, count>& choices() const { return m_choices; }
     [[nodiscard]] QPushButton* otherButton() const { return m_other; }
+    /// Three seeds, each young, mature and old; hidden of trees that have no age.
+    [[nodiscard]] QCheckBox* agesBox() const { return m_agesBox; }
     /// How many of the pictures are drawn.
     [[nodiscard]] int drawn() const { return m_drawn; }
 
@@ -40,6 +44,8 @@ protected:
 private:
     void offer(const Node& like);
     void begin(std::int64_t first, bool named);
+    [[nodiscard]] Variation variationOf(int choice) const;
+    [[nodiscard]] QString textOf(int choice) const;
     void drawNext();
     void choose(int choice);
     void showTexts();
@@ -49,10 +55,13 @@ private:
     NodeId m_tree = noNode;   ///< whose seed is chosen; none: trees are added
     std::int64_t m_first = 1; ///< of those that follow one another
     bool m_named = false;     ///< those that have a name stand before them
+    bool m_hasNames = false;  ///< the tree is one of those that seeds are named for
+    std::array<double, 3> m_ages{};
     int m_drawn = 0;
     QString m_problem;
     std::array<PictureButton*, count> m_choices{};
     QLabel* m_hint;
+    QCheckBox* m_agesBox;
     QPushButton* m_other;
     TreePictures m_pictures;
 };

@@ -27,7 +27,7 @@ QString percent(double share)
 
 } // namespace
 
-QString editText(const TreeEdit& edit)
+static QString plainText(const TreeEdit& edit)
 {
     const EditOperationInfo& info = infoOf(edit.operation);
     const QString name = coreText(info.label);
@@ -43,6 +43,13 @@ QString editText(const TreeEdit& edit)
     if (edit.operation == EditOperation::Leaves)
         return edit.shown ? RecipeModel::tr("Leaves on") : RecipeModel::tr("Leaves off");
     return name;
+}
+
+QString editText(const TreeEdit& edit)
+{
+    return edit.year > 0.0 ? RecipeModel::tr("%1, in year %2", "an edit and the age of the tree")
+                                 .arg(plainText(edit), QLocale().toString(edit.year, 'f', 0))
+                           : plainText(edit);
 }
 
 QString sourceText(const NodeParams& params)
@@ -367,6 +374,7 @@ QVariant RecipeModel::stepData(int place, int column, int role) const
     const bool isByHand =
         infoOf(edit.operation).group == StepGroup::Hand && edit.operation != EditOperation::Frozen;
     const bool lost = edit.enabled && isLost(place);
+    const bool waits = outcome(place) && outcome(place)->state == EditState::Waits;
     switch (role) {
     case Qt::DisplayRole:
         if (column == Name)
@@ -387,7 +395,7 @@ QVariant RecipeModel::stepData(int place, int column, int role) const
     case Qt::TextAlignmentRole:
         return column == Time ? QVariant(int(Qt::AlignRight | Qt::AlignVCenter)) : QVariant();
     case Qt::ForegroundRole:
-        return edit.enabled && !lost && !isFrozen(place)
+        return edit.enabled && !lost && !waits && !isFrozen(place)
                    ? QVariant()
                    : QApplication::palette().brush(QPalette::PlaceholderText);
     case Qt::ToolTipRole:
@@ -397,6 +405,8 @@ QVariant RecipeModel::stepData(int place, int column, int role) const
                             : tr("It changes nothing now: %1").arg(errorText(outcome(place)->why));
         if (isFrozen(place))
             return tr("It does not run: a step below holds what it has made");
+        if (waits)
+            return tr("The tree is younger: it acts from the year %1 on").arg(edit.year);
         if (*infoOf(edit.operation).tip != '\0')
             return coreText(infoOf(edit.operation).tip);
         return edit.name.empty() ? limb : editText(edit);

@@ -1,5 +1,6 @@
 #include "widgets/panels/recipe/recipe_panel.h"
 
+#include "core/generators/grow_tree.h"
 #include "core/params/tree_edit_table.h"
 #include "core/qt/document/commands.h"
 #include "core/recipe/axis_filter.h"
@@ -276,6 +277,31 @@ void RecipePanel::freeze()
         report(edit::freezeTree(*m_document, m_model->tree(), m_model->idAt(places.back())));
 }
 
+/// Whether later years of a growing tree answer the chosen cuts.
+void RecipePanel::addAnswer(QMenu& menu)
+{
+    const Node* node = m_document->scene().find(m_model->tree());
+    const double age = node ? growthYears(node->params) : 0.0;
+    std::vector<TreeEdit> edits = node ? node->params.edits : std::vector<TreeEdit>();
+    const auto ids = selectedIds();
+    std::vector<TreeEdit*> chosen;
+    for (TreeEdit& edit : edits)
+        if (canLiveOn(edit) && std::ranges::count(ids, edit.id) > 0)
+            chosen.push_back(&edit);
+    if (age <= 0.0 || chosen.empty())
+        return;
+    const bool all = std::ranges::all_of(chosen, [](const TreeEdit* edit) { return edit->year > 0.0; });
+    for (TreeEdit* edit : chosen)
+        edit->year = all ? 0.0 : edit->year > 0.0 ? edit->year : age;
+    QAction* answer = menu.addAction(tr("The tree answers in later years"), this, [this, edits, all] {
+        report(
+            edit::setTreeEdits(*m_document, m_model->tree(), edits,
+                               all ? tr("Cut the tree as it has grown") : tr("Let the tree answer a cut")));
+    });
+    answer->setCheckable(true);
+    answer->setChecked(all);
+}
+
 void RecipePanel::fillCopyMenu()
 {
     m_copyMenu->clear();
@@ -330,6 +356,7 @@ void RecipePanel::showMenu(const QPoint& at)
                        &RecipePanel::removeSelected);
     else
         addFreeze();
+    addAnswer(menu);
     menu.addSeparator();
     menu.addAction(m_up->icon(), tr("Earlier"), this, [this] { moveCurrent(-1); })
         ->setEnabled(m_up->isEnabled());

@@ -37,6 +37,7 @@ public slots:
     void moveCurrent(int rows); ///< up where negative
     void selectBranches();      ///< of the selected edits, in the document
     void freeze();              ///< what the current row and those above it have made
+    void addAnswer(QMenu& menu);
 
 signals:
     void messageRaised(const QString& text);

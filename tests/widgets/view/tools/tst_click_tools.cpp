@@ -26,6 +26,7 @@ private slots:
     void aClickThatFindsNothingIsKeptUntilTheTreeIsThere();
     void aLimbIsRemoved();
     void ofSeveralSelectedAllGo();
+    void aGrowingTreeAnswers();
     void onlyTheLimbIsKept();
     void leavesGoAndComeBack();
     void theWheelTakesTheLimbThatATwigGrowsOn();
@@ -193,6 +194,31 @@ void TestClickTools::ofSeveralSelectedAllGo()
     for (std::size_t i = 0; i < bench.edits().size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
             QVERIFY(bench.edits()[i].target.address != bench.edits()[j].target.address);
+}
+
+void TestClickTools::aGrowingTreeAnswers()
+{
+    HandBench bench(HandTool::Remove, 1, "OrchardApple");
+    QVERIFY(edit::setParam(bench.document, {1}, *findParam("growth.age"), 9.5));
+    QVERIFY(edit::setParam(bench.document, {1}, *findParam("foliage.leavesDensity"), std::int64_t(0)));
+    bench.grow();
+    const int steps = bench.document.undoStack()->count();
+    const Index twig = bench.twig();
+    QVERIFY(twig != noIndex);
+    bench.click(bench.on(twig));
+    QCOMPARE(bench.edits().size(), std::size_t(1));
+    QCOMPARE(bench.edits().front().year, 9.0);
+    QCOMPARE(bench.document.undoStack()->count(), steps + 1);
+    bench.grow();
+    QCOMPARE(bench.document.result(1)->tree.edits->front().state, EditState::ByAddress);
+    // What falls hangs on its stump until then.
+    bench.hand.setTool(HandTool::Cut);
+    HandOptions options = bench.hand.options();
+    options.falls = true;
+    bench.hand.setOptions(options);
+    bench.click(bench.on(bench.twig()));
+    QCOMPARE(bench.edits().size(), std::size_t(2));
+    QCOMPARE(bench.edits().back().year, 0.0);
 }
 
 void TestClickTools::onlyTheLimbIsKept()

@@ -1,5 +1,6 @@
 #include "widgets/view/tools/hand/hand_edit.h"
 
+#include "core/generators/grow_tree.h"
 #include "widgets/view/tools/hand/turned_limb.h"
 #include <algorithm>
 #include <cmath>
@@ -137,8 +138,24 @@ Expected<void> HandEdit::show()
     return {};
 }
 
+/// While the hand moves the tree does not grow anew. \return whether there was anything to answer
+bool HandEdit::liveOn()
+{
+    const Node* node = m_document.scene().find(m_node);
+    const double age = node ? growthYears(node->params) : 0.0;
+    bool any = false;
+    for (TreeEdit& edit : m_edits)
+        if (canLiveOn(edit) && age > 0.0) {
+            edit.year = age;
+            any = true;
+        }
+    return any;
+}
+
 void HandEdit::keep()
 {
+    if (m_gesture != 0 && liveOn())
+        show(); // what can be shown once can be shown again
     m_document.keepGesture(m_gesture);
     m_gesture = 0;
 }

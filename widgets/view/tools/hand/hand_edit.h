@@ -46,11 +46,13 @@ public:
     /// The document gets the edits. Errors: those of edit::putTreeEdits.
     Expected<void> show();
 
+    /// What was cut from a growing tree becomes part of its life: later years answer it.
     void keep();
     void cancel(); ///< everything as it was
 
 private:
     HandEdit(Document& document, NodeId tree, const TreeResult& result, std::vector<TreeEdit> before);
+    bool liveOn();
 
     Document& m_document;
     NodeId m_node;
