@@ -8619,6 +8619,34 @@
         <source>the limb did not stand when the tree was of that age</source>
         <translation>la branche n’existait pas quand l’arbre avait cet âge</translation>
     </message>
+    <message>
+        <source>there is nothing that could grow on</source>
+        <translation>il n’y a rien qui puisse vivre encore</translation>
+    </message>
+    <message>
+        <source>the tree has died for want of light</source>
+        <translation>l’arbre est mort faute de lumière</translation>
+    </message>
+    <message>
+        <source>Grow on</source>
+        <translation>Vivre encore</translation>
+    </message>
+    <message>
+        <source>Years</source>
+        <translation>Années</translation>
+    </message>
+    <message>
+        <source>How many years the tree lives on.</source>
+        <translation>Combien d’années l’arbre vit encore.</translation>
+    </message>
+    <message>
+        <source>The tree lives some years longer: shoots look for light, shaded limbs fall</source>
+        <translation>L’arbre vit quelques années de plus : des pousses cherchent la lumière, les branches à l’ombre tombent</translation>
+    </message>
+    <message>
+        <source>a tree with a limb that is about to fall cannot grow on</source>
+        <translation>un arbre dont une branche va tomber ne peut pas vivre encore</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>

@@ -230,5 +230,6 @@ inline constexpr const char* gnarlGroup = RAMURE_NOOP("Gnarl");
 inline constexpr const char* deadWoodGroup = RAMURE_NOOP("Dead wood");
 inline constexpr const char* pipeGroup = RAMURE_NOOP("Pipe rule");
 inline constexpr const char* flareGroup = RAMURE_NOOP("Flare");
+inline constexpr const char* growOnGroup = RAMURE_NOOP("Grow on");
 
 } // namespace ramure::rows

@@ -75,6 +75,13 @@ struct FlareParams
     bool operator==(const FlareParams&) const = default;
 };
 
+/// The tree grows on.
+struct GrowOnParams
+{
+    double years = 10.0;
+    bool operator==(const GrowOnParams&) const = default;
+};
+
 struct StepParams
 {
     std::string where{}; ///< core/recipe/axis_filter.h; empty: every axis
@@ -85,6 +92,7 @@ struct StepParams
     DeadWoodParams deadWood;
     PipeParams pipe;
     FlareParams flare;
+    GrowOnParams growOn;
     bool operator==(const StepParams&) const = default;
 };
 

@@ -134,6 +134,11 @@ inline constexpr std::array stepRows{
         {"flare.height", flareGroup, RAMURE_NOOP("Height"),
          RAMURE_NOOP("How far up the swelling reaches: at this height a third of it is left.")},
         ParamUnit::Metre, {0.01, 100, 0.05, 3, 0.05, 3}, Stage::Skeleton, paramNone, stepOnly),
+
+    row<&NodeParams::step, &StepParams::growOn, &GrowOnParams::years>(
+        {"growOn.years", growOnGroup, RAMURE_NOOP("Years"),
+         RAMURE_NOOP("How many years the tree lives on.")},
+        ParamUnit::None, {0, 500, 0, 60, 1, 1}, Stage::Skeleton, paramNone, stepOnly),
 };
 // clang-format on
 

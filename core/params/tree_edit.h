@@ -41,6 +41,7 @@ enum class EditOperation : std::uint8_t {
     DeadWood,
     Pipe, ///< radii by the pipe rule
     Flare,
+    GrowOn, ///< the tree lives some years longer, whatever made it
     Grammar,
     WeberPenn,
     Colonisation,

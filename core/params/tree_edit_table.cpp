@@ -56,6 +56,13 @@ constexpr EditOperationInfo operations[] = {
      StepGroup::Modifier, RAMURE_NOOP("Wood is as thick as what it carries needs"), "step.where pipe."},
     {EditOperation::Flare, "flare", RAMURE_NOOP("Flare"), "target", "", 0, StepGroup::Modifier,
      RAMURE_NOOP("The foot of the trunk swells"), "step.where flare.", "order = 0"},
+    {EditOperation::GrowOn, "growOn", RAMURE_NOOP("Grow on"), "target", "", 0, StepGroup::Modifier,
+     RAMURE_NOOP("The tree lives some years longer: shoots look for light, shaded limbs fall"),
+     "step.seed growOn. growth.height growth.maturity growth.leaderUntil growth.crownBase growth.density "
+     "growth.internode growth.phyllotaxis growth.divergence growth.axil growth.whorl growth.endBuds "
+     "growth.acrotony growth.branching growth.shortShoots growth.orders growth.shadeTolerance "
+     "growth.shedding growth.light growth.apicalControl growth.sideLength growth.upright growth.weeping "
+     "growth.plagiotropy growth.wander growth.pipeExponent growth.tipRadius growth.droop growth.reaction"},
     {EditOperation::Grammar, "grammar", RAMURE_NOOP("Grammar"), "target", "", 0, StepGroup::Source,
      RAMURE_NOOP("Twigs or trees that rules draw"), "step. stand. grammar. turtle. variation.", "order = 1"},
     {EditOperation::WeberPenn, "weberPenn", RAMURE_NOOP("Weber and Penn"), "target", "", 0, StepGroup::Source,
@@ -273,6 +280,11 @@ TreeEdit newStep(EditOperation operation)
         params.generator.kind = TreeGenerator::WeberPenn;
     if (operation == EditOperation::Colonisation)
         params.generator.kind = TreeGenerator::Colonisation;
+    if (operation == EditOperation::GrowOn) {
+        params.generator.kind = TreeGenerator::Growth;
+        params.growth.shadeTolerance = 0.8; // what stands has borne its shade so far
+        params.growth.shedding = 0.2;
+    }
     if (operation == EditOperation::Growth) {
         params.generator.kind = TreeGenerator::Growth;
         params.growth.age = 8.0;

@@ -67,7 +67,7 @@ Expected<void> act(EditTree& tree, const TreeEdit& edit, Index target, Index oth
     constexpr Act* acts[] = {cut,   remove, keep,   bend,   curl,   twist,  length,   thickness,
                              taper, draw,   extend, redraw, graft,  move,   prune,    attract,
                              comb,  leaves, root,   place,  sag,    gnarl,  deadWood, pipe,
-                             flare, source, source, source, source, frozen, unknown};
+                             flare, growOn, source, source, source, source, frozen,   unknown};
     static_assert(std::size(acts) == editOperationCount);
     tree.setMaker(edit.id);
     Act* const act = acts[static_cast<std::size_t>(edit.operation)];

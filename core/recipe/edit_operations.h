@@ -21,6 +21,7 @@ Act place;                                          // edit_organs.cpp
 Act sag, gnarl;                                     // wandering.cpp
 Act deadWood;                                       // dead_wood.cpp
 Act pipe, flare;                                    // radii.cpp
+Act growOn;                                         // grow_on.cpp
 Act source;                                         // step_source.cpp
 
 Expected<void> act(EditTree& tree, const TreeEdit& edit, Index target, Index other);

@@ -13,43 +13,77 @@ constexpr double sameSpot = 1e-3;
 } // namespace
 
 EditTree::EditTree(const Skeleton& grown, const TreeAxes& axes, std::uint64_t seed)
-    : m_pieces(grown.size())
-    , m_axes(axes.axes.size())
+    : m_axes(axes.axes.size())
     , m_lived(grown.lived)
     , m_grownAxes(static_cast<Index>(axes.axes.size()))
     , m_hasOwnAddresses(!grown.axisStarts.empty())
     , m_seed(seed)
-    , m_size(grown.size())
 {
-    for (Index i = 0; i < grown.size(); ++i) {
-        EditPiece& piece = m_pieces[i];
-        piece.p0 = grown.p0[i];
-        piece.p1 = grown.p1[i];
-        piece.a0 = grown.a0[i];
-        piece.a1 = grown.a1[i];
-        piece.key = grown.key[i];
-        piece.parent = grown.parent[i];
-        piece.axis = axes.axisOf[i];
-        piece.level = grown.level[i];
-        piece.before = i > 0 ? i - 1 : noIndex;
-        piece.after = i + 1 < grown.size() ? i + 1 : noIndex;
-    }
-    for (const Organ& organ : grown.organs)
-        m_organs.push_back({organ, false});
-    for (const Index i : grown.sawn)
-        m_pieces[i].sawn = true;
-    for (const Index i : grown.bare)
-        m_pieces[i].bare = true;
+    takePieces(grown);
     for (Index a = 0; a < m_grownAxes; ++a) {
-        const std::span<const Index> nodes = axes.nodesOf(a);
-        m_axes[a] = {axes.axes[a].address, nodes.front()};
-        for (std::size_t i = 1; i < nodes.size(); ++i)
-            m_pieces[nodes[i - 1]].next = nodes[i];
+        m_axes[a] = {axes.axes[a].address, noIndex};
+        takeAxis(a, axes.nodesOf(a));
     }
-    if (!m_pieces.empty()) {
-        m_head = 0;
-        m_tail = m_size - 1;
+}
+
+void EditTree::takePieces(const Skeleton& tree)
+{
+    m_size = tree.size();
+    m_pieces.assign(tree.size(), {});
+    for (Index i = 0; i < tree.size(); ++i) {
+        EditPiece& piece = m_pieces[i];
+        piece.p0 = tree.p0[i];
+        piece.p1 = tree.p1[i];
+        piece.a0 = tree.a0[i];
+        piece.a1 = tree.a1[i];
+        piece.key = tree.key[i];
+        piece.parent = tree.parent[i];
+        piece.level = tree.level[i];
+        piece.before = i > 0 ? i - 1 : noIndex;
+        piece.after = i + 1 < tree.size() ? i + 1 : noIndex;
     }
+    m_organs.clear();
+    for (const Organ& organ : tree.organs)
+        m_organs.push_back({organ, false});
+    for (const Index i : tree.sawn)
+        m_pieces[i].sawn = true;
+    for (const Index i : tree.bare)
+        m_pieces[i].bare = true;
+    m_head = m_pieces.empty() ? noIndex : 0;
+    m_tail = m_pieces.empty() ? noIndex : m_size - 1;
+}
+
+void EditTree::takeAxis(Index axis, std::span<const Index> nodes)
+{
+    m_axes[axis].first = nodes.front();
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        m_pieces[nodes[i]].axis = axis;
+        m_pieces[nodes[i]].next = i + 1 < nodes.size() ? nodes[i + 1] : noIndex;
+    }
+}
+
+void EditTree::become(const Skeleton& tree, const TreeAxes& axes, std::uint64_t maker)
+{
+    takePieces(tree);
+    // What axes that are gone begin with.
+    const auto none = static_cast<Index>(m_pieces.size());
+    m_pieces.push_back({});
+    m_pieces.back().gone = true;
+    std::unordered_map<std::uint64_t, Index> known;
+    for (Index a = 0; a < axisCount(); ++a) {
+        known.emplace(m_axes[a].address, a);
+        m_axes[a].first = none;
+    }
+    for (Index a = 0; a < axes.axes.size(); ++a) {
+        const std::uint64_t address = axes.axes[a].address;
+        const auto [found, isNew] = known.emplace(address, axisCount());
+        if (isNew) {
+            m_axes.push_back({address, noIndex, maker});
+            m_made.emplace(address, found->second);
+        }
+        takeAxis(found->second, axes.nodesOf(a));
+    }
+    m_meant.clear();
 }
 
 const LivedEdit* EditTree::livedWith(std::uint64_t edit) const

@@ -146,6 +146,9 @@ public:
     /// What starts with a piece stands for itself from now on, a little away from what it stood on, and falls
     /// at a time. Where it starts within an axis, the upper part becomes one of that address.
     void loosen(Index piece, std::uint64_t address, double seconds);
+    /// The tree becomes another one, whose axes are told by their addresses: those that it has no more are
+    /// gone. \param maker of its new axes
+    void become(const Skeleton& tree, const TreeAxes& axes, std::uint64_t maker);
     /// Takes a limb to the end of the order and puts it on another piece.
     void hang(Index axis, Index parent);
 
@@ -178,6 +181,8 @@ public:
     [[nodiscard]] Skeleton skeleton() const;
 
 private:
+    void takePieces(const Skeleton& tree);
+    void takeAxis(Index axis, std::span<const Index> nodes);
     Index splitPiece(Index piece, double from, double t);
     void insertAfter(Index before, Index piece);
     void unlink(Index piece);

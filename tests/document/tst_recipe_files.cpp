@@ -89,9 +89,12 @@ private slots:
                 QVERIFY(edit::putTreeEdits(document, tree, {newStep(info.operation)}));
         const auto list = document.scene().find(tree)->params.edits;
         QVERIFY(edit::setStepParam(document, tree, list[0].id, *findParam("sag.amount"), 7.5));
-        QVERIFY(edit::setStepParam(document, tree, list[5].id, *findParam("grammar.rules"),
+        const auto idOf = [&list](EditOperation operation) {
+            return std::ranges::find(list, operation, &TreeEdit::operation)->id;
+        };
+        QVERIFY(edit::setStepParam(document, tree, idOf(EditOperation::Grammar), *findParam("grammar.rules"),
                                    std::string("A -> F\nB -> A\n")));
-        QVERIFY(edit::setStepParam(document, tree, list[6].id, *findParam("stand.offset"),
+        QVERIFY(edit::setStepParam(document, tree, idOf(EditOperation::WeberPenn), *findParam("stand.offset"),
                                    glm::dvec3(1.0, 0.0, -0.5)));
         QVERIFY(edit::freezeTree(document, tree, list[1].id));
         QCOMPARE(document.scene().find(tree)->params.edits[2].operation, EditOperation::Frozen);

@@ -152,7 +152,9 @@ void RecipeActions::add(TreeEdit step)
     if (trees.empty())
         return;
     const Selection& selection = m_document->selection();
-    const bool onLimb = selection.branchNode == trees.front() && selection.activeBranch != noIndex;
+    // What acts on all of the tree asks for no limb.
+    const bool onLimb = std::ranges::count(stepParams(step.operation), findParam("step.where")) > 0 &&
+                        selection.branchNode == trees.front() && selection.activeBranch != noIndex;
     const auto limb = onLimb ? LimbFinder().startOf(*m_document, trees.front(), selection.activeBranch)
                              : std::optional<LimbHit>();
     const auto done = limb ? putStepOn(*m_document, *limb, std::move(step))

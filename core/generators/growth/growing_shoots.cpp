@@ -249,7 +249,7 @@ void GrowingTree::grow(ShootStart start, int nodes, double stretch, const YearFa
     for (int rank = 0; rank < nodes; ++rank) {
         AxisState& axis = m_axes[start.axis];
         const std::uint64_t address =
-            mixBits(m_history.axisAddress[start.axis] +
+            mixBits(m_history.axisAddress[start.axis] + m_salt +
                     0x9E3779B97F4A7C15ull * (std::uint64_t(factors.year) * 256 + std::uint64_t(rank) + 1));
         glm::dvec3 direction = start.isNew && rank == 0 ? start.direction : turned(start, light, address);
         double length = m_params.internode * stretch * (0.8 + 0.4 * chance(address, 14));

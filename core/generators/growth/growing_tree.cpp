@@ -109,6 +109,8 @@ double GrowingTree::envelope(const glm::dvec3& at, float outline, unsigned order
 {
     const GrowthParams& p = m_params;
     const double y = at.y / p.height;
+    if (m_history.standing > 0) // a tree that stands has a crown of its own
+        return std::clamp(7.0 * (1.03 - y), 0.0, 1.0);
     const double base = p.crownBase * std::min(1.0, m_top / p.height);
     const double up = std::clamp((y - base) / std::max(1.0 - base, 0.05), 0.0, 1.2) / profileStep;
     const auto step = std::min(std::size_t(up), m_profile.size() - 2);
@@ -198,7 +200,9 @@ bool GrowingTree::gatherLight(const YearFactors& factors)
     if (!m_shadows.reset(min, max, voxel))
         return false;
     for (Index i = 0; i < living(); ++i) {
-        const bool leafy = factors.year - int(m_nodes[i].birth) <= leafYears || m_nodes[i].tip;
+        const Node& node = m_nodes[i];
+        const bool isOld = node.metamer < m_history.standing && node.buds == 0; // its twigs have the leaves
+        const bool leafy = (factors.year - int(node.birth) <= leafYears && !isOld) || node.tip;
         const double size = std::min(1.0, double(m_poses[i].length) / m_params.internode);
         m_shadows.add(m_poses[i].at, std::max(1, int(size * (leafy ? leafWeight : woodWeight))));
     }

@@ -10,6 +10,11 @@
 #include <optional>
 #include <unordered_set>
 
+namespace ramure {
+struct Skeleton;
+struct TreeAxes;
+} // namespace ramure
+
 namespace ramure::growth {
 
 /// The numbers of the model that follow from what an artist says, for one year.
@@ -33,6 +38,8 @@ class GrowingTree
 public:
     GrowingTree(GrowthHistory& history, std::uint64_t seed);
 
+    /// Begins with a tree that stands already, as the first year: before anything else.
+    void stand(const Skeleton& tree, const TreeAxes& axes);
     /// The room that the tree fills, where it looks for it. Errors: those of GrowthSpace.
     Expected<void> findRoom(const Progress& progress);
     /// False: the shadows would need more voxels than there may be.
@@ -127,6 +134,9 @@ private:
         Index twin = noIndex; ///< of the first metamer
     };
 
+    Index standPiece(const Skeleton& tree, Index piece, Index axis, Index below);
+    void giveBuds();
+    void settle();
     void drawProfile();
     double openSky(const glm::dvec3& at, glm::dvec3& towards) const;
     [[nodiscard]] double outline(const glm::dvec3& at) const;
@@ -170,6 +180,7 @@ private:
     GrowthHistory& m_history;
     const GrowthParams& m_params;
     std::uint64_t m_seed;
+    std::uint64_t m_salt = 0; ///< of the addresses on axes that have grown before
     void lookForRoom();
     ShadowGrid m_shadows;
     std::optional<FreeSpace> m_room;

@@ -196,7 +196,7 @@ void GrowingTree::place()
         const int bend = rowBend(m_nodes[i].bend); // as the rows keep it
         pose.frame = bend == 0 ? below : below * bendOf(rest, 1e-4 * double(bend));
         pose.direction = pose.frame * rest;
-        const glm::dvec3 foot = parent == noIndex ? glm::dvec3(0.0) : m_poses[parent].at;
+        const glm::dvec3 foot = parent == noIndex ? m_history.footOf(m_nodes[i].metamer) : m_poses[parent].at;
         pose.at = foot + pose.direction * double(pose.length);
     }
 }

@@ -99,7 +99,7 @@ private:
             const glm::dquat own = growth::bendOf(rest, m_bends[k]);
             const bool root = piece.parent == noIndex;
             frames[k] = root ? own : frames[piece.parent] * own;
-            piece.at = (root ? glm::dvec3(0.0) : m_pieces[piece.parent].at) +
+            piece.at = (root ? m_history.footOf(piece.metamer) : m_pieces[piece.parent].at) +
                        frames[k] * rest * (m_grown[k] * double(m_history.length[piece.metamer]));
         }
         for (std::size_t k = m_pieces.size(); k-- > 0;) {
@@ -128,7 +128,7 @@ private:
             for (std::size_t k = 0; k < m_pieces.size(); ++k) {
                 const Piece& piece = m_pieces[k];
                 moved[k] = piece.at;
-                if (piece.heir == noIndex)
+                if (piece.heir == noIndex || stood(piece)) // a hand may have drawn it
                     continue;
                 const glm::dvec3 foot = piece.parent == noIndex ? glm::dvec3(0.0) : m_pieces[piece.parent].at;
                 const glm::dvec3& next = m_pieces[piece.heir].at;
@@ -165,18 +165,27 @@ private:
             const bool root = piece.parent == noIndex;
             const bool goesOn = root || m_pieces[piece.parent].next == Index(k);
             const Index below = root ? noIndex : m_branch[piece.parent];
-            const bool stands = goesOn || (below != noIndex && leavesTheWood(piece) && hasRoom(piece, below));
+            const bool stands =
+                goesOn || stood(piece) || (below != noIndex && leavesTheWood(piece) && hasRoom(piece, below));
             if (!root && (m_out[piece.parent] || !stands)) {
                 m_out[k] = true;
                 continue;
             }
-            const glm::dvec3 from = below == noIndex ? glm::dvec3(0.0) : m_skeleton.p1[below];
+            const glm::dvec3 from = below == noIndex ? footOf(piece) : m_skeleton.p1[below];
             if (isKept(piece, glm::length(piece.at - from), goesOn))
                 add(Index(k), below, from, m_history);
             else
                 m_branch[k] = below;
         }
     }
+    [[nodiscard]] glm::dvec3 footOf(const Piece& piece) const
+    {
+        const Piece* root = &piece;
+        while (root->parent != noIndex)
+            root = &m_pieces[root->parent];
+        return m_history.footOf(root->metamer);
+    }
+    [[nodiscard]] bool stood(const Piece& piece) const { return piece.metamer < m_history.standing; }
     [[nodiscard]] bool leavesTheWood(const Piece& piece) const
     {
         return piece.reach >= std::max(0.02, 1.6 * m_pieces[piece.parent].radius);
@@ -196,6 +205,8 @@ private:
         const double room = goesOn ? 0.0 : 1.5 * m_pieces[piece.parent].radius;
         const double closest = (piece.side > 0.0 ? 0.1 : 0.45) * m_history.params.internode;
         const bool isTip = piece.next == noIndex;
+        if (stood(piece) && piece.side > 0.0) // what stood on it goes on to stand there
+            return length >= least;
         return length >= least && (isTip || length >= std::max({room, 1.2 * piece.radius, closest}));
     }
 
@@ -204,7 +215,7 @@ private:
         const Piece& piece = m_pieces[k];
         const Index axis = h.axis[piece.metamer];
         const bool goesOn = below != noIndex && axisOf(below) == axis;
-        double start = goesOn ? m_skeleton.a1[below] : piece.radius;
+        double start = goesOn ? m_skeleton.a1[below] : footRadius(piece);
         if (below != noIndex)
             start = std::min(start, m_skeleton.a1[below]);
         double end = std::max(piece.side, 0.6 * piece.radius);
@@ -220,6 +231,15 @@ private:
         if (isStump)
             m_skeleton.sawn.push_back(branch);
         m_branch[k] = branch;
+    }
+    /// Of what stood the foot flares, also where the first nodes are left out.
+    [[nodiscard]] double footRadius(const Piece& piece) const
+    {
+        const Piece* first = &piece;
+        while (stood(*first) && first->parent != noIndex &&
+               m_pieces[first->parent].next == Index(first - m_pieces.data()))
+            first = &m_pieces[first->parent];
+        return first->radius;
     }
     [[nodiscard]] Index axisOf(Index branch) const { return m_axes[branch]; }
 

@@ -76,6 +76,12 @@ float pipesOf(std::uint16_t packed)
     return std::bit_cast<float>((std::uint32_t(packed) << 12) + 0x3F800000u);
 }
 
+glm::dvec3 GrowthHistory::footOf(Index root) const
+{
+    const auto named = std::ranges::find(feet, root, &std::pair<Index, glm::dvec3>::first);
+    return named == feet.end() ? glm::dvec3(0.0) : named->second;
+}
+
 std::size_t GrowthHistory::bytes() const
 {
     const auto of = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
@@ -103,6 +109,7 @@ struct GrowthRun::State
     GrowthHistory history;
     GrowingTree tree;
     std::optional<GrowthRun> uncut; ///< where there are cuts: what the others live like
+    int yearsBefore = 0;            ///< of what stood when it began
     bool follows = false;           ///< something was cut
     int dark = 0;                   ///< years without light
 };
@@ -132,6 +139,16 @@ Expected<GrowthRun> GrowthRun::begin(const GrowthParams& params, std::uint64_t s
     return GrowthRun(std::move(state));
 }
 
+Expected<GrowthRun> GrowthRun::goOn(const Skeleton& tree, const TreeAxes& axes, int yearsBefore,
+                                    const GrowthParams& params, std::uint64_t seed)
+{
+    auto run = begin(params, seed);
+    RAMURE_TRY(run);
+    run->m_state->yearsBefore = yearsBefore;
+    run->m_state->tree.stand(tree, axes);
+    return run;
+}
+
 Expected<void> GrowthRun::growTo(double age, const Progress& progress)
 {
     GrowthHistory& history = m_state->history;
@@ -148,7 +165,8 @@ Expected<void> GrowthRun::growTo(double age, const Progress& progress)
             return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
         if (m_state->follows)
             tree.follow(m_state->uncut->history());
-        const YearFactors factors = factorsOf(history.params, year);
+        YearFactors factors = factorsOf(history.params, year + m_state->yearsBefore);
+        factors.year = year;
         if (!tree.gatherLight(factors))
             return refuse(ErrorCode::Limit, RAMURE_NOOP("the crown's shadows need more than %1 voxels"),
                           "growth.internode", {std::to_string(ShadowGrid::maxVoxels)});

@@ -10,9 +10,13 @@
 #include <glm/vec3.hpp>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace ramure {
+
+struct Skeleton;
+struct TreeAxes;
 
 /// Oldest age, in years.
 inline constexpr double maxGrowthAge = 2000.0;
@@ -68,6 +72,10 @@ struct GrowthHistory
     std::vector<std::uint16_t> pipes; ///< see pipesOf()
     std::vector<std::int16_t> bends;  ///< 1e-4 rad, down about the horizontal at birth; since birth
 
+    /// Metamers that stood when growth began (standing_wood.h), those of the year 0; and where they leave the
+    /// ground: of roots that are not named it is the origin.
+    Index standing = 0;
+    std::vector<std::pair<Index, glm::dvec3>> feet;
     GrowthCuts cuts;          ///< that were asked for
     std::vector<bool> isMade; ///< by cut: its axis stood at that age
 
@@ -75,6 +83,7 @@ struct GrowthHistory
     /// The age at which nothing lived any more; 0: it lives.
     int diedAt = 0;
 
+    [[nodiscard]] glm::dvec3 footOf(Index root) const;
     [[nodiscard]] Index size() const { return static_cast<Index>(parent.size()); }
     /// Whole years that were grown.
     [[nodiscard]] int grownYears() const { return static_cast<int>(years.size()); }
@@ -121,6 +130,9 @@ public:
     /// Errors: those of growHistory(). \param params whose age counts for nothing
     static Expected<GrowthRun> begin(const GrowthParams& params, std::uint64_t seed, GrowthCuts cuts = {},
                                      const Progress& progress = {});
+    /// A tree that stands already, as at the age of one year. \param yearsBefore how old it counts
+    static Expected<GrowthRun> goOn(const Skeleton& tree, const TreeAxes& axes, int yearsBefore,
+                                    const GrowthParams& params, std::uint64_t seed);
     GrowthRun(GrowthRun&& other) noexcept;
     GrowthRun& operator=(GrowthRun&& other) noexcept;
     ~GrowthRun();

@@ -79,6 +79,9 @@ TreeEdit randomStep(Random& random)
     values.weberPenn.levels = 2;
     values.weberPenn.level[1].branches = 5;
     values.colonisation.points = 30;
+    values.step.growOn.years = std::min(values.step.growOn.years, 5.0);
+    values.growth.height = std::min(values.growth.height, 6.0);
+    values.growth.internode = std::max(values.growth.internode, 0.2);
     step.values = StepValues(std::move(values));
     return step;
 }

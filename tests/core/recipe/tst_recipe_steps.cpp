@@ -111,7 +111,7 @@ private slots:
         QFETCH(QByteArray, where);
         const Skeleton plain = *grownTree(oak(), Stage::Skeleton).skeleton;
         for (const EditOperationInfo& info : editOperations()) {
-            if (stepParams(info.operation).empty())
+            if (std::ranges::count(stepParams(info.operation), findParam("step.where")) == 0)
                 continue;
             const TreeEdit step =
                 stepOf(info.operation, [&](StepParams& s) { s.where = where.toStdString(); });
