@@ -49,6 +49,11 @@ void EditTree::takePieces(const Skeleton& tree)
         m_pieces[i].sawn = true;
     for (const Index i : tree.bare)
         m_pieces[i].bare = true;
+    for (const LooseLimb& limb : tree.loose) {
+        m_pieces[limb.first].loose = true;
+        m_pieces[limb.first].stump = limb.stump;
+        m_pieces[limb.first].fallsAt = limb.seconds;
+    }
     m_head = m_pieces.empty() ? noIndex : 0;
     m_tail = m_pieces.empty() ? noIndex : m_size - 1;
 }

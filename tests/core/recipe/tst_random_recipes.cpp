@@ -134,15 +134,22 @@ private slots:
             if (skeleton.skeleton->size() > most)
                 continue;
             NodeParams frozen = params;
-            const auto steps = frozenBehind(params, random.below(std::uint32_t(params.edits.size() + 1)));
+            const auto at = random.below(std::uint32_t(params.edits.size() + 1));
+            QByteArray label =
+                "recipe " + QByteArray::number(recipe) + ", frozen at " + QByteArray::number(at);
+            for (const TreeEdit& step : params.edits)
+                label += QByteArray(step.enabled ? ", " : ", no ") + infoOf(step.operation).key;
+            const auto steps = frozenBehind(params, at);
             QVERIFY2(steps, why(steps).constData());
             frozen.edits = *steps;
-            QVERIFY(grownTree(frozen, Stage::Skeleton).skeleton->p1 == skeleton.skeleton->p1);
+            const Skeleton held = *grownTree(frozen, Stage::Skeleton).skeleton;
+            QVERIFY2(held.p1 == skeleton.skeleton->p1 && held.a0 == skeleton.skeleton->a0 &&
+                         held.loose == skeleton.skeleton->loose,
+                     label.constData());
             TreePipeline pipeline;
             const auto tree = pipeline.evaluate(params, Stage::Mesh);
             QVERIFY2(tree, why(tree).constData());
             ++meshes;
-            const QByteArray label = "recipe " + QByteArray::number(recipe);
             QVERIFY2(isFinite(tree->branches->mesh), label.constData());
             QVERIFY2(tree->report->valid, label.constData());
             QVERIFY2(tree->report->components == tree->branches->roots, label.constData());
