@@ -5,6 +5,7 @@
 #include "core/generators/grammar/turtle.h"
 #include "core/generators/growth/grown_skeleton.h"
 #include "core/generators/parametric/module_turtle.h"
+#include "core/generators/shape_test.h"
 #include "core/generators/weber_penn/weber_penn.h"
 #include "core/params/tree_edit_table.h"
 #include <algorithm>
@@ -85,6 +86,17 @@ double growthYears(const NodeParams& params)
     return grows ? std::max(std::floor(params.growth.age), 1.0) : 0.0;
 }
 
+/// Null: it has no inside.
+static std::shared_ptr<const GrowthShape> shapeOf(const EditShape& shape)
+{
+    const auto kept = std::make_shared<const EditShape>(shape);
+    const auto test = std::make_shared<const ShapeTest>(*kept);
+    if (!test->check())
+        return nullptr;
+    return std::make_shared<const GrowthShape>(
+        [kept, test](const glm::dvec3& at) { return test->contains(at); });
+}
+
 GrowthCuts growthCuts(const NodeParams& params)
 {
     GrowthCuts cuts;
@@ -92,8 +104,12 @@ GrowthCuts growthCuts(const NodeParams& params)
         return cuts;
     for (const TreeEdit& edit : params.edits)
         if (edit.enabled && edit.year > 0.0 && canLiveOn(edit)) {
-            const double share = edit.operation == EditOperation::Cut ? edit.at : 0.0;
-            cuts.push_back({edit.target.address, share, std::max(int(edit.year), 1), edit.id});
+            GrowthCut cut{edit.target.address, 0.0, std::max(int(edit.year), 1), edit.id, {}};
+            if (edit.operation == EditOperation::Cut)
+                cut.share = edit.at;
+            if (edit.operation == EditOperation::Prune && !(cut.within = shapeOf(edit.shape)))
+                continue; // the recipe says why it cannot
+            cuts.push_back(std::move(cut));
         }
     return cuts;
 }

@@ -163,8 +163,9 @@ struct TreeEdit
     bool shown = true;
     bool falls = false;   ///< Cut: what is cut off stays in its place, and falls when the physics plays
     double seconds = 0.0; ///< Cut: when it comes off
-    /// Cut and Remove: the age of a growing tree, in years, at which it is done: younger trees are without
-    /// it, and older ones have answered (growth_history.h). 0: it is done to the tree as it has grown.
+    /// Cut, Remove and Prune: the age of a growing tree, in years, at which it is done: younger trees are
+    /// without it, and older ones have answered (growth_history.h). 0: it is done to the tree as it has
+    /// grown.
     double year = 0.0;
     EditOrgan organ = EditOrgan::Leaf;
     EditShape shape{};

@@ -94,8 +94,9 @@ std::uint64_t lifeHash(std::uint64_t before, const NodeParams& params)
 {
     StageHash hash(before);
     hash.add(historyYears(params)).add(params.growth.space.hash);
-    for (const GrowthCut& cut : growthCuts(params))
-        hash.add(cut.axis).add(cut.share).add(cut.age).add(cut.edit);
+    for (const TreeEdit& edit : params.edits)
+        if (growthYears(params) > 0.0 && edit.year > 0.0 && canLiveOn(edit))
+            add(hash, edit);
     return hash.value();
 }
 

@@ -169,7 +169,10 @@ private:
         if (state == LivedEdit::State::Made)
             return {edit.id, EditState::ByAddress, {}, edit.target.address};
         return {edit.id, EditState::Unplaced,
-                fail(ErrorCode::Unknown, RAMURE_NOOP("the limb did not stand when the tree was of that age"))
+                fail(ErrorCode::Unknown,
+                     edit.operation == EditOperation::Prune
+                         ? RAMURE_NOOP("nothing stands out of the shape")
+                         : RAMURE_NOOP("the limb did not stand when the tree was of that age"))
                     .value()};
     }
     /// Of a tree whose axes are called by where they stand on others.

@@ -1,6 +1,6 @@
 // What takes something away.
+#include "core/generators/shape_test.h"
 #include "core/recipe/edit_operations.h"
-#include "core/recipe/shape_test.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>

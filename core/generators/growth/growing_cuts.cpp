@@ -13,38 +13,71 @@ namespace ramure::growth {
 bool GrowingTree::cut(int age)
 {
     bool isCut = false;
-    for (std::size_t c = 0; c < m_history.cuts.size(); ++c) {
-        const GrowthCut& cut = m_history.cuts[c];
-        if (cut.age != age)
-            continue;
-        const auto found = std::ranges::find(m_history.axisAddress, cut.axis);
-        if (found == m_history.axisAddress.end())
-            continue;
-        const auto axis = Index(found - m_history.axisAddress.begin());
-        double whole = 0.0;
-        for (Index i = 0; i < living(); ++i)
-            if (m_nodes[i].axis == axis)
-                whole += double(m_poses[i].length);
-        m_history.isMade[c] = whole > 0.0;
-        double below = 0.0;
-        for (Index i = 0; i < living(); ++i) {
-            if (m_nodes[i].axis != axis)
-                continue;
-            const double above = below + double(m_poses[i].length);
-            // A cut leaves what is more below it than above.
-            if (m_nodes[i].parent != noIndex && 0.5 * (below + above) >= cut.share * whole) {
-                m_nodes[i].cut = m_wasCut = isCut = true;
-                m_axes[axis].tipLives = false;
-                break;
-            }
-            below = above;
+    for (std::size_t c = 0; c < m_history.cuts.size(); ++c)
+        if (const GrowthCut& cut = m_history.cuts[c]; cut.age == age) {
+            const bool wasMade = cut.within ? prune(cut, isCut) : cutAxis(cut, isCut);
+            m_history.isMade[c] = wasMade;
         }
-    }
     if (isCut)
         for (Index i = 0; i < living(); ++i)
             m_nodes[i].cut =
                 m_nodes[i].cut || (m_nodes[i].parent != noIndex && m_nodes[m_nodes[i].parent].cut);
+    m_wasCut = m_wasCut || isCut;
     return isCut;
+}
+
+/// noIndex: there is none of that address.
+Index GrowingTree::axisOf(std::uint64_t address) const
+{
+    const auto found = std::ranges::find(m_history.axisAddress, address);
+    return found == m_history.axisAddress.end() ? noIndex : Index(found - m_history.axisAddress.begin());
+}
+
+/// \return whether the axis stands
+bool GrowingTree::cutAxis(const GrowthCut& cut, bool& isCut)
+{
+    const Index axis = axisOf(cut.axis);
+    double whole = 0.0;
+    for (Index i = 0; i < living(); ++i)
+        if (m_nodes[i].axis == axis)
+            whole += double(m_poses[i].length);
+    double below = 0.0;
+    for (Index i = 0; i < living(); ++i) {
+        if (m_nodes[i].axis != axis)
+            continue;
+        const double above = below + double(m_poses[i].length);
+        // A cut leaves what is more below it than above.
+        if (m_nodes[i].parent != noIndex && 0.5 * (below + above) >= cut.share * whole) {
+            m_nodes[i].cut = isCut = true;
+            m_axes[axis].tipLives = false;
+            break;
+        }
+        below = above;
+    }
+    return whole > 0.0;
+}
+
+/// \return whether anything stands out
+bool GrowingTree::prune(const GrowthCut& cut, bool& isCut)
+{
+    const Index limb = axisOf(cut.axis);
+    bool any = false;
+    std::vector<bool> isMeant(m_nodes.size(), cut.axis == 0), entered(m_nodes.size(), false);
+    for (Index i = 0; i < living(); ++i) {
+        Node& node = m_nodes[i];
+        const bool isRoot = node.parent == noIndex;
+        isMeant[i] =
+            isMeant[i] || (limb != noIndex && node.axis == limb) || (!isRoot && isMeant[node.parent]);
+        const bool isIn = (*cut.within)(m_poses[i].at);
+        const bool mayEnter = node.order == 0 && (isRoot || !entered[node.parent]);
+        entered[i] = isIn || (!isRoot && entered[node.parent]);
+        if (isRoot || !isMeant[i] || isIn || mayEnter)
+            continue;
+        if (m_nodes[node.parent].axis == node.axis)
+            m_axes[node.axis].tipLives = false;
+        node.cut = any = isCut = true;
+    }
+    return any;
 }
 
 std::uint64_t GrowingTree::cellOf(const glm::dvec3& at) const

@@ -137,6 +137,9 @@ private:
     Index standPiece(const Skeleton& tree, Index piece, Index axis, Index below);
     void giveBuds();
     void settle();
+    [[nodiscard]] Index axisOf(std::uint64_t address) const;
+    bool cutAxis(const GrowthCut& cut, bool& isCut);
+    bool prune(const GrowthCut& cut, bool& isCut);
     void drawProfile();
     double openSky(const glm::dvec3& at, glm::dvec3& towards) const;
     [[nodiscard]] double outline(const glm::dvec3& at) const;

@@ -7,6 +7,7 @@
 #include "core/base/index.h"
 #include "core/base/progress.h"
 #include "core/params/growth_params.h"
+#include <functional>
 #include <glm/vec3.hpp>
 #include <memory>
 #include <span>
@@ -23,14 +24,19 @@ inline constexpr double maxGrowthAge = 2000.0;
 /// Most metamers that one tree may bear, living or shed.
 inline constexpr std::size_t maxMetamers = 4'000'000;
 
-/// A limb that somebody cuts. What it shaded gets light; buds that slept below the
-/// wound shoot in the next year (epicormic shoots). A stump without shoots dies back.
+/// Whether a place, m, is in a shape.
+using GrowthShape = std::function<bool(const glm::dvec3&)>;
+
+/// A limb that somebody cuts, or what stands out of a shape. What it shaded gets light; buds that slept below
+/// the wound shoot in the next year (epicormic shoots). A stump without shoots dies back.
 struct GrowthCut
 {
-    std::uint64_t axis = 0; ///< address, see GrowthHistory::axisAddress
+    std::uint64_t axis = 0; ///< address, see GrowthHistory::axisAddress; 0: the whole tree, by a shape
     double share = 0.0;     ///< of the axis's length that stays; the first internode of a trunk always does
     int age = 0;            ///< of the tree, in years: at this age and above the limb is not there
     std::uint64_t edit = 0; ///< TreeEdit::id of what asks for it
+    /// Where wood stays, and `share` counts for nothing. Trunks may come from outside.
+    std::shared_ptr<const GrowthShape> within{};
     bool operator==(const GrowthCut&) const = default;
 };
 /// Their order changes nothing. Cuts of axes that do not stand at that age do nothing.

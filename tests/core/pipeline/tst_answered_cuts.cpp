@@ -169,6 +169,36 @@ private slots:
         QVERIFY(tree.skeleton->p1 == grownTree(oak(cutAt), Stage::Skeleton).skeleton->p1);
     }
 
+    /// A hedge is clipped at an age, and grows out again.
+    void whatIsPrunedToAShapeGrowsOutAgain()
+    {
+        NodeParams params = oak(cutAt);
+        TreeEdit prune = editOf(EditOperation::Prune, 0);
+        prune.shape.kind = EditShapeKind::Box;
+        prune.shape.numbers = {-1.5, 1.0, -1.5, 1.5, 5.0, 1.5};
+        prune.year = cutAt;
+        QVERIFY(make(params, prune));
+        const auto outside = [&](double age) {
+            NodeParams older = params;
+            older.growth.age = age;
+            const TreeResult tree = grownTree(older, Stage::Mesh);
+            if (!tree.report->valid || tree.edits->front().state == EditState::Unplaced)
+                return -1.0;
+            double metres = 0.0;
+            const Skeleton& s = *tree.skeleton;
+            for (Index i = 0; i < s.size(); ++i)
+                if (const glm::dvec3 p = s.p1[i]; std::abs(p.x) > 1.6 || std::abs(p.z) > 1.6 || p.y > 5.1)
+                    metres += s.length(i);
+            return metres;
+        };
+        QVERIFY(outside(cutAt - 1.0) > 50.0);
+        const double clipped = outside(cutAt), grown = outside(cutAt + 12.0);
+        QVERIFY2(clipped >= 0.0 && clipped < 1.0, qPrintable(QString::number(clipped)));
+        QVERIFY2(grown > 10.0, qPrintable(QString::number(grown)));
+        params.edits.front().shape.numbers = {-50.0, -1.0, -50.0, 50.0, 50.0, 50.0};
+        QCOMPARE(outside(cutAt + 1.0), -1.0); // nothing stands out
+    }
+
     void stumpsAndLaterEditsAreWhole()
     {
         Pruned pruned(EditOperation::Cut, 0.4);

@@ -1,4 +1,4 @@
-#include "core/recipe/shape_test.h"
+#include "core/generators/shape_test.h"
 
 #include <algorithm>
 #include <cmath>
