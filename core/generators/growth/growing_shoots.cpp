@@ -85,7 +85,8 @@ int GrowingTree::shootLength(double vigour, unsigned order, double& stretch, con
         return nodes;
     }
     stretch = std::max(pays * pays, 0.15);
-    return vigour >= 1.0 - m_params.shortShoots ? 1 : 0;
+    constexpr double weakest = 0.1; // what a bud costs is never nothing, or buds without end would shoot
+    return vigour >= std::max(weakest, 1.0 - m_params.shortShoots) ? 1 : 0;
 }
 
 void GrowingTree::growTip(Index metamer, double vigour, const YearFactors& factors)
@@ -182,14 +183,17 @@ Index GrowingTree::newAxis(Index parent, unsigned bud, unsigned order, bool upri
     m_history.axisOrder.push_back(std::uint8_t(std::min(order, 255u)));
     m_axes.push_back({});
     m_axes.back().upright = upright;
+    if (parent != noIndex)
+        m_axes.back().foot = order > 1 ? m_axes[m_nodes[parent].axis].foot : float(m_poses[parent].at.y);
     return axis;
 }
 
-std::uint8_t GrowingTree::budsOf(unsigned order, int rank, int nodes) const
+/// Between two whorls a stem bears the fewer shoots, the more acrotonic it is: pines none, spruces many.
+std::uint8_t GrowingTree::budsOf(unsigned order, int rank, int nodes, std::uint64_t address) const
 {
     if (m_params.whorl > 0) {
         if (rank + 1 < nodes)
-            return order > 1 ? std::uint8_t(1) : std::uint8_t(0);
+            return order > 1 || chance(address, 15) >= m_params.acrotony ? std::uint8_t(1) : std::uint8_t(0);
         const auto most = order == 0 ? m_params.whorl : std::max<std::int64_t>(2, m_params.whorl / 2);
         return std::uint8_t((1u << std::min<std::int64_t>(most, 8)) - 1u);
     }
@@ -199,7 +203,9 @@ std::uint8_t GrowingTree::budsOf(unsigned order, int rank, int nodes) const
 }
 
 /// Where an internode grows: on, to the light, up or down, and by chance.
-glm::dvec3 GrowingTree::turned(const ShootStart& start, const glm::dvec3& light, std::uint64_t address) const
+/// \param strength of its shoot, 0 to 1: weak limbs hang as twigs do
+glm::dvec3 GrowingTree::turned(const ShootStart& start, const glm::dvec3& light, double strength,
+                               std::uint64_t address) const
 {
     const GrowthParams& p = m_params;
     const unsigned order = m_history.axisOrder[start.axis];
@@ -207,7 +213,8 @@ glm::dvec3 GrowingTree::turned(const ShootStart& start, const glm::dvec3& light,
     const double share = p.internode / 0.2; // of what an internode of 0.2 m turns
     const glm::dvec3 random(chance(address, 11) - 0.5, chance(address, 12) - 0.5, chance(address, 13) - 0.5);
     glm::dvec3 sum = start.direction + p.wander * 1.2 * random * (erect ? 0.5 : 1.0);
-    const double rise = erect ? 0.25 : p.upright - p.weeping * (order > 1 ? 0.5 : 0.12);
+    const double weak = 1.0 - strength;
+    const double rise = erect ? 0.25 : p.upright - p.weeping * (order > 1 ? 0.5 : 0.12 + 0.38 * weak * weak);
     sum += share * rise * up;
     sum += share * (erect ? 0.35 : 1.0) * p.light * light;
     glm::dvec3 direction = unit(sum, start.direction);
@@ -246,12 +253,14 @@ void GrowingTree::grow(ShootStart start, int nodes, double stretch, const YearFa
     if (nodes > 1 || !start.isNew)
         light = lightAt(start, factors);
     const unsigned order = m_history.axisOrder[start.axis];
+    const double strength = std::min(1.0, double(nodes) / factors.sideLongest[std::min(order, 15u)]);
     for (int rank = 0; rank < nodes; ++rank) {
         AxisState& axis = m_axes[start.axis];
         const std::uint64_t address =
             mixBits(m_history.axisAddress[start.axis] + m_salt +
                     0x9E3779B97F4A7C15ull * (std::uint64_t(factors.year) * 256 + std::uint64_t(rank) + 1));
-        glm::dvec3 direction = start.isNew && rank == 0 ? start.direction : turned(start, light, address);
+        glm::dvec3 direction =
+            start.isNew && rank == 0 ? start.direction : turned(start, light, strength, address);
         double length = m_params.internode * stretch * (0.8 + 0.4 * chance(address, 14));
         if (start.twin != noIndex) {
             direction = m_poses[start.from].frame * glm::dvec3(m_uncut->direction[start.twin]);
@@ -262,7 +271,7 @@ void GrowingTree::grow(ShootStart start, int nodes, double stretch, const YearFa
         start.side = square(start.side, direction);
         const Index metamer = addMetamer(start, direction, length, factors.year);
         Node& node = m_nodes[metamer];
-        node.buds = budsOf(order, rank, nodes);
+        node.buds = budsOf(order, rank, nodes, address);
         node.address = address;
         node.rank = std::uint8_t(rank);
         node.of = std::uint8_t(nodes);

@@ -98,28 +98,34 @@ void GrowingTree::drawProfile()
     const double widest = std::clamp(m_params.crownWidest, 0.05, 0.95);
     for (std::size_t k = 0; k < m_profile.size(); ++k) {
         const double up = profileStep * double(k);
-        const double left = 1.0 - std::min(1.0, (up - widest) / (1.08 - widest));
+        const double left = 1.0 - std::min(1.0, (up - widest) / (1.04 - widest));
         m_profile[k] = up > widest ? maths::pow(std::max(0.0, left), m_params.crownTop)
                                    : 0.55 + 0.45 * std::sqrt(up / widest);
     }
 }
 
 /// How much of the light counts near the limits of the crown, which the grown tree fills.
-double GrowingTree::envelope(const glm::dvec3& at, float outline, unsigned order) const
+/// \param foot m, height at which its limb leaves the trunk
+double GrowingTree::envelope(const glm::dvec3& at, float outline, unsigned order, double foot) const
 {
     const GrowthParams& p = m_params;
-    const double y = at.y / p.height;
+    // The outline is that of the top as well, in part: no crown ends in a plane.
+    const double tall = p.height * (0.7 + 0.32 * double(outline));
+    const double y = at.y / tall;
     if (m_history.standing > 0) // a tree that stands has a crown of its own
         return std::clamp(7.0 * (1.03 - y), 0.0, 1.0);
-    const double base = p.crownBase * std::min(1.0, m_top / p.height);
+    const double share = std::min(1.0, m_top / p.height); // young trees are slim, and green to the ground
+    const double base = p.crownBase * share * share;
     const double up = std::clamp((y - base) / std::max(1.0 - base, 0.05), 0.0, 1.2) / profileStep;
     const auto step = std::min(std::size_t(up), m_profile.size() - 2);
     double wide = m_profile[step] + (up - double(step)) * (m_profile[step + 1] - m_profile[step]);
     wide *= double(outline);
-    const double aside = std::sqrt(at.x * at.x + at.z * at.z) / (0.5 * p.crownWidth);
+    const double aside = std::sqrt(at.x * at.x + at.z * at.z) / (0.5 * p.crownWidth * (0.35 + 0.65 * share));
     double room = std::min(4.0 * (wide + 0.04 - aside), 7.0 * (1.03 - y));
+    // Limbs that leave the trunk below the crown die as a whole, though their ends have risen into it.
     if (order > 0)
-        room = std::min(room, (y - 0.75 * base) / (0.25 * base + 0.01));
+        room =
+            std::min(room, (std::min(y, 0.3 * y + 0.7 * foot / tall) - 0.75 * base) / (0.25 * base + 0.01));
     return std::clamp(room, 0.0, 1.0);
 }
 
@@ -150,14 +156,14 @@ void GrowingTree::lightOf(Index metamer, const YearFactors& factors)
     double own = std::clamp(sky - shadow + factors.shade, 0.0, sky) * jitter;
     const unsigned order = m_nodes[metamer].order;
     if (!m_room)
-        own *= envelope(pose.at, node.outline, order);
+        own *= envelope(pose.at, node.outline, order, m_axes[node.axis].foot);
     else if (m_towards[metamer] != glm::dvec3(0.0))
         own = sky * jitter;
     else if (order > 0)
         own *= 0.15; // what fills its room lives on
     else             // leaders look for it
         own *= m_params.space.top > 0.0 ? (pose.at.y < m_params.space.top ? 0.5 : 0.15)
-                                        : 0.15 + 0.35 * envelope(pose.at, node.outline, order);
+                                        : 0.15 + 0.35 * envelope(pose.at, node.outline, order, pose.at.y);
     node.light = float(own);
     age(metamer);
     if (node.buds == 0 && !m_nodes[metamer].tip)
@@ -247,7 +253,7 @@ Expected<void> GrowingTree::findRoom(const Progress& progress)
         for (std::uint64_t k = 0; k < count; ++k) {
             const glm::dvec3 at((chance(k, 31) - 0.5) * p.crownWidth, chance(k, 32) * p.height,
                                 (chance(k, 33) - 0.5) * p.crownWidth);
-            if (envelope(at, float(outline(at)), 1) > 0.3)
+            if (envelope(at, float(outline(at)), 1, at.y) > 0.3)
                 points.push_back(at);
         }
     }

@@ -66,6 +66,7 @@ private:
         std::uint8_t dark = 0;               ///< years in the shade, of all it carries
         std::uint8_t tipDark = 0;            ///< years that its end could not grow
         std::uint8_t weak = 0;               ///< years that it made short shoots only
+        float foot = 0.0f;                   ///< m, height at which its limb leaves the trunk
         bool tipLives = true;
         bool upright = false; ///< begins the tree anew
     };
@@ -144,7 +145,7 @@ private:
     double openSky(const glm::dvec3& at, glm::dvec3& towards) const;
     [[nodiscard]] double outline(const glm::dvec3& at) const;
     [[nodiscard]] double corner(int x, int y, int z) const; ///< chance there, for the outline
-    [[nodiscard]] double envelope(const glm::dvec3& at, float outline, unsigned order) const;
+    [[nodiscard]] double envelope(const glm::dvec3& at, float outline, unsigned order, double foot) const;
     [[nodiscard]] double chance(std::uint64_t address, std::uint64_t purpose) const; ///< 0 .. 1
     [[nodiscard]] double budWeight(Index metamer) const;
     [[nodiscard]] Index living() const { return static_cast<Index>(m_nodes.size()); }
@@ -172,8 +173,9 @@ private:
                                   const YearFactors& factors) const;
     glm::dvec3 lightAt(const ShootStart& start, const YearFactors& factors);
     void grow(ShootStart start, int nodes, double length, const YearFactors& factors);
-    glm::dvec3 turned(const ShootStart& start, const glm::dvec3& light, std::uint64_t address) const;
-    std::uint8_t budsOf(unsigned order, int rank, int nodes) const;
+    glm::dvec3 turned(const ShootStart& start, const glm::dvec3& light, double strength,
+                      std::uint64_t address) const;
+    std::uint8_t budsOf(unsigned order, int rank, int nodes, std::uint64_t address) const;
     Index addMetamer(const ShootStart& start, const glm::dvec3& direction, double length, int year);
     double thicknessOf(float pipes);
     void bend(Index node, double girth, const YearFactors& factors);

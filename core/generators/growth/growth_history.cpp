@@ -58,7 +58,8 @@ YearFactors factorsOf(const GrowthParams& p, int year)
     // The leaves of a crown are its surface: about as many shoots a year as it has places in the sun.
     const double grown = 1.0 - maths::exp(-2.0 * double(year + 1) / p.maturity);
     const double places = std::numbers::pi * p.height * p.crownWidth / (p.internode * p.internode);
-    f.vigourCap = std::max(f.longest, std::min(0.2 * p.density * places * grown * grown, 200'000.0));
+    f.vigourCap =
+        std::max(f.longest, std::min(0.2 * p.density * places * grown * std::sqrt(grown), 200'000.0));
     return f;
 }
 

@@ -10,9 +10,10 @@ namespace {
 constexpr std::array<double, ShadowGrid::depth + 1> falloff()
 {
     std::array<double, ShadowGrid::depth + 1> of{};
-    double power = 1.0 / 16.0; // of the weights
-    for (double& share : of) {
-        share = power;
+    double power = 1.25 / 16.0; // of the weights
+    for (int q = 0; q <= ShadowGrid::depth; ++q) {
+        const double share = double(q) / double(ShadowGrid::depth + 1);
+        of[std::size_t(q)] = power * (1.0 - share * share); // a shadow that ended at once would leave bands
         power /= 1.5;
     }
     return of;

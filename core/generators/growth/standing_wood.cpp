@@ -98,7 +98,7 @@ void GrowingTree::giveBuds()
         const int all = state.nodes, at = node.rank;
         const double base = node.order == 0 ? m_params.crownBase * double(all) : 0.0;
         const bool isFresh = carries[node.axis] ? at + fresh >= all : double(at) >= base;
-        const std::uint8_t buds = budsOf(node.order, at + 1 < all ? 0 : 1, 2);
+        const std::uint8_t buds = budsOf(node.order, at + 1 < all ? 0 : 1, 2, node.address);
         (isFresh ? node.buds : node.dormant) = std::max<std::uint8_t>(buds, 1);
         node.of = std::uint8_t(std::clamp(all, 1, 255));
     }

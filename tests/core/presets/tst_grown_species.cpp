@@ -31,11 +31,10 @@ struct Fact
     double hortonLow, hortonHigh; ///< number of branches of an order over that of the next
 };
 
-// Limbs of beech and linden carry many sprays that never fork, and those of a spruce whole whorls of twigs:
-// the ratio is above 5 there.
+// Limbs of a spruce carry whole whorls of twigs that never fork: the ratio is above 5 there.
 constexpr std::array facts{
-    Fact{"EnglishOak", 22, 62, 0.3, 0.9, 3, 5},     Fact{"EuropeanBeech", 33, 48, 0.5, 0.95, 3, 7},
-    Fact{"SilverBirch", 53, 41, 0.9, 1, 3, 5},      Fact{"SmallLeavedLinden", 38, 50, 0.6, 1, 3, 7},
+    Fact{"EnglishOak", 22, 62, 0.3, 0.9, 3, 5},     Fact{"EuropeanBeech", 33, 48, 0.5, 0.95, 3, 5},
+    Fact{"SilverBirch", 53, 41, 0.9, 1, 3, 5},      Fact{"SmallLeavedLinden", 38, 50, 0.6, 1, 3, 5},
     Fact{"WeepingWillow", 18, 48, 0.3, 0.85, 3, 5}, Fact{"OrchardApple", 18, 60, 0.5, 1, 3, 5},
     Fact{"OliveTree", 16, 55, 0.2, 0.6, 3, 5},      Fact{"LombardyPoplar", 48, 32, 0.9, 1, 3, 5},
     Fact{"ScotsPine", 38, 50, 0.9, 1, 3, 5},        Fact{"NorwaySpruce", 58, 55, 0.9, 1, 3, 11},
