@@ -244,6 +244,7 @@ std::vector<Preset> colonised()
     park.mesh.collar = acacia.mesh.collar = 0.5;
     park.mesh.roots = 7;
     acacia.mesh.roots = 5;
+    park.mesh.rootLength = acacia.mesh.rootLength = 0.55;
     return {{"ParkTree", RAMURE_NOOP("A round crown that its branches fill"), park, "", group},
             {"UmbrellaAcacia", RAMURE_NOOP("A flat roof of twigs, drawn as a profile"), acacia,
              "Vachellia tortilis", group}};

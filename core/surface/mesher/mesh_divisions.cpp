@@ -186,7 +186,9 @@ double MeshBudget::triangles(double fineness) const
         if (branch.childCount > 1)
             vertices += wallVertices(branch.childCount, sides * m_shapes[b].wallSides, m_shapes[b].arches);
         if (branch.parent == noIndex) { // its first ring and pole, less the 2 of Euler's formula
-            const FootSize foot = footSize(m_params, static_cast<Index>(sides));
+            const double around = sidesAskedFor(branch.a0, fineness) + m_shapes[b].sidesThreshold;
+            const FootSize foot =
+                footSize(m_params, static_cast<Index>(limited(around, leastSides, mostSides)));
             vertices += foot.rings > 0 ? double(foot.rings) * foot.points - 1.0 : sides - 1.0;
         }
     }

@@ -6,6 +6,7 @@
 #include "core/surface/mesher/branch_axis.h"
 #include "core/surface/mesher/fork_layout.h"
 #include "core/surface/mesher/skeleton_normalise.h"
+#include <array>
 #include <span>
 #include <vector>
 
@@ -19,6 +20,8 @@ FootSize footSize(const MeshParams& params, Index sides);
 class TrunkFoot
 {
 public:
+    static constexpr std::size_t crestSteps = 48;
+
     /// None where the trunk has none, leans too far or has no length. \param trunk stands on the ground at
     /// its p0; \param sides around it above the foot; \param seed makes the roots of each tree its own.
     TrunkFoot(const MeshBranch& trunk, const MeshParams& params, Index sides, std::uint64_t seed);
@@ -35,34 +38,54 @@ public:
     void cutOff(std::vector<AxisSection>& sections) const;
     /// The middle of the lowest ring.
     [[nodiscard]] glm::dvec3 pole() const;
-    /// Points of each root, the valley after it the last of them.
+    /// Points of each tongue, the valley after it the last of them.
     [[nodiscard]] Index pointsOfRoot() const { return m_size.points / m_size.roots; }
 
 private:
     struct Root
     {
-        double azimuth;           ///< rad, in the trunk's frame
-        double before, after;     ///< rad, to the valleys on both sides
-        double height;            ///< m, at which it leaves the trunk
-        double decay;             ///< m, within which its crest falls to 1/e
-        double wander, wanderLag; ///< rad, how far it turns to the side, half of it so many m away
+        double azimuth;       ///< rad, in the trunk's frame
+        double before, after; ///< rad, to the valleys on both sides
+        double height;        ///< m, at which it leaves the trunk
+        double length;        ///< m, about how far from the trunk it sinks
+        double ridge;         ///< m, how high it runs over the ground
+        double fork;          ///< m, how far from the trunk it forks, if it does
+        double wander, lag;   ///< rad, how far it turns to the side, half of it so many m away
+        double back, backLag; ///< the same, further away
+        std::array<double, crestSteps + 1>
+            crest; ///< m, the crest's height, at places ever further from the trunk
+    };
+    /// A root is one tongue, or two where it forks. Places across a root are -1 and 1 in the valleys beside
+    /// it.
+    struct Tongue
+    {
+        Index root;
+        double crest;       ///< place across the root
+        double from, to;    ///< of its valleys, of which 0 is a fork's crotch
+        double reach = 1.0; ///< of the root's length
     };
     struct Column
     {
-        Index root;
-        double side; ///< -1 and 1 in the valleys, 0 on the crest
+        Index tongue;
+        double side;    ///< -1 and 1 in the tongue's valleys, 0 on its crest
+        double profile; ///< of the tongue's reach: 1 on its crest, 0 in its valleys
     };
     void placeRoots(const MeshParams& params, std::uint64_t seed);
+    void placeTongues(Index forks, std::uint64_t seed);
     void placeColumns();
     [[nodiscard]] double heightOf(Index ring, double beside) const;
-    [[nodiscard]] double crestOf(const Root& root, double height) const;
+    [[nodiscard]] static double crestHeight(const Root& root, double out);
+    [[nodiscard]] static double crestOf(const Root& root, double height);
+    [[nodiscard]] double outOf(const Column& column, double height) const;
+    [[nodiscard]] double azimuthOf(const Column& column, double out) const;
 
     FootSize m_size;
     glm::dvec3 m_start{0.0}, m_way{0.0, 1.0, 0.0}; ///< where the trunk stands, and its unit direction
     double m_top = 0.0, m_height = 0.0, m_radius = 0.0;
     double m_turned = 0.0;
-    double m_sunk = 0.0; ///< m, how far the crests sink under the ground on the whole
+    double m_sunk = 0.0; ///< m under the ground, a depth that crests come near to
     std::vector<Root> m_roots;
+    std::vector<Tongue> m_tongues;
     std::vector<Column> m_columnOf;
     std::vector<RingPoint> m_columns;
 };

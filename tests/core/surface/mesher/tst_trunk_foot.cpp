@@ -61,6 +61,24 @@ double reach(const TriangleMesh& mesh, double from, double to)
     return most;
 }
 
+/// m², of the cross-section of the mesh at a height.
+double areaAt(const TriangleMesh& mesh, double height)
+{
+    double area = 0.0;
+    for (const glm::uvec3& triangle : mesh.triangles) {
+        glm::dvec2 from(0.0), to(0.0);
+        for (int c = 0; c < 3; ++c) {
+            const glm::dvec3 a(mesh.positions[triangle[c]]), b(mesh.positions[triangle[(c + 1) % 3]]);
+            if ((a.y < height) == (b.y < height))
+                continue;
+            const glm::dvec3 at = a + (height - a.y) / (b.y - a.y) * (b - a);
+            (a.y < height ? from : to) = {at.x, at.z};
+        }
+        area += 0.5 * (from.x * to.y - from.y * to.x);
+    }
+    return std::abs(area);
+}
+
 } // namespace
 
 class TestTrunkFoot : public QObject
@@ -141,6 +159,34 @@ private slots:
         for (const glm::vec3& p : mesh->mesh.positions)
             lowest = std::min(lowest, p.y);
         QVERIFY(lowest < -0.3F * float(radius));
+    }
+
+    /// A foot is neither a post nor a trumpet nor a star: on the ground it is one and a third to two times as
+    /// wide as the trunk at breast height, and half a diameter higher the lobes are still there.
+    void feetFlareIntoRoots()
+    {
+        for (const int roots : {4, 5, 7, 9})
+            for (const int sides : {12, 20, 32}) {
+                BranchMeshOptions options = rooted(roots, sides);
+                options.rootLength = 0.55;
+                double atGround = 0.0, above = 0.0;
+                for (options.seed = 1; options.seed <= 6; ++options.seed) {
+                    const auto mesh = buildBranchMesh(tree(), options);
+                    QVERIFY2(mesh, why(mesh));
+                    const double trunk = areaAt(mesh->mesh, 1.3);
+                    atGround += std::sqrt(areaAt(mesh->mesh, 0.02) / trunk) / 6.0;
+                    above += std::sqrt(areaAt(mesh->mesh, 0.2) / trunk) / 6.0;
+                }
+                QVERIFY2(atGround >= 1.3 && atGround <= 2.0, qPrintable(QString::number(atGround)));
+                QVERIFY2(above >= 1.1 && above <= 0.8 * atGround, qPrintable(QString::number(above)));
+            }
+    }
+
+    /// Half of the roots fork where the trunk has sides enough for it.
+    void rootsFork()
+    {
+        QCOMPARE(footSize(rooted(6), 8).roots, Index(6));
+        QCOMPARE(footSize(rooted(6), 24).roots, Index(9));
     }
 
     void eachSeedHasItsOwnRoots()
