@@ -2583,6 +2583,10 @@
         <source>about %1 m/s on average</source>
         <translation>environ %1 m/s en moyenne</translation>
     </message>
+    <message>
+        <source>years</source>
+        <translation>années</translation>
+    </message>
 </context>
 <context>
     <name>ParamPage</name>
@@ -8647,6 +8651,10 @@
         <source>a tree with a limb that is about to fall cannot grow on</source>
         <translation>un arbre dont une branche va tomber ne peut pas vivre encore</translation>
     </message>
+    <message>
+        <source>yr</source>
+        <translation>ans</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>
@@ -9185,6 +9193,10 @@
     <message>
         <source>Grammar examples</source>
         <translation>Exemples de grammaires</translation>
+    </message>
+    <message>
+        <source>Grows year by year: young at the age of %1, mature at %2, old at %3</source>
+        <translation>Pousse année après année : jeune à l’âge de %1 ans, adulte à %2, vieux à %3</translation>
     </message>
 </context>
 <context>
@@ -13280,13 +13292,17 @@ restantes</translation>
         <translation>Elle ne s’exécute pas : une étape plus bas garde ce qu’elle a fait</translation>
     </message>
     <message>
-        <source>%1, in year %2</source>
-        <comment>an edit and the age of the tree</comment>
-        <translation>%1, à %2 ans</translation>
-    </message>
-    <message>
         <source>The tree is younger: it acts from the year %1 on</source>
         <translation>L’arbre est plus jeune : elle agit à partir de %1 ans</translation>
+    </message>
+    <message>
+        <source>the whole tree</source>
+        <translation>tout l’arbre</translation>
+    </message>
+    <message>
+        <source>in year %1</source>
+        <comment>an edit of a growing tree</comment>
+        <translation>à %1 ans</translation>
     </message>
 </context>
 <context>

@@ -38,16 +38,16 @@ inline constexpr std::array grownTreeRows{
         {"growth.age", ageGroup, RAMURE_NOOP("Age"),
          RAMURE_NOOP("Years since it was a seed. The tree of any age is cut out of one life: what is there at 40 was there at 30, or has "
                      "grown since.")},
-        ParamUnit::None, {0, 2000, 0, 150, 1, 2}, Stage::Skeleton, paramAnimatable, treeOnly, growsByYears),
+        ParamUnit::Year, {0, 2000, 0, 150, 1, 2}, Stage::Skeleton, paramAnimatable, treeOnly, growsByYears),
     grownRow<&GrowthParams::leaderUntil>(
         {"growth.leaderUntil", ageGroup, RAMURE_NOOP("Leader until"),
          RAMURE_NOOP("The year in which the trunk loses its lead and becomes a limb among limbs. Late: one trunk to the top. Early: a crown "
                      "of many limbs on a short trunk.")},
-        ParamUnit::None, {0, 1e5, 0, 150, 1, 1}),
+        ParamUnit::Year, {0, 1e5, 0, 150, 1, 1}),
     grownRow<&GrowthParams::maturity>(
         {"growth.maturity", ageGroup, RAMURE_NOOP("Mature at"),
          RAMURE_NOOP("Years until the height is nearly reached.")},
-        ParamUnit::None, {2, 2000, 5, 200, 1, 0}),
+        ParamUnit::Year, {2, 2000, 5, 200, 1, 0}),
 
     grownRow<&GrowthParams::height>(
         {"growth.height", grownSizeGroup, RAMURE_NOOP("Height"),

@@ -45,7 +45,8 @@ enum class ParamUnit : std::uint8_t {
     Second,
     Share,
     Kilogram,
-    Factor
+    Factor,
+    Year
 };
 
 enum ParamFlag : std::uint16_t {

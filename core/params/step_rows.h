@@ -138,7 +138,7 @@ inline constexpr std::array stepRows{
     row<&NodeParams::step, &StepParams::growOn, &GrowOnParams::years>(
         {"growOn.years", growOnGroup, RAMURE_NOOP("Years"),
          RAMURE_NOOP("How many years the tree lives on.")},
-        ParamUnit::None, {0, 500, 0, 60, 1, 1}, Stage::Skeleton, paramNone, stepOnly),
+        ParamUnit::Year, {0, 500, 0, 60, 1, 1}, Stage::Skeleton, paramNone, stepOnly),
 };
 // clang-format on
 

@@ -48,6 +48,8 @@ const char* unitName(ParamUnit unit)
         return "kg";
     case ParamUnit::Factor:
         return "factor";
+    case ParamUnit::Year:
+        return "years";
     }
     return "";
 }

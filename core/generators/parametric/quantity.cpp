@@ -23,6 +23,7 @@ constexpr UnitRow unitRows[] = {
     {"s", ParamUnit::Second, 1.0},         {"ms", ParamUnit::Second, 0.001},
     {"min", ParamUnit::Second, 60.0},      {"%", ParamUnit::None, 0.01},
     {"kg", ParamUnit::Kilogram, 1.0},      {"g", ParamUnit::Kilogram, 0.001},
+    {"yr", ParamUnit::Year, 1.0},
 };
 
 FieldUnits unitsOf(ParamUnit unit, double plainFactor)

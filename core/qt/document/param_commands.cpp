@@ -70,6 +70,7 @@ ShownUnit shownUnit(ParamUnit unit)
         return {1.0, " kg"};
     case ParamUnit::Factor:
         return {1.0, " ×"};
+    case ParamUnit::Year:
     case ParamUnit::None:
     case ParamUnit::Ratio:
     case ParamUnit::Count:

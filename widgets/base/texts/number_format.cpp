@@ -1,6 +1,7 @@
 #include "widgets/base/texts/number_format.h"
 
 #include "core/generators/parametric/quantity.h"
+#include "widgets/base/texts/core_text.h"
 #include <QCoreApplication>
 #include <QLocale>
 #include <algorithm>
@@ -90,6 +91,9 @@ NumberFormat numberFormat(const ParamDef& def, AngleUnit angles)
         break;
     case ParamUnit::Factor:
         format.suffix = QStringLiteral(" ×");
+        break;
+    case ParamUnit::Year:
+        format.suffix = u' ' + coreText(RAMURE_NOOP("yr"));
         break;
     case ParamUnit::None:
     case ParamUnit::Ratio:

@@ -114,7 +114,15 @@ QString presetNames(const Preset& preset)
 
 QString presetTip(const Preset& preset)
 {
-    const QString about = coreText(preset.description), latin = QString::fromUtf8(preset.latin);
+    const QString latin = QString::fromUtf8(preset.latin);
+    QString about = coreText(preset.description);
+    if (preset.ages[0] > 0)
+        about += QStringLiteral(". ") +
+                 QCoreApplication::translate(
+                     "presets", "Grows year by year: young at the age of %1, mature at %2, old at %3")
+                     .arg(preset.ages[0])
+                     .arg(preset.ages[1])
+                     .arg(preset.ages[2]);
     return latin.isEmpty()
                ? about
                : QCoreApplication::translate("presets", "%1: %2", "Latin name: habit").arg(latin, about);

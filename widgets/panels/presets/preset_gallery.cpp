@@ -26,8 +26,7 @@ constexpr int usualColumns = 2;
 /// All names that it has and what it is like, to search in.
 QString searchedText(const Preset& preset)
 {
-    return searchable(presetNames(preset) + u' ' + coreText(preset.description) + u' ' +
-                      presetGroupTitle(preset.group));
+    return searchable(presetNames(preset) + u' ' + presetTip(preset) + u' ' + presetGroupTitle(preset.group));
 }
 
 /// What grammars and points are shown with stands before the species among the presets, and behind them here.

@@ -28,6 +28,7 @@ const char* unitSuffix(const ParamDef& def)
         return " s";
     case ParamUnit::Kilogram:
         return " kg";
+    case ParamUnit::Year:
     case ParamUnit::Factor: // its sign multiplies
     case ParamUnit::None:
     case ParamUnit::Ratio:

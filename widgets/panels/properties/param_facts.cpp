@@ -37,6 +37,8 @@ QString unitText(const ParamDef& def, AngleUnit unit)
         return FactWords::tr("kilograms; also g");
     case ParamUnit::Factor:
         return FactWords::tr("a factor");
+    case ParamUnit::Year:
+        return FactWords::tr("years");
     case ParamUnit::None:
         break;
     }

@@ -27,7 +27,7 @@ QString percent(double share)
 
 } // namespace
 
-static QString plainText(const TreeEdit& edit)
+QString editText(const TreeEdit& edit)
 {
     const EditOperationInfo& info = infoOf(edit.operation);
     const QString name = coreText(info.label);
@@ -43,13 +43,6 @@ static QString plainText(const TreeEdit& edit)
     if (edit.operation == EditOperation::Leaves)
         return edit.shown ? RecipeModel::tr("Leaves on") : RecipeModel::tr("Leaves off");
     return name;
-}
-
-QString editText(const TreeEdit& edit)
-{
-    return edit.year > 0.0 ? RecipeModel::tr("%1, in year %2", "an edit and the age of the tree")
-                                 .arg(plainText(edit), QLocale().toString(edit.year, 'f', 0))
-                           : plainText(edit);
 }
 
 QString sourceText(const NodeParams& params)
@@ -84,6 +77,8 @@ QString whereText(const TreeEdit& edit)
         return RecipeModel::tr("on the ground");
     if (edit.operation == EditOperation::Frozen)
         return {};
+    if (edit.operation == EditOperation::GrowOn)
+        return RecipeModel::tr("the whole tree");
     const auto addresses = std::ranges::count(step.where, ',') + 1;
     if (step.where.starts_with("axes "))
         return RecipeModel::tr("%n chosen axis(es)", nullptr, static_cast<int>(addresses));
@@ -381,6 +376,8 @@ QVariant RecipeModel::stepData(int place, int column, int role) const
             return edit.name.empty() ? editText(edit) : QString::fromStdString(edit.name);
         if (column == Time)
             return outcome(place) ? timeText(outcome(place)->seconds) : QString();
+        if (edit.year > 0.0 && !lost)
+            return tr("in year %1", "an edit of a growing tree").arg(QLocale().toString(edit.year, 'f', 0));
         return lost && isByHand              ? tr("no place at present")
                : limb.isEmpty() && !isByHand ? whereText(edit)
                                              : limb;
