@@ -497,7 +497,7 @@ void TestTextureCoordinates::barkKeepsItsScaleAlongATrunk_data()
     QTest::addColumn<double>("most");
     for (const char* name :
          {"EuropeanBeech1995", "SilverBirch1995", "ScotsPine1995", "NorwaySpruce1995", "Hawthorn",
-          "OrchardApple1995", "JapaneseMaple", "SmallLeavedLinden1995", "Hornbeam", "LondonPlane"})
+          "OrchardApple1995", "JapaneseMaple", "SmallLeavedLinden1995", "LondonPlane"})
         QTest::newRow(name) << QString(name) << 1.25;
     // Some seeds have a fork whose thickest branch takes nearly all around but is far thinner.
     QTest::newRow("EnglishOak1995") << QString("EnglishOak1995") << 1.3;
