@@ -113,7 +113,7 @@ Expected<void> applySettings(Scene& scene, const QStringList& sets)
 
 const char* stateName(EditState state)
 {
-    constexpr const char* names[] = {"off", "frozen", "placed", "matched", "unplaced", "idle"};
+    constexpr const char* names[] = {"off", "frozen", "waits", "placed", "matched", "unplaced", "idle"};
     return names[static_cast<std::size_t>(state)];
 }
 

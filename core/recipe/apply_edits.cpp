@@ -142,7 +142,9 @@ private:
     EditOutcome done(std::size_t i)
     {
         const TreeEdit& edit = m_edits[i];
-        if (const LivedEdit* lived = m_tree.livedWith(edit.id))
+        // What is younger than the cut, as this year's shoots are, is cut as it has grown.
+        if (const LivedEdit* lived = m_tree.livedWith(edit.id);
+            lived && (lived->state != LivedEdit::State::Missed || !stands(edit.target.address)))
             return outcomeOf(edit, lived->state);
         EditOutcome outcome{edit.id, EditState::ByAddress};
         const Index target = axisOf(edit.target, m_targets[i], outcome);
@@ -162,6 +164,11 @@ private:
         return outcome;
     }
 
+    [[nodiscard]] bool stands(std::uint64_t address) const
+    {
+        const Index axis = address == 0 ? noIndex : m_tree.axisAt(address);
+        return axis != noIndex && !m_tree.isGone(axis);
+    }
     [[nodiscard]] static EditOutcome outcomeOf(const TreeEdit& edit, LivedEdit::State state)
     {
         if (state == LivedEdit::State::Waits)

@@ -68,7 +68,7 @@ FootSize footSize(const MeshParams& params, Index sides)
     const Index tongues = roots + (sides >= forkedSides ? roots / 2 : 0);
     const Index pairs = std::min({sides / sidesOfPair, mostPairs, mostPoints / (2 * tongues) - 1});
     const Index points = tongues * (2 * pairs + 2);
-    const double vertices = std::min(0.9 * sides * sides, mostVertices);
+    const double vertices = std::min(0.8 * sides * sides, mostVertices);
     return {std::clamp<Index>(static_cast<Index>(std::lround(vertices / points)), 4, 16), points, tongues};
 }
 

@@ -159,10 +159,20 @@ private slots:
         QCOMPARE(held.edits->front().state, EditState::Frozen);
     }
 
-    void whatDidNotStandIsMissed()
+    /// Of what is younger than the cut there is no life to answer for: this year's shoots go as they are.
+    void whatCameLaterIsCutAsItHasGrown()
     {
         Pruned pruned;
         pruned.params.edits.front().year = 1.0;
+        const TreeResult tree = pruned.at(cutAt);
+        QCOMPARE(tree.edits->front().state, EditState::ByAddress);
+        QVERIFY(!addressesOf(*tree.skeleton).contains(pruned.limb));
+    }
+
+    void whatNeverStoodIsMissed()
+    {
+        Pruned pruned;
+        pruned.params.edits.front().target.address = 12345;
         const TreeResult tree = pruned.at(cutAt);
         QCOMPARE(tree.edits->front().state, EditState::Unplaced);
         QVERIFY(!tree.edits->front().why.message().empty());
