@@ -175,7 +175,7 @@ void waitForPicture(const MainWindow& window)
     QTimer::singleShot(paintMs, &loop, &QEventLoop::quit);
     if (Viewport* view = window.viewportHost()->viewport()) {
         QObject::connect(view, &Viewport::frameDrawn, &loop, [&loop, view] {
-            if (!view->isPicturePending())
+            if (!view->work().picture)
                 QTimer::singleShot(200, &loop, &QEventLoop::quit);
         });
         view->update();
@@ -240,7 +240,7 @@ void measureStart(const MainWindow& window, const Document& document)
         const double ms = 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
         if (!std::exchange(drawn, true))
             say(QStringLiteral("first %1").arg(ms));
-        if (!document.isCurrent(document.scene().nodes().front().id) || view->isPicturePending())
+        if (!document.isCurrent(document.scene().nodes().front().id) || view->work().picture)
             return;
         say(QStringLiteral("full %1").arg(ms));
         QCoreApplication::exit(0);

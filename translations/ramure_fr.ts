@@ -228,16 +228,16 @@
         <translation>&amp;Parents</translation>
     </message>
     <message>
-        <source>Select what the selected ones spring from</source>
-        <translation>Sélectionner ce dont partent les éléments sélectionnés</translation>
+        <source>Select the parents of the selected branches</source>
+        <translation>Sélectionner les branches qui portent les branches sélectionnées</translation>
     </message>
     <message>
         <source>&amp;Children</source>
         <translation>&amp;Enfants</translation>
     </message>
     <message>
-        <source>Select what springs from the selected ones</source>
-        <translation>Sélectionner ce qui part des éléments sélectionnés</translation>
+        <source>Select the children of the selected branches</source>
+        <translation>Sélectionner les branches portées par les branches sélectionnées</translation>
     </message>
     <message>
         <source>&amp;Siblings</source>
@@ -256,8 +256,8 @@
         <translation>Ajouter tout ce qui pousse sur les éléments sélectionnés</translation>
     </message>
     <message>
-        <source>All of the &amp;level</source>
-        <translation>Tout le &amp;niveau</translation>
+        <source>All of the same &amp;order</source>
+        <translation>Tout le même &amp;ordre</translation>
     </message>
     <message>
         <source>Select all as deep as the selected ones</source>
@@ -620,8 +620,8 @@
         <translation>So&amp;l</translation>
     </message>
     <message>
-        <source>Without the ground, what lies below it can be seen</source>
-        <translation>Sans le sol, ce qui est en dessous se voit</translation>
+        <source>Hide the ground to see objects below it</source>
+        <translation>Masquer le sol pour voir ce qui est en dessous</translation>
     </message>
     <message>
         <source>&amp;Select tool</source>
@@ -720,8 +720,8 @@
         <translation>Pas et &amp;fantômes…</translation>
     </message>
     <message>
-        <source>What values snap to, how many ghosts there are</source>
-        <translation>De quel pas vont les valeurs, combien il y a de fantômes</translation>
+        <source>Snapping steps and number of ghosts</source>
+        <translation>Pas d’aimantation et nombre de fantômes</translation>
     </message>
     <message>
         <source>Frame all that is shown, wherever keys move it to on the timeline</source>
@@ -800,8 +800,8 @@
         <translation>Les branches en lignes, telles que la grammaire les a fait pousser</translation>
     </message>
     <message>
-        <source>The branches as lines, straight runs joined: what the mesh is made of</source>
-        <translation>Les branches en lignes, les suites droites réunies : ce dont le maillage est fait</translation>
+        <source>The skeleton of the mesh: branches as lines, with straight runs joined</source>
+        <translation>Le squelette du maillage : les branches en lignes, les suites droites réunies</translation>
     </message>
     <message>
         <source>A plain tube for each branch</source>
@@ -848,8 +848,8 @@
         <translation>Lum&amp;ière et fond…</translation>
     </message>
     <message>
-        <source>Where the sun stands, and what lies behind the trees</source>
-        <translation>Où se tient le soleil, et ce qu’il y a derrière les arbres</translation>
+        <source>Position of the sun and background of the scene</source>
+        <translation>Position du soleil et arrière-plan de la scène</translation>
     </message>
     <message>
         <source>&amp;Draft quality</source>
@@ -884,8 +884,8 @@
         <translation>&amp;Houppier à remplir</translation>
     </message>
     <message>
-        <source>The envelope and the points that a selected tree grows to fill, where it grows by space colonisation</source>
-        <translation>L’enveloppe et les points qu’un arbre sélectionné cherche à remplir, s’il pousse par colonisation de l’espace</translation>
+        <source>The envelope and the points that a selected tree fills when it grows by space colonisation</source>
+        <translation>L’enveloppe et les points qu’un arbre sélectionné remplit quand il pousse par colonisation de l’espace</translation>
     </message>
     <message>
         <source>&amp;Look through the camera</source>
@@ -924,8 +924,8 @@
         <translation>Ajouter des objets à la scène : maillages, clés de Blender, arbres d’Arbaro et d’ez-tree</translation>
     </message>
     <message>
-        <source>All goes but the limb of the active branch, what grows on it and the way down to the ground</source>
-        <translation>Tout s’en va sauf la branche active, ce qui pousse dessus et le chemin jusqu’au sol</translation>
+        <source>Removes everything except the limb of the active branch, its twigs and the wood down to the ground</source>
+        <translation>Retire tout sauf la branche active, ses rameaux et le bois jusqu’au sol</translation>
     </message>
     <message>
         <source>Leaves of the l&amp;imb on or off</source>
@@ -960,8 +960,8 @@
         <translation>&amp;Ne garder que</translation>
     </message>
     <message>
-        <source>Click a limb: all goes but it, what grows on it and the way down</source>
-        <translation>Cliquer sur une branche : tout s’en va sauf elle, ce qui pousse dessus et le chemin jusqu’en bas</translation>
+        <source>Click a limb to remove everything except it, its twigs and the wood down to the ground</source>
+        <translation>Cliquer sur une branche pour tout retirer sauf elle, ses rameaux et le bois jusqu’au sol</translation>
     </message>
     <message>
         <source>&amp;Bend</source>
@@ -996,16 +996,16 @@
         <translation>&amp;Greffer</translation>
     </message>
     <message>
-        <source>Click a limb to copy it, then click where it is to grow</source>
-        <translation>Cliquer sur une branche pour la copier, puis là où elle doit pousser</translation>
+        <source>Click a limb to copy it, then click its new place</source>
+        <translation>Cliquer sur une branche pour la copier, puis sur sa nouvelle place</translation>
     </message>
     <message>
         <source>&amp;Prune to a shape</source>
         <translation>&amp;Tailler en forme</translation>
     </message>
     <message>
-        <source>Drag a shape around the tree: what stands out of it is cut</source>
-        <translation>Tirer une forme autour de l’arbre : ce qui en dépasse est coupé</translation>
+        <source>Drag a shape around the tree: the wood outside it is cut</source>
+        <translation>Tirer une forme autour de l’arbre : le bois qui en dépasse est coupé</translation>
     </message>
     <message>
         <source>L&amp;eaves on or off</source>
@@ -1024,8 +1024,8 @@
         <translation>Glissez une branche vers un côté : elle s’enroule par là</translation>
     </message>
     <message>
-        <source>Drag a branch to the right or left: what grows on it turns about it</source>
-        <translation>Glissez une branche à droite ou à gauche : ce qui pousse dessus tourne autour d’elle</translation>
+        <source>Drag a branch to the right or left: its twigs turn about it</source>
+        <translation>Glissez une branche à droite ou à gauche : ses rameaux tournent autour d’elle</translation>
     </message>
     <message>
         <source>T&amp;aper</source>
@@ -1060,8 +1060,8 @@
         <translation>Dépla&amp;cer la fourche</translation>
     </message>
     <message>
-        <source>Drag a branch: its fork slides along what it grows on</source>
-        <translation>Glissez une branche : sa fourche glisse le long de ce qui la porte</translation>
+        <source>Drag a branch: its fork slides along its parent</source>
+        <translation>Glissez une branche : sa fourche glisse le long de son parent</translation>
     </message>
     <message>
         <source>Brus&amp;h</source>
@@ -1112,16 +1112,16 @@
         <translation>De nombreux arbres à partir de celui-ci, par graines et plages de paramètres : les regarder, marquer les bons d’une étoile, écrire un tableau pour un lot</translation>
     </message>
     <message>
-        <source>Cut a branch where you click: what lies above goes, or falls</source>
-        <translation>Couper une branche là où vous cliquez : ce qui est au-dessus s’en va, ou tombe</translation>
+        <source>Cut a branch where you click: the part above disappears, or falls</source>
+        <translation>Couper une branche à l’endroit du clic : la partie au-dessus disparaît, ou tombe</translation>
     </message>
     <message>
         <source>F&amp;ruit</source>
         <translation>&amp;Fruits</translation>
     </message>
     <message>
-        <source>Parameters without keys get one, too, where they are changed</source>
-        <translation>Les paramètres sans clé en reçoivent une, eux aussi, là où on les modifie</translation>
+        <source>A changed parameter without keys gets one, too</source>
+        <translation>Un paramètre modifié qui n’a pas de clé en reçoit une aussi</translation>
     </message>
     <message>
         <source>&amp;Billboard…</source>
@@ -1196,8 +1196,8 @@
         <translation>Pose l’outil ; sans outil, passe des branches à leur arbre, puis à rien</translation>
     </message>
     <message>
-        <source>An orange line around what is selected, seen through leaves and branches for a second after it was selected</source>
-        <translation>Un trait orange autour de ce qui est sélectionné, visible à travers feuilles et branches pendant une seconde après la sélection</translation>
+        <source>An orange outline around the selection. For a second after a selection it shows through leaves and branches</source>
+        <translation>Un contour orange autour de la sélection. Il se voit à travers feuilles et branches pendant une seconde après la sélection</translation>
     </message>
     <message>
         <source>New e&amp;mpty scene</source>
@@ -1778,8 +1778,8 @@
         <translation>Plier une branche maîtresse avec le tronc et la racine</translation>
     </message>
     <message>
-        <source>Menu of what is under the cursor</source>
-        <translation>Menu de ce qui est sous le curseur</translation>
+        <source>Menu of the object under the cursor</source>
+        <translation>Menu de l’objet sous le curseur</translation>
     </message>
     <message>
         <source>While a tree is shaped by hand</source>
@@ -1798,8 +1798,8 @@
         <translation>Dans la liste des retouches : plus tôt ou plus tard</translation>
     </message>
     <message>
-        <source>The factor, or the angle, of what is held</source>
-        <translation>Le facteur, ou l’angle, de ce qui est tenu</translation>
+        <source>Factor or angle of the current gesture</source>
+        <translation>Facteur ou angle du geste en cours</translation>
     </message>
     <message>
         <source>The same in steps</source>
@@ -1944,8 +1944,8 @@
         <translation>Épaisseur</translation>
     </message>
     <message>
-        <source>What controls the thickness along the stroke: harder pressure or a slower stroke makes it thicker</source>
-        <translation>Ce qui règle l’épaisseur le long du trait : il épaissit quand le stylet appuie plus ou que la main ralentit</translation>
+        <source>Source of the thickness along the stroke: harder pressure or a slower stroke makes it thicker</source>
+        <translation>Source de l’épaisseur le long du trait : il épaissit quand le stylet appuie plus ou que la main ralentit</translation>
     </message>
     <message>
         <source>Radius at the tip relative to the radius at the beginning of the stroke</source>
@@ -1992,8 +1992,8 @@
         <translation>Feuilles remises</translation>
     </message>
     <message>
-        <source>What the brush does to branches within its radius</source>
-        <translation>Ce que le pinceau fait aux branches dans son rayon</translation>
+        <source>Effect of the brush on branches within its radius</source>
+        <translation>Effet du pinceau sur les branches dans son rayon</translation>
     </message>
     <message>
         <source>Radius of the brush; Shift and the wheel change it too. 0 chooses one that suits the tree</source>
@@ -2096,8 +2096,8 @@
         <translation>Branches jusqu’à l’ordre</translation>
     </message>
     <message>
-        <source>A click on a twig takes the limb of this order that it grows on: 1 for limbs of the trunk, 2 for those that grow on them, and so on. Shift and the wheel change it too. 0 takes what is under the mouse</source>
-        <translation>Un clic sur un rameau prend la branche de cet ordre qui le porte : 1 pour les branches du tronc, 2 pour celles qu’elles portent, et ainsi de suite. Maj et la molette le changent aussi. 0 prend ce qui est sous la souris</translation>
+        <source>If above 0, a click on a twig selects the limb of this order that carries it: 1 for limbs of the trunk, 2 for the limbs on those, and so on. 0 selects the branch under the mouse. Shift with the wheel changes the number, too</source>
+        <translation>Au-dessus de 0, un clic sur un rameau sélectionne la branche de cet ordre qui le porte : 1 pour les branches du tronc, 2 pour celles qu’elles portent, et ainsi de suite. 0 sélectionne la branche sous la souris. Maj avec la molette change aussi le nombre</translation>
     </message>
     <message>
         <source>any</source>
@@ -2110,6 +2110,29 @@
     <message>
         <source>Twigs with their leaves grow on the branch, as dense as on the limbs beside it</source>
         <translation>Des rameaux avec leurs feuilles poussent sur la branche, aussi serrés que sur les branches voisines</translation>
+    </message>
+</context>
+<context>
+    <name>KeyButton</name>
+    <message>
+        <source>%1 has a key at this frame: a click removes it, another value replaces it</source>
+        <translation>%1 a une clé à cette image&#xa0;: un clic la retire, une autre valeur la remplace</translation>
+    </message>
+    <message>
+        <source>%1 has keys at other frames: a click sets one at this frame, and so does another value</source>
+        <translation>%1 a des clés à d’autres images&#xa0;: un clic en pose une à cette image, une autre valeur aussi</translation>
+    </message>
+    <message>
+        <source>%1 has no keys: a click sets the first one, at this frame</source>
+        <translation>%1 n’a pas de clé&#xa0;: un clic pose la première, à cette image</translation>
+    </message>
+    <message>
+        <source>The key of “%1” at frame %2 is gone: Undo brings it back.</source>
+        <translation>La clé de «&#xa0;%1&#xa0;» à l’image %2 est retirée&#xa0;: Annuler la ramène.</translation>
+    </message>
+    <message>
+        <source>“%1” has a key at frame %2 now: Undo takes it back.</source>
+        <translation>«&#xa0;%1&#xa0;» a maintenant une clé à l’image %2&#xa0;: Annuler la retire.</translation>
     </message>
 </context>
 <context>
@@ -2159,8 +2182,8 @@
         <translation>Intérieur et extérieur s’échangent&#xa0;: des parties sortent creuses ou manquent.</translation>
     </message>
     <message>
-        <source>Where back faces are not drawn, one of the two is a hole; the light falls on it from the wrong side.</source>
-        <translation>Là où les faces arrière ne sont pas dessinées, l’une des deux est un trou&#xa0;; la lumière y tombe du mauvais côté.</translation>
+        <source>One of the two faces shows its back. Programs that do not draw back faces show a hole there, others light it from the wrong side.</source>
+        <translation>L’une des deux faces montre son dos. Les programmes qui ne dessinent pas les faces arrière y montrent un trou, les autres l’éclairent du mauvais côté.</translation>
     </message>
     <message>
         <source>Non-manifold vertices</source>
@@ -2355,8 +2378,8 @@
         <translation>Branches qui se heurtent</translation>
     </message>
     <message>
-        <source>Two branches far from each other in the tree run through each other. That is no fault of the mesh: the tree grew so. “Move apart” turns the thinner one away as little as it takes.</source>
-        <translation>Deux branches éloignées dans l’arbre se traversent. Ce n’est pas une faute du maillage : l’arbre a poussé ainsi. «&#xa0;Écarter&#xa0;» tourne la plus mince, aussi peu que possible.</translation>
+        <source>Two branches far from each other in the tree run through each other. The mesh is correct: the tree grew so. “Move apart” turns the thinner branch away, as little as possible.</source>
+        <translation>Deux branches éloignées dans l’arbre se traversent. Le maillage est correct : l’arbre a poussé ainsi. « Écarter » tourne la plus mince, aussi peu que possible.</translation>
     </message>
     <message>
         <source>They come out as one body, joined where they cross. Slicers that do not join overlapping walls leave a hollow there.</source>
@@ -2375,12 +2398,12 @@
         <translation>Les triangles aux plus petits angles. Ce ne sont pas des défauts : tout maillage en a.</translation>
     </message>
     <message>
-        <source>Of no importance, as long as they have an area.</source>
-        <translation>Sans importance, tant qu’ils ont une aire.</translation>
+        <source>They do no harm as long as they have an area.</source>
+        <translation>Elles ne gênent pas tant qu’elles ont une aire.</translation>
     </message>
     <message>
-        <source>Long thin triangles shade in streaks, subdivide badly and slow down what computes on the surface.</source>
-        <translation>Les triangles longs et minces s’ombrent en traînées, se subdivisent mal et ralentissent les calculs sur la surface.</translation>
+        <source>Long thin triangles shade in streaks, subdivide badly and slow down computations on the surface.</source>
+        <translation>Les longs triangles minces donnent des stries d’ombrage, se subdivisent mal et ralentissent les calculs sur la surface.</translation>
     </message>
     <message>
         <source>A terrain or a plane has an edge by its nature, so its surface is open there. Nothing else is wrong with it: no other holes or seams, and all faces look to the same side.</source>
@@ -2403,8 +2426,8 @@
         <translation>Des triangles du maillage se traversent.</translation>
     </message>
     <message>
-        <source>Most slicers join what overlaps; some leave a hollow there.</source>
-        <translation>La plupart des trancheurs réunissent ce qui se recouvre&#xa0;; certains y laissent un creux.</translation>
+        <source>Most slicers join overlapping parts; some leave a hollow there.</source>
+        <translation>La plupart des trancheurs réunissent les parties qui se recouvrent ; certains y laissent un creux.</translation>
     </message>
     <message>
         <source>A hard crease where they meet, and false edges for tools that cut the mesh.</source>
@@ -2772,8 +2795,8 @@
         <translation>rayon</translation>
     </message>
     <message>
-        <source>level</source>
-        <translation>niveau</translation>
+        <source>order</source>
+        <translation>ordre</translation>
     </message>
     <message>
         <source>children</source>
@@ -2826,8 +2849,8 @@
         <translation>Un carré : un carreau, %1 sur le bois le plus épais</translation>
     </message>
     <message>
-        <source>Where too small to see: 2, 4, 8 … tiles</source>
-        <translation>Où ils seraient trop petits : 2, 4, 8 … carreaux</translation>
+        <source>Tiles too small to see are joined: 2, 4, 8 …</source>
+        <translation>Les carreaux trop petits sont réunis : 2, 4, 8 …</translation>
     </message>
     <message>
         <source>Stretch of the texture</source>
@@ -3476,8 +3499,8 @@
         <translation>Effilement</translation>
     </message>
     <message>
-        <source>What remains of the radius at the end of each piece of branch. 1 keeps branches as thick as the trunk.</source>
-        <translation>Ce qui reste du rayon au bout de chaque morceau de branche. 1 garde les branches aussi épaisses que le tronc.</translation>
+        <source>Share of the radius that remains at the end of each piece of branch. 1 keeps branches as thick as the trunk.</source>
+        <translation>Part du rayon qui reste au bout de chaque morceau de branche. 1 garde les branches aussi épaisses que le tronc.</translation>
     </message>
     <message>
         <source>Merge straight runs</source>
@@ -3528,8 +3551,8 @@
         <translation>Position</translation>
     </message>
     <message>
-        <source>Where it stands, measured from its parent.</source>
-        <translation>Où il se tient, mesuré depuis son parent.</translation>
+        <source>Position relative to the parent.</source>
+        <translation>Position par rapport au parent.</translation>
     </message>
     <message>
         <source>Rotation</source>
@@ -3784,8 +3807,8 @@
         <translation>Amortissement</translation>
     </message>
     <message>
-        <source>What remains of a movement: close to 1 the tree swings for long, at 0 it follows the wind without a swing. Robust: what half a swing leaves of it; faithful: what each step leaves of the speed.</source>
-        <translation>Ce qui reste d’un mouvement&#xa0;: près de 1 l’arbre se balance longtemps, à 0 il suit le vent sans se balancer. Robuste&#xa0;: ce qu’en laisse un demi-balancement&#xa0;; fidèle&#xa0;: ce que chaque pas laisse de la vitesse.</translation>
+        <source>Share of a movement that remains: close to 1 the tree swings for long, at 0 it follows the wind without swinging. Robust: the share after half a swing. Faithful: the share of the speed after each step.</source>
+        <translation>Part d’un mouvement qui reste : près de 1 l’arbre se balance longtemps, à 0 il suit le vent sans se balancer. Robuste : la part après un demi-balancement. Fidèle : la part de la vitesse après chaque pas.</translation>
     </message>
     <message>
         <source>Stiffness</source>
@@ -3800,8 +3823,8 @@
         <translation>Retour vers</translation>
     </message>
     <message>
-        <source>Where a branch wants back to: the place it has as seen from its parent, or the direction it had in the world at first. The faithful mode always takes the world.</source>
-        <translation>Vers où revient une branche&#xa0;: la place qu’elle a vue de son parent, ou la direction qu’elle avait d’abord dans le monde. Le mode fidèle prend toujours le monde.</translation>
+        <source>The rest position that a branch swings back to: its place relative to its parent, or its first direction in the world. The faithful mode always uses the world.</source>
+        <translation>La position de repos vers laquelle une branche revient : sa place par rapport à son parent, ou sa direction initiale dans le monde. Le mode fidèle prend toujours le monde.</translation>
     </message>
     <message>
         <source>Wind</source>
@@ -3812,8 +3835,8 @@
         <translation>Direction du vent</translation>
     </message>
     <message>
-        <source>Where the wind blows to, about the vertical axis: 0 along X, a quarter turn against Z.</source>
-        <translation>Vers où souffle le vent, autour de l’axe vertical&#xa0;: 0 le long de X, un quart de tour contre Z.</translation>
+        <source>Direction that the wind blows to, as a turn about the vertical axis: 0 along X, a quarter turn against Z.</source>
+        <translation>Direction vers laquelle souffle le vent, comme rotation autour de l’axe vertical : 0 le long de X, un quart de tour contre Z.</translation>
     </message>
     <message>
         <source>Gusts</source>
@@ -3840,8 +3863,8 @@
         <translation>Rebond des pommes</translation>
     </message>
     <message>
-        <source>What the ground gives back of the speed of a fallen apple: 0 it stays where it falls.</source>
-        <translation>Ce que le sol rend de la vitesse d’une pomme tombée&#xa0;: 0 elle reste où elle tombe.</translation>
+        <source>Share of its speed with which a fallen apple bounces off the ground. At 0 it stays where it falls.</source>
+        <translation>Part de sa vitesse avec laquelle une pomme tombée rebondit. À 0 elle reste où elle tombe.</translation>
     </message>
     <message>
         <source>Apple friction</source>
@@ -3940,8 +3963,8 @@
         <translation>Nombre approximatif de triangles de toutes les branches réunies, à 5&#xa0;% près. Les branches épaisses et courbées en reçoivent plus, les fines et les droites moins, et les deux nombres ci-dessus ne comptent plus. 0&#xa0;: pas de budget.</translation>
     </message>
     <message>
-        <source>the time lies beyond what the physics counts</source>
-        <translation>ce moment dépasse ce que la physique peut compter</translation>
+        <source>the time is too late for the physics</source>
+        <translation>ce moment est trop tardif pour la physique</translation>
     </message>
     <message>
         <source>the bend of a branch must be finite</source>
@@ -4132,24 +4155,24 @@
         <translation>Position propre</translation>
     </message>
     <message>
-        <source>Moves what the node itself shows, but none of its children.</source>
-        <translation>Déplace ce que le nœud montre lui-même, mais aucun de ses enfants.</translation>
+        <source>Moves the node&apos;s own shape, but not its children.</source>
+        <translation>Déplace la forme du nœud lui-même, mais pas ses enfants.</translation>
     </message>
     <message>
         <source>Own rotation</source>
         <translation>Rotation propre</translation>
     </message>
     <message>
-        <source>Turns what the node itself shows, but none of its children: first about X, then Y, then Z.</source>
-        <translation>Tourne ce que le nœud montre lui-même, mais aucun de ses enfants : d&apos;abord autour de X, puis Y, puis Z.</translation>
+        <source>Turns the node&apos;s own shape, but not its children: first about X, then Y, then Z.</source>
+        <translation>Tourne la forme du nœud lui-même, mais pas ses enfants : d’abord autour de X, puis Y, puis Z.</translation>
     </message>
     <message>
         <source>Own scale</source>
         <translation>Échelle propre</translation>
     </message>
     <message>
-        <source>Stretches what the node itself shows, but none of its children.</source>
-        <translation>Étire ce que le nœud montre lui-même, mais aucun de ses enfants.</translation>
+        <source>Scales the node&apos;s own shape, but not its children.</source>
+        <translation>Étire la forme du nœud lui-même, mais pas ses enfants.</translation>
     </message>
     <message>
         <source>Shape</source>
@@ -4164,16 +4187,16 @@
         <translation>Rayon</translation>
     </message>
     <message>
-        <source>Of cylinders, cones and spheres; of a frame cross the thickness of its arrows.</source>
-        <translation>Des cylindres, cônes et sphères ; d&apos;un repère, l&apos;épaisseur de ses flèches.</translation>
+        <source>Radius of cylinders, cones and spheres. For a frame cross, the thickness of its arrows.</source>
+        <translation>Rayon des cylindres, cônes et sphères. Pour un repère, l’épaisseur de ses flèches.</translation>
     </message>
     <message>
         <source>Height</source>
         <translation>Hauteur</translation>
     </message>
     <message>
-        <source>Of cylinders and cones along their axis; of a frame cross the length of its arrows.</source>
-        <translation>Des cylindres et des cônes le long de leur axe ; d&apos;un repère, la longueur de ses flèches.</translation>
+        <source>Length of cylinders and cones along their axis. For a frame cross, the length of its arrows.</source>
+        <translation>Longueur des cylindres et des cônes le long de leur axe. Pour un repère, la longueur de ses flèches.</translation>
     </message>
     <message>
         <source>Size</source>
@@ -4272,8 +4295,8 @@
         <translation>Cible</translation>
     </message>
     <message>
-        <source>Where the tip is to go, in the arm&apos;s own space: its foot at 0, Z up.</source>
-        <translation>Où le bout doit aller, dans l&apos;espace du bras : son pied en 0, Z vers le haut.</translation>
+        <source>Position that the tip moves to, in the arm&apos;s own space: its foot at 0, Z up.</source>
+        <translation>Position où va le bout, dans l’espace du bras : son pied en 0, Z vers le haut.</translation>
     </message>
     <message>
         <source>Joint size</source>
@@ -4316,8 +4339,8 @@
         <translation>Plus près que cela, la cible compte comme atteinte.</translation>
     </message>
     <message>
-        <source>Of the cylinder around the arm.</source>
-        <translation>Du cylindre autour du bras.</translation>
+        <source>Radius of the cylinder around the arm.</source>
+        <translation>Rayon du cylindre autour du bras.</translation>
     </message>
     <message>
         <source>Divisions along</source>
@@ -4572,8 +4595,8 @@
         <translation>Longueur</translation>
     </message>
     <message>
-        <source>Of the segment behind the joint, metres</source>
-        <translation>Du segment qui suit l&apos;articulation, en mètres</translation>
+        <source>Length of the segment behind the joint, in metres</source>
+        <translation>Longueur du segment qui suit l’articulation, en mètres</translation>
     </message>
     <message>
         <source>Phi</source>
@@ -5252,8 +5275,8 @@
         <translation>Enroulement</translation>
     </message>
     <message>
-        <source>How far a blade bends down from its foot to its tip, or up where it is negative.</source>
-        <translation>De combien un limbe se courbe vers le bas de son pied à sa pointe, ou vers le haut si c’est négatif.</translation>
+        <source>How far a blade bends down from its foot to its tip. Negative values bend it up.</source>
+        <translation>De combien une lame se courbe vers le bas de son pied à sa pointe. Une valeur négative la courbe vers le haut.</translation>
     </message>
     <message>
         <source>Cup</source>
@@ -5280,8 +5303,8 @@
         <translation>Écorce</translation>
     </message>
     <message>
-        <source>What the bark looks like. Its picture is made by the program and repeats without a seam.</source>
-        <translation>L’aspect de l’écorce. Son image est faite par le programme et se répète sans couture.</translation>
+        <source>Kind of bark. The program makes its picture, which repeats without a seam.</source>
+        <translation>Genre d’écorce. Le programme fait son image, qui se répète sans couture.</translation>
     </message>
     <message>
         <source>Depth</source>
@@ -5296,8 +5319,8 @@
         <translation>Plus claire</translation>
     </message>
     <message>
-        <source>Makes the bark lighter, or darker where it is negative.</source>
-        <translation>Éclaircit l’écorce, ou l’assombrit si la valeur est négative.</translation>
+        <source>Makes the bark lighter. Negative values make it darker.</source>
+        <translation>Éclaircit l’écorce. Une valeur négative l’assombrit.</translation>
     </message>
     <message>
         <source>Moss</source>
@@ -5356,8 +5379,8 @@
         <translation>Fruit</translation>
     </message>
     <message>
-        <source>What the twigs carry beside leaves: fruit hang on their stalks, blossom looks at the light. Faithful: a sphere about the twig, a cube in the rough model.</source>
-        <translation>Ce que les rameaux portent outre les feuilles : les fruits pendent à leur queue, les fleurs regardent la lumière. Fidèle : une sphère autour du rameau, un cube dans le modèle grossier.</translation>
+        <source>Fruit or flowers on the twigs: fruit hang on their stalks, blossom faces the light. Faithful: a sphere about the twig, a cube in the rough model.</source>
+        <translation>Fruits ou fleurs sur les rameaux : les fruits pendent à leur queue, les fleurs se tournent vers la lumière. Fidèle : une sphère autour du rameau, un cube dans le modèle grossier.</translation>
     </message>
     <message>
         <source>Fruit size</source>
@@ -5480,8 +5503,8 @@
         <translation>Image de relief</translation>
     </message>
     <message>
-        <source>An image file that says how far the surface stands out: white is highest. Normals are made of it where they have no picture.</source>
-        <translation>Un fichier d’image qui dit de combien la surface ressort : le blanc est le plus haut. Les normales en sont tirées quand elles n’ont pas d’image.</translation>
+        <source>An image file with the height of the surface: white is highest. If there is no picture of normals, they are computed from it.</source>
+        <translation>Un fichier d’image qui donne la hauteur de la surface : le blanc est le plus haut. Sans image de normales, elles en sont calculées.</translation>
     </message>
     <message>
         <source>Occlusion picture</source>
@@ -5496,8 +5519,8 @@
         <translation>Image d’opacité</translation>
     </message>
     <message>
-        <source>An image file that cuts the surface out: what is black is not there.</source>
-        <translation>Un fichier d’image qui découpe la surface : ce qui est noir n’existe pas.</translation>
+        <source>An image file that cuts the surface out: black parts are invisible.</source>
+        <translation>Un fichier d’image qui découpe la surface : les parties noires sont invisibles.</translation>
     </message>
     <message>
         <source>Pictures of the bark</source>
@@ -5676,8 +5699,8 @@
         <translation>Tropisme</translation>
     </message>
     <message>
-        <source>What branches bend towards as they grow: down where their weight pulls them, up where they seek light. A longer arrow bends them more.</source>
-        <translation>Ce vers quoi les branches se courbent en poussant : vers le bas quand leur poids les tire, vers le haut quand elles cherchent la lumière. Une flèche plus longue les courbe davantage.</translation>
+        <source>Direction that branches bend towards as they grow: down under their weight, up towards the light. A longer arrow bends them more.</source>
+        <translation>Direction vers laquelle les branches se courbent en poussant : vers le bas sous leur poids, vers le haut pour la lumière. Une flèche plus longue les courbe davantage.</translation>
     </message>
     <message>
         <source>Elasticity</source>
@@ -5812,8 +5835,8 @@
         <translation>La longueur des charpentières selon leur hauteur sur le tronc : le contour de la cime.</translation>
     </message>
     <message>
-        <source>What the length of the trunk is a share of.</source>
-        <translation>Ce dont la longueur du tronc est une part.</translation>
+        <source>Size of the tree; the length of the trunk is a share of it.</source>
+        <translation>Taille de l’arbre ; la longueur du tronc en est une part.</translation>
     </message>
     <message>
         <source>Height varies</source>
@@ -5896,16 +5919,16 @@
         <translation>Largeur de l’enveloppe</translation>
     </message>
     <message>
-        <source>Half the width of the pruning envelope where it is widest, as a share of the height.</source>
-        <translation>La moitié de la largeur de l’enveloppe là où elle est la plus large, comme part de la hauteur.</translation>
+        <source>Half the greatest width of the pruning envelope, as a share of the height.</source>
+        <translation>La moitié de la plus grande largeur de l’enveloppe de taille, comme part de la hauteur.</translation>
     </message>
     <message>
         <source>Widest at</source>
         <translation>Plus large à</translation>
     </message>
     <message>
-        <source>Where the envelope is widest: 0 at the base of the crown, 1 at its top.</source>
-        <translation>Où l’enveloppe est la plus large : 0 à la base de la cime, 1 au sommet.</translation>
+        <source>Height at which the envelope is widest: 0 at the base of the crown, 1 at its top.</source>
+        <translation>Hauteur à laquelle l’enveloppe est la plus large : 0 à la base de la cime, 1 au sommet.</translation>
     </message>
     <message>
         <source>Curve below</source>
@@ -5932,8 +5955,8 @@
         <translation>Combien de tiges de ce niveau porte une tige entière du niveau inférieur ; au niveau 0, combien de troncs partagent le pied.</translation>
     </message>
     <message>
-        <source>As a share of the stem that carries it; of the trunk, of the height.</source>
-        <translation>Comme part de la tige qui la porte ; pour le tronc, de la hauteur.</translation>
+        <source>Length as a share of the parent stem&apos;s. For the trunk, a share of the tree&apos;s height.</source>
+        <translation>Longueur comme part de la tige qui la porte. Pour le tronc, part de la hauteur de l’arbre.</translation>
     </message>
     <message>
         <source>Length varies</source>
@@ -5988,16 +6011,16 @@
         <translation>Courbure</translation>
     </message>
     <message>
-        <source>By how much a stem bends from its foot to its tip: away from the stem that carries it, or towards it where it is negative.</source>
-        <translation>De combien une tige se courbe de son pied à sa pointe : à l’écart de la tige qui la porte, ou vers elle si négatif.</translation>
+        <source>Angle by which a stem bends from its foot to its tip, away from its parent. A negative angle bends it towards the parent.</source>
+        <translation>Angle dont une tige se courbe de son pied à sa pointe, à l’écart de celle qui la porte. Un angle négatif la courbe vers elle.</translation>
     </message>
     <message>
         <source>Curve back</source>
         <translation>Courbure en retour</translation>
     </message>
     <message>
-        <source>Where it is not 0, the first half of a stem bends by the curve, the second by this.</source>
-        <translation>Si ce n’est pas 0, la première moitié d’une tige suit la courbure, la seconde celle-ci.</translation>
+        <source>If it is not 0, the first half of a stem bends by the curve, the second half by this angle.</source>
+        <translation>Si ce n’est pas 0, la première moitié d’une tige suit la courbure, la seconde cet angle.</translation>
     </message>
     <message>
         <source>Curve varies</source>
@@ -6028,8 +6051,8 @@
         <translation>Angle de division</translation>
     </message>
     <message>
-        <source>How far the stems of a split turn away from each other; less where they stand upright no more.</source>
-        <translation>De combien les tiges d’une division s’écartent les unes des autres ; moins là où elles ne sont plus dressées.</translation>
+        <source>How far the stems of a split turn away from each other. Leaning stems turn less.</source>
+        <translation>De combien les tiges d’une fourche s’écartent l’une de l’autre. Les tiges penchées s’écartent moins.</translation>
     </message>
     <message>
         <source>Split angle varies</source>
@@ -6144,8 +6167,8 @@
         <translation>Rayon du houppier</translation>
     </message>
     <message>
-        <source>Half the width of the crown where it is widest.</source>
-        <translation>La moitié de la largeur du houppier là où il est le plus large.</translation>
+        <source>Half the greatest width of the crown.</source>
+        <translation>La moitié de la plus grande largeur de la couronne.</translation>
     </message>
     <message>
         <source>Points</source>
@@ -6188,16 +6211,16 @@
         <translation>Longueur du morceau qu’une branche pousse avant de chercher de nouveau des points.</translation>
     </message>
     <message>
-        <source>What draws branches beside the points: up to the light, or down. A longer arrow draws more.</source>
-        <translation>Ce qui attire les branches en plus des points : vers le haut, la lumière, ou vers le bas. Une flèche plus longue attire davantage.</translation>
+        <source>Direction that attracts branches in addition to the points: up to the light, or down. A longer arrow attracts more.</source>
+        <translation>Direction qui attire les branches en plus des points : vers le haut, la lumière, ou vers le bas. Une flèche plus longue attire davantage.</translation>
     </message>
     <message>
         <source>Radii add as</source>
         <translation>Somme des rayons</translation>
     </message>
     <message>
-        <source>Where branches meet, their radii to this power add up: 2 gives stout trunks, 3 slender ones.</source>
-        <translation>Là où des branches se rejoignent, leurs rayons à cette puissance s’additionnent : 2 donne des troncs forts, 3 des troncs minces.</translation>
+        <source>At a fork, the branches&apos; radii to this power add up: 2 gives stout trunks, 3 slender ones.</source>
+        <translation>À une fourche, les rayons des branches à cette puissance s’additionnent : 2 donne des troncs forts, 3 des troncs minces.</translation>
     </message>
     <message>
         <source>Radius of tips</source>
@@ -6380,8 +6403,8 @@
         <translation>Mise au point</translation>
     </message>
     <message>
-        <source>How far away is what the lens shows sharp.</source>
-        <translation>À quelle distance se trouve ce que l’objectif montre net.</translation>
+        <source>Distance at which the lens is in focus.</source>
+        <translation>Distance à laquelle l’objectif est net.</translation>
     </message>
     <message>
         <source>Camera</source>
@@ -6400,8 +6423,8 @@
         <translation>&amp;Caméra</translation>
     </message>
     <message>
-        <source>Add a camera that sees what the view shows</source>
-        <translation>Ajouter une caméra qui voit ce que montre la vue</translation>
+        <source>Add a camera with the present view</source>
+        <translation>Ajouter une caméra avec la vue actuelle</translation>
     </message>
     <message>
         <source>the file cannot be written: %1</source>
@@ -6496,8 +6519,8 @@
         <translation>Les arbres</translation>
     </message>
     <message>
-        <source>What trees that grow by space colonisation make of it. A tree fills solids below it in the scene, once its envelope is a solid of the scene; all of them grow around obstacles. Hidden ones count too.</source>
-        <translation>Ce qu’en font les arbres qui poussent par colonisation de l’espace. Un arbre remplit les solides placés sous lui dans la scène, dès que son enveloppe est un solide de la scène ; tous poussent autour des obstacles. Ceux qui sont cachés comptent aussi.</translation>
+        <source>Role for trees that grow by space colonisation. A tree whose envelope is “Solid” fills the solids below it in the scene; all such trees grow around obstacles. Hidden objects count, too.</source>
+        <translation>Rôle pour les arbres qui poussent par colonisation de l’espace. Un arbre dont l’enveloppe est un solide remplit les solides placés sous lui dans la scène ; tous contournent les obstacles. Les objets cachés comptent aussi.</translation>
     </message>
     <message>
         <source>Solid of the scene</source>
@@ -6808,8 +6831,8 @@
         <translation>une direction ne doit pas être nulle</translation>
     </message>
     <message>
-        <source>nothing in the tree looks like what was edited</source>
-        <translation>rien dans l’arbre ne ressemble à ce qui avait été modifié</translation>
+        <source>no limb of the tree resembles the edited one</source>
+        <translation>aucune branche de l’arbre ne ressemble à celle qui a été retouchée</translation>
     </message>
     <message>
         <source>an edit before has taken the limb away</source>
@@ -6832,8 +6855,8 @@
         <translation>rien ne pousse sur cet axe</translation>
     </message>
     <message>
-        <source>only what stands on the ground has a root</source>
-        <translation>seul ce qui tient au sol a une racine</translation>
+        <source>only an axis on the ground has a root</source>
+        <translation>seul un axe posé au sol a une racine</translation>
     </message>
     <message>
         <source>the tree has no such limb</source>
@@ -6864,8 +6887,8 @@
         <translation>l’axe n’a pas de longueur</translation>
     </message>
     <message>
-        <source>what stands on the ground has no place on a parent</source>
-        <translation>ce qui tient au sol n’a pas de place sur un parent</translation>
+        <source>an axis on the ground has no place on a parent</source>
+        <translation>un axe posé au sol n’a pas de place sur un parent</translation>
     </message>
     <message>
         <source>a limb cannot be put on itself</source>
@@ -7360,8 +7383,8 @@
         <translation>le fichier ne montre ni maillage, ni caméra, ni nœud</translation>
     </message>
     <message>
-        <source>%1 is sheared, mirrored or flat: that was put into what hangs on it</source>
-        <translation>%1 est cisaillé, retourné ou plat : cela a été mis dans ce qui y est attaché</translation>
+        <source>%1 is sheared, mirrored or flat: its children took over this part of the transform</source>
+        <translation>%1 est cisaillé, en miroir ou aplati : ses enfants ont repris cette part de la transformation</translation>
     </message>
     <message>
         <source>the camera %1 has no angle that can be kept: it gets the usual one</source>
@@ -7492,12 +7515,12 @@
         <translation>Hauteur libre au sol</translation>
     </message>
     <message>
-        <source>Limbs that sink so low go on level, and what they carry ends above the ground; 0: they may grow below it.</source>
-        <translation>Les branches qui descendent si bas poursuivent à l’horizontale, et ce qu’elles portent s’arrête au-dessus du sol&#xa0;; 0&#xa0;: elles peuvent descendre plus bas.</translation>
+        <source>Limbs that sink to this height continue level, and their twigs end above the ground. At 0 they may grow below the ground.</source>
+        <translation>Les branches qui descendent à cette hauteur poursuivent à l’horizontale, et leurs rameaux s’arrêtent au-dessus du sol. À 0, elles peuvent descendre plus bas.</translation>
     </message>
     <message>
-        <source>How many leaves grow on each branch that is thin enough. Leaves of a plant grow by their internode: of them 0 alone says something, that there are none.</source>
-        <translation>Nombre de feuilles sur chaque branche assez fine. Les feuilles d’une plante suivent leur entre-nœud : pour elles, seul 0 a un effet, aucune feuille.</translation>
+        <source>Number of leaves on each branch that is thin enough. Leaves of a plant follow their internode instead; for them only 0 has an effect: no leaves.</source>
+        <translation>Nombre de feuilles sur chaque branche assez mince. Les feuilles d’une plante suivent plutôt leur entre-nœud ; pour elles seul 0 a un effet : aucune feuille.</translation>
     </message>
     <message>
         <source>no temporary folder can be made: %1</source>
@@ -7568,8 +7591,8 @@
         <translation>« %1 » n’est ni un nombre ni une fonction</translation>
     </message>
     <message>
-        <source>macros with parameters are not supported: write out &quot;%1&quot; where it is used</source>
-        <translation>les macros à paramètres ne sont pas prises en charge : écrivez « %1 » en entier là où il sert</translation>
+        <source>macros with parameters are not supported: write &quot;%1&quot; out at each use</source>
+        <translation>les macros à paramètres ne sont pas prises en charge : écrivez « %1 » en toutes lettres à chaque usage</translation>
     </message>
     <message>
         <source>the axiom does not belong among the rules: write it under Axiom (grammar.axiom)</source>
@@ -7608,12 +7631,12 @@
         <translation>%1 est hors limites : %2 le remplace</translation>
     </message>
     <message>
-        <source>By how much the trunk is thicker at the ground than its cone, as a share of its radius; negative, thinner.</source>
-        <translation>De combien le tronc est plus épais au sol que son cône, comme part de son rayon ; négatif, plus mince.</translation>
+        <source>Extra thickness of the trunk at the ground, as a share of its radius. Negative values make it thinner.</source>
+        <translation>Épaisseur en plus du tronc au sol, comme part de son rayon. Une valeur négative l’amincit.</translation>
     </message>
     <message>
-        <source>Between a stem and the one that carries it: 0 goes on straight, a quarter turn stands away. Of the trunk, between it and the vertical. Negative: to the other side.</source>
-        <translation>Entre une tige et celle qui la porte : 0 continue tout droit, un quart de tour s’en écarte. Pour le tronc, entre lui et la verticale. Négatif : de l’autre côté.</translation>
+        <source>Angle between a stem and its parent: 0 continues straight, a quarter turn stands off at a right angle. For the trunk, the angle to the vertical. Negative: to the other side.</source>
+        <translation>Angle entre une tige et celle qui la porte : 0 continue tout droit, un quart de tour s’en écarte à angle droit. Pour le tronc, l’angle avec la verticale. Négatif : de l’autre côté.</translation>
     </message>
     <message>
         <source>the folder cannot be made: %1</source>
@@ -7640,8 +7663,8 @@
         <translation>Dans le maillage, aucune branche n’est plus fine, et deux sommets ne sont jamais plus proches que la moitié environ&#xa0;: à 0,25 mm, les programmes qui fusionnent les sommets à moins de 0,1 mm gardent le maillage fermé. Au plus un deux-millième de la taille de l’arbre est pris, et là où les branches ont plus de 12 points sur leur tour, ceux-ci peuvent être plus proches. 0 laisse les rameaux les plus fins tels quels.</translation>
     </message>
     <message>
-        <source>How far above a fork its branches narrow from the width of what carries them to their own, in diameters of the branch. At 0 they begin with their own width, which leaves a ledge below them where they are thinner.</source>
-        <translation>Hauteur au-dessus d’une fourche où ses branches passent de la largeur de ce qui les porte à la leur, en diamètres de la branche. À 0, elles commencent à leur propre largeur, ce qui laisse un rebord sous elles là où elles sont plus minces.</translation>
+        <source>Distance above a fork, in diameters of the branch, over which a branch narrows from its parent&apos;s width to its own. At 0 it begins with its own width, which leaves a ledge if it is thinner.</source>
+        <translation>Distance au-dessus d’une fourche, en diamètres de la branche, sur laquelle une branche s’amincit de la largeur de celle qui la porte à la sienne. À 0 elle commence à sa propre largeur, ce qui laisse un rebord si elle est plus mince.</translation>
     </message>
     <message>
         <source>Finished mesh</source>
@@ -7700,8 +7723,8 @@
         <translation>Compressé</translation>
     </message>
     <message>
-        <source>Numbers are rounded to what is still seen and packed (EXT_meshopt_compression): the file is about a fifth as large, without its pictures. For web pages and engines that read it; Blender 3.4 does not.</source>
-        <translation>Les nombres sont arrondis à ce qui se voit encore et comprimés (EXT_meshopt_compression) : le fichier est réduit à un cinquième environ, sans ses images. Pour les pages web et les moteurs qui le lisent ; Blender 3.4 ne le lit pas.</translation>
+        <source>Rounds numbers to visible precision and packs them (EXT_meshopt_compression): without its pictures, the file is about a fifth as large. For web pages and engines that read it; Blender 3.4 does not.</source>
+        <translation>Arrondit les nombres à la précision visible et les comprime (EXT_meshopt_compression) : sans ses images, le fichier est réduit à un cinquième environ. Pour les pages web et les moteurs qui le lisent ; Blender 3.4 ne le lit pas.</translation>
     </message>
     <message>
         <source>%1 at most</source>
@@ -7724,12 +7747,12 @@
         <translation>Vent pour</translation>
     </message>
     <message>
-        <source>Where each corner lies on the bark, on the picture of a leaf or a fruit. The size of one repeat of the bark, in metres, is the tree&apos;s parameter &quot;Bark tile&quot;. Beside an .obj, the pictures of the bark are written too.</source>
-        <translation>Où chaque coin se trouve sur l’écorce, sur l’image d’une feuille ou d’un fruit. La taille d’une répétition de l’écorce, en mètres, est le paramètre « Carreau d’écorce » de l’arbre. À côté d’un .obj, les images de l’écorce sont écrites aussi.</translation>
+        <source>Writes texture coordinates for bark, leaves and fruit. The tree&apos;s parameter &quot;Bark tile&quot; is the size of one repeat of the bark, in metres. Beside an .obj, the pictures of the bark are written, too.</source>
+        <translation>Écrit les coordonnées de texture de l’écorce, des feuilles et des fruits. Le paramètre « Carreau d’écorce » de l’arbre est la taille d’une répétition de l’écorce, en mètres. À côté d’un .obj, les images de l’écorce sont écrites aussi.</translation>
     </message>
     <message>
-        <source>Numbers of each vertex by which the shaders of an engine move the tree in the wind: the phase of its branch, how far it goes, how its leaves flutter. Of a tree at rest; Unreal gets two textures beside the file. Files of the handbook has the formulas.</source>
-        <translation>Nombres de chaque sommet par lesquels les shaders d’un moteur font bouger l’arbre au vent : la phase de sa branche, l’ampleur, le frémissement des feuilles. D’un arbre au repos ; Unreal reçoit deux textures à côté du fichier. La page Fichiers du manuel donne les formules.</translation>
+        <source>Data of each vertex by which the shaders of an engine move the tree in the wind: the phase of its branch, the size of its movement, the flutter of its leaves. The tree is exported at rest; Unreal gets two textures beside the file. The handbook&apos;s page “Files” has the formulas.</source>
+        <translation>Données de chaque sommet par lesquelles les shaders d’un moteur font bouger l’arbre au vent : la phase de sa branche, l’ampleur du mouvement, le frémissement des feuilles. L’arbre est exporté au repos ; Unreal reçoit deux textures à côté du fichier. La page « Fichiers » du manuel donne les formules.</translation>
     </message>
     <message>
         <source>Y up</source>
@@ -7772,8 +7795,8 @@
         <translation>pieds</translation>
     </message>
     <message>
-        <source>What a 1 in the file is</source>
-        <translation>Ce que vaut un 1 dans le fichier</translation>
+        <source>Length unit of the file</source>
+        <translation>Unité de longueur du fichier</translation>
     </message>
     <message>
         <source>Unit</source>
@@ -7804,16 +7827,16 @@
         <translation>Rameau le plus fin, mm</translation>
     </message>
     <message>
-        <source>Thinner twigs are made so thick. Those that would have to be more than 1.5 times as thick as they are are cut.</source>
-        <translation>Les rameaux plus fins sont épaissis jusque-là. Ceux qui devraient être plus de 1,5 fois plus épais qu’ils ne le sont sont coupés.</translation>
+        <source>Least thickness of a twig. Thinner twigs are thickened, and twigs that would need more than 1.5 times their thickness are cut.</source>
+        <translation>Épaisseur minimale d’un rameau. Les rameaux plus fins sont épaissis ; ceux qui devraient l’être de plus de 1,5 fois sont coupés.</translation>
     </message>
     <message>
         <source>Disc as a foot</source>
         <translation>Disque comme pied</translation>
     </message>
     <message>
-        <source>Without it the trunk is cut flat at the ground</source>
-        <translation>Sans lui, le tronc est coupé à plat au sol</translation>
+        <source>Prints a disc below the trunk. If it is off, the trunk is cut flat at the ground</source>
+        <translation>Imprime un disque sous le tronc. Sans lui, le tronc est coupé à plat au sol</translation>
     </message>
     <message>
         <source>Thick shells</source>
@@ -7964,24 +7987,24 @@
         <translation>De</translation>
     </message>
     <message>
-        <source>Where on the axis the lowest may grow, as a share of its length.</source>
-        <translation>Où, sur l’axe, la plus basse peut pousser, en part de sa longueur.</translation>
+        <source>Lowest place on the axis at which one may grow, as a share of the axis&apos;s length.</source>
+        <translation>Place la plus basse sur l’axe, en part de sa longueur.</translation>
     </message>
     <message>
         <source>To</source>
         <translation>À</translation>
     </message>
     <message>
-        <source>Where on the axis the highest may grow, as a share of its length.</source>
-        <translation>Où, sur l’axe, la plus haute peut pousser, en part de sa longueur.</translation>
+        <source>Highest place on the axis at which one may grow, as a share of the axis&apos;s length.</source>
+        <translation>Place la plus haute sur l’axe, en part de sa longueur.</translation>
     </message>
     <message>
         <source>Angle</source>
         <translation>Angle</translation>
     </message>
     <message>
-        <source>Between what grows and the axis that it grows on.</source>
-        <translation>Entre ce qui pousse et l’axe qui le porte.</translation>
+        <source>Angle between a new shoot and the axis that carries it.</source>
+        <translation>Angle entre la pousse et l’axe qui la porte.</translation>
     </message>
     <message>
         <source>Limbs along axes: 1 is as long as they are for a trunk of that length. Whole, on axes: its length as a share of the axis&apos;. On the ground: 1 is as its parameters say.</source>
@@ -8000,8 +8023,8 @@
         <translation>Place</translation>
     </message>
     <message>
-        <source>Where it stands, measured from the foot of the tree.</source>
-        <translation>Où elle se tient, mesuré depuis le pied de l’arbre.</translation>
+        <source>Position relative to the foot of the tree.</source>
+        <translation>Position par rapport au pied de l’arbre.</translation>
     </message>
     <message>
         <source>Amount</source>
@@ -8020,8 +8043,8 @@
         <translation>Charge d’un mètre</translation>
     </message>
     <message>
-        <source>What leaves and fruit weigh on one metre of twig thinner than a centimetre.</source>
-        <translation>Ce que pèsent les feuilles et les fruits sur un mètre de rameau plus mince qu’un centimètre.</translation>
+        <source>Weight of leaves and fruit on one metre of twig thinner than a centimetre.</source>
+        <translation>Poids des feuilles et des fruits sur un mètre de rameau plus mince qu’un centimètre.</translation>
     </message>
     <message>
         <source>How far an axis wanders from the direction that it had.</source>
@@ -8072,32 +8095,32 @@
         <translation>Brisée à</translation>
     </message>
     <message>
-        <source>Where dead limbs have broken off, on average, as a share of their length; 100 %: none has.</source>
-        <translation>Où les branches mortes se sont brisées, en moyenne, en part de leur longueur ; 100 % : aucune.</translation>
+        <source>Average place at which dead limbs have broken off, as a share of their length. At 100 % none is broken.</source>
+        <translation>Place moyenne où les branches mortes se sont brisées, en part de leur longueur. À 100 %, aucune n’est brisée.</translation>
     </message>
     <message>
         <source>Exponent</source>
         <translation>Exposant</translation>
     </message>
     <message>
-        <source>Of the radii that a branch carries added up: 2 keeps the area of the wood (Leonardo), 3 makes limbs thin more slowly. Most trees lie between 2 and 2.6.</source>
-        <translation>Des rayons portés qu’on additionne : 2 garde la surface du bois (Léonard), 3 amincit les branches plus lentement. La plupart des arbres sont entre 2 et 2,6.</translation>
+        <source>Exponent with which the radii of a branch&apos;s twigs add up to its own: 2 keeps the area of the wood (Leonardo), 3 makes limbs thin more slowly. Most trees lie between 2 and 2.6.</source>
+        <translation>Exposant avec lequel les rayons portés s’additionnent : 2 garde la surface du bois (Léonard), 3 amincit les branches plus lentement. La plupart des arbres sont entre 2 et 2,6.</translation>
     </message>
     <message>
         <source>Blend</source>
         <translation>Mélange</translation>
     </message>
     <message>
-        <source>How far radii go from what they were to what the rule says.</source>
-        <translation>Jusqu’où les rayons vont de ce qu’ils étaient à ce que dit la règle.</translation>
+        <source>Blends from the old radii (0) to those of the rule (1).</source>
+        <translation>Passe des anciens rayons (0) à ceux de la règle (1).</translation>
     </message>
     <message>
         <source>Keep the foot</source>
         <translation>Garder le pied</translation>
     </message>
     <message>
-        <source>The foot of each trunk keeps its radius, and the twigs get what that gives them. Off: twigs begin with the radius below.</source>
-        <translation>Le pied de chaque tronc garde son rayon, et les rameaux ont ce qui en découle. Désactivé : les rameaux partent du rayon ci-dessous.</translation>
+        <source>Each trunk keeps the radius of its foot, and the radii of the twigs follow. If off, twigs begin with the radius below.</source>
+        <translation>Chaque tronc garde le rayon de son pied, et les rayons des rameaux en découlent. Sinon, les rameaux commencent au rayon ci-dessous.</translation>
     </message>
     <message>
         <source>The radius with which every twig ends.</source>
@@ -8128,8 +8151,8 @@
         <translation>Épaisseur par la règle des tuyaux</translation>
     </message>
     <message>
-        <source>Wood is as thick as what it carries needs</source>
-        <translation>Le bois est aussi épais que ce qu’il porte le demande</translation>
+        <source>Makes wood as thick as its load requires</source>
+        <translation>Rend le bois aussi épais que sa charge le demande</translation>
     </message>
     <message>
         <source>The foot of the trunk swells</source>
@@ -8196,8 +8219,8 @@
         <translation>Arbre gelé</translation>
     </message>
     <message>
-        <source>Holds what the steps above have made: they do not run until it is switched off or deleted</source>
-        <translation>Garde ce que les étapes du dessus ont fait : elles ne s’exécutent pas tant qu’elle n’est pas désactivée ou supprimée</translation>
+        <source>Holds the result of the steps above: they do not run until this step is switched off or deleted</source>
+        <translation>Garde le résultat des étapes du dessus : elles ne s’exécutent pas tant que cette étape n’est pas désactivée ou supprimée</translation>
     </message>
     <message>
         <source>the tree is missing</source>
@@ -8292,8 +8315,8 @@
         <translation>Bois</translation>
     </message>
     <message>
-        <source>Years since it was a seed. The tree of any age is cut out of one life: what is there at 40 was there at 30, or has grown since.</source>
-        <translation>Années depuis la graine. L’arbre de tout âge est pris dans une seule vie : ce qui est là à 40 ans l’était à 30, ou a poussé depuis.</translation>
+        <source>Years since the tree was a seed. All ages belong to one life: a branch that exists at 40 existed at 30, or has grown since.</source>
+        <translation>Années depuis la graine. Tous les âges sont d’une seule vie : une branche qui est là à 40 ans l’était à 30, ou a poussé depuis.</translation>
     </message>
     <message>
         <source>Leader until</source>
@@ -8312,8 +8335,8 @@
         <translation>Années jusqu’à ce que la hauteur soit presque atteinte.</translation>
     </message>
     <message>
-        <source>Of the mature tree.</source>
-        <translation>De l’arbre adulte.</translation>
+        <source>Height of the mature tree.</source>
+        <translation>Hauteur de l’arbre adulte.</translation>
     </message>
     <message>
         <source>Spread</source>
@@ -8328,12 +8351,12 @@
         <translation>Début de la couronne</translation>
     </message>
     <message>
-        <source>As a share of the height: limbs below get no light in the mature tree.</source>
-        <translation>En part de la hauteur : les branches en dessous n’ont pas de lumière dans l’arbre adulte.</translation>
+        <source>Length of the bare trunk, as a share of the height. In the mature tree, limbs below get no light.</source>
+        <translation>Longueur du tronc nu, en part de la hauteur. Dans l’arbre adulte, les branches en dessous n’ont pas de lumière.</translation>
     </message>
     <message>
-        <source>Where the crown is widest, as a share of the crown&apos;s height.</source>
-        <translation>Où la couronne est la plus large, en part de sa hauteur.</translation>
+        <source>Height at which the crown is widest, as a share of the crown&apos;s height.</source>
+        <translation>Hauteur à laquelle la couronne est la plus large, en part de sa hauteur.</translation>
     </message>
     <message>
         <source>Shape of the top</source>
@@ -8436,8 +8459,8 @@
         <translation>Les bourgeons voient</translation>
     </message>
     <message>
-        <source>What makes buds grow. Light: the sky, as far as leaves above do not hide it. Room: free space in the crown, or in the solid that the tree fills.</source>
-        <translation>Ce qui fait démarrer les bourgeons. Lumière : le ciel, tant que les feuilles au-dessus ne le cachent pas. Place : l’espace libre dans la couronne, ou dans le solide que l’arbre remplit.</translation>
+        <source>The resource that buds compete for. Light: the part of the sky that no leaves above hide. Room: free space in the crown, or in the solid that the tree fills.</source>
+        <translation>Ce que les bourgeons se disputent. Lumière : la part du ciel que les feuilles au-dessus ne cachent pas. Place : l’espace libre dans la couronne, ou dans le solide que l’arbre remplit.</translation>
     </message>
     <message>
         <source>Shade tolerance</source>
@@ -8460,16 +8483,12 @@
         <translation>Vers la lumière</translation>
     </message>
     <message>
-        <source>How much shoots turn to where the light comes from.</source>
-        <translation>Combien les pousses se tournent d’où vient la lumière.</translation>
-    </message>
-    <message>
         <source>Sunlight</source>
         <translation>Ensoleillement</translation>
     </message>
     <message>
-        <source>As a share of the open sky&apos;s. With too little of it the tree dies.</source>
-        <translation>En part de celui du ciel dégagé. Avec trop peu, l’arbre meurt.</translation>
+        <source>Light, as a share of the open sky&apos;s. With too little the tree dies.</source>
+        <translation>Lumière, en part de celle du ciel dégagé. Avec trop peu, l’arbre meurt.</translation>
     </message>
     <message>
         <source>Apical control</source>
@@ -8544,24 +8563,20 @@
         <translation>Tortuosité</translation>
     </message>
     <message>
-        <source>How much chance turns each internode.</source>
-        <translation>Combien le hasard tourne chaque entre-nœud.</translation>
-    </message>
-    <message>
         <source>Pipe exponent</source>
         <translation>Exposant des tuyaux</translation>
     </message>
     <message>
-        <source>Of the diameters that a branch carries added up: 2 keeps the area of the wood, 3 makes slender trunks.</source>
-        <translation>Des diamètres portés qu’on additionne : 2 garde la surface du bois, 3 fait des troncs élancés.</translation>
+        <source>Exponent with which the diameters of a branch&apos;s twigs add up to its own: 2 keeps the area of the wood, 3 makes slender trunks.</source>
+        <translation>Exposant avec lequel les diamètres portés s’additionnent : 2 garde la surface du bois, 3 fait des troncs élancés.</translation>
     </message>
     <message>
         <source>Radius of twigs</source>
         <translation>Rayon des rameaux</translation>
     </message>
     <message>
-        <source>Of a shoot in its first year. The whole tree gets thicker with it.</source>
-        <translation>D’une pousse dans sa première année. Tout l’arbre grossit avec lui.</translation>
+        <source>Thickness of a shoot in its first year. The whole tree gets thicker with it.</source>
+        <translation>Épaisseur d’une pousse dans sa première année. Tout l’arbre grossit avec elle.</translation>
     </message>
     <message>
         <source>Girth of the lost</source>
@@ -8576,20 +8591,20 @@
         <translation>Affaissement des années</translation>
     </message>
     <message>
-        <source>How much of what each year&apos;s new weight bends becomes form.</source>
-        <translation>Quelle part de ce que le poids nouveau de chaque année fait plier devient forme.</translation>
+        <source>Share of the bend under each year&apos;s new weight that stays.</source>
+        <translation>Part de la courbure due au nouveau poids de chaque année qui reste.</translation>
     </message>
     <message>
         <source>Reaction wood</source>
         <translation>Bois de réaction</translation>
     </message>
     <message>
-        <source>How soon what leans turns up again.</source>
-        <translation>Quand ce qui penche se redresse.</translation>
+        <source>How soon leaning shoots turn up again.</source>
+        <translation>À quelle vitesse les pousses penchées se redressent.</translation>
     </message>
     <message>
-        <source>What makes the branches. Grammar: symbols that rules replace, and a turtle that draws them. Weber and Penn: trunk, limbs, branches and twigs, each level by its own numbers. Space colonisation: branches reach for points that fill a crown of your shape. Drawn by hand: only what the steps of the recipe draw. Growth: shoots compete for light, year by year, and the tree has an age. Leaves, bark and motion stay.</source>
-        <translation>Ce qui fait les branches. Grammaire : des symboles que des règles remplacent, et une tortue qui les dessine. Weber et Penn : tronc, branches maîtresses, branches et rameaux, chaque niveau selon ses propres nombres. Colonisation de l’espace : les branches cherchent à atteindre des points qui remplissent une couronne de votre forme. Dessiné à la main : seulement ce que dessinent les étapes de la recette. Croissance : les pousses se disputent la lumière, année après année, et l’arbre a un âge. Feuilles, écorce et mouvement restent.</translation>
+        <source>Method that makes the branches. Grammar: rules replace symbols, and a turtle draws them. Weber and Penn: trunk, limbs, branches and twigs, each level with its own numbers. Space colonisation: branches reach for points that fill a crown of your shape. Drawn by hand: the steps of the recipe draw all branches. Growth: shoots compete for light, year by year, and the tree has an age. Leaves, bark and motion stay.</source>
+        <translation>Méthode qui fait les branches. Grammaire : des règles remplacent des symboles, et une tortue les dessine. Weber et Penn : tronc, branches maîtresses, branches et rameaux, chaque niveau avec ses propres nombres. Colonisation de l’espace : les branches cherchent à atteindre des points qui remplissent une couronne de votre forme. Dessiné à la main : les étapes de la recette dessinent toutes les branches. Croissance : les pousses se disputent la lumière, année après année, et l’arbre a un âge. Feuilles, écorce et mouvement restent.</translation>
     </message>
     <message>
         <source>Growth</source>
@@ -8654,6 +8669,254 @@
     <message>
         <source>yr</source>
         <translation>ans</translation>
+    </message>
+    <message>
+        <source>Branching: shoots that compete for light. Palm: one stem that never branches under a crown of fronds, which open, bow and fall as they get older.</source>
+        <translation>Ramifié : des pousses qui se disputent la lumière. Palmier : un seul stipe, qui ne se ramifie jamais, sous une couronne de palmes qui s’ouvrent, s’arquent et tombent avec l’âge.</translation>
+    </message>
+    <message>
+        <source>How much chance turns each internode; how far the stem of a palm leans.</source>
+        <translation>Combien le hasard tourne chaque entre-nœud ; combien le stipe d’un palmier penche.</translation>
+    </message>
+    <message>
+        <source>Fronds a year</source>
+        <translation>Palmes par an</translation>
+    </message>
+    <message>
+        <source>How many fronds open in a year of the grown palm. The crown carries as many as open within the life of one.</source>
+        <translation>Combien de palmes s’ouvrent en un an sur le palmier adulte. La couronne en porte autant qu’il s’en ouvre pendant la vie d’une palme.</translation>
+    </message>
+    <message>
+        <source>Length of fronds</source>
+        <translation>Longueur des palmes</translation>
+    </message>
+    <message>
+        <source>Length of a frond from the stem to the tip, on the grown palm. Fronds of a seedling have a fifth of it.</source>
+        <translation>Longueur d’une palme du stipe à la pointe, sur le palmier adulte. Celles d’une plantule en ont le cinquième.</translation>
+    </message>
+    <message>
+        <source>Life of fronds</source>
+        <translation>Vie des palmes</translation>
+    </message>
+    <message>
+        <source>Years from the day a frond opens until it falls.</source>
+        <translation>Années entre l’ouverture d’une palme et sa chute.</translation>
+    </message>
+    <message>
+        <source>Radius of the stem</source>
+        <translation>Rayon du stipe</translation>
+    </message>
+    <message>
+        <source>Above its swollen foot. The stem of a palm has its width before it rises, and keeps it.</source>
+        <translation>Au-dessus du pied renflé. Le stipe d’un palmier a sa largeur avant de s’élever, et la garde.</translation>
+    </message>
+    <message>
+        <source>Fruit of a bunch</source>
+        <translation>Fruits par régime</translation>
+    </message>
+    <message>
+        <source>How many a bunch carries, in the axil of every other frond. They swell within a year. 0: none.</source>
+        <translation>Combien en porte un régime, à l’aisselle d’une palme sur deux. Ils grossissent en un an. 0 : aucun.</translation>
+    </message>
+    <message>
+        <source>A leaning stem that never branches under a crown of fronds</source>
+        <translation>Un stipe penché qui ne se ramifie jamais, sous une couronne de palmes</translation>
+    </message>
+    <message>
+        <source>Fairing</source>
+        <translation>Lissage</translation>
+    </message>
+    <message>
+        <source>How far the surface around forks of thick wood is smoothed, from the walls between the branches to the cross-sections beside them. 0 leaves it as it is built.</source>
+        <translation>Jusqu’où la surface autour des fourches de bois épais est lissée, des parois entre les branches aux sections voisines. 0 la laisse comme elle est construite.</translation>
+    </message>
+    <message>
+        <source>Bark ridge</source>
+        <translation>Arête d’écorce</translation>
+    </message>
+    <message>
+        <source>How high bark stands up above a limb where it leaves a thicker branch, as a share of that one&apos;s diameter. Twins that part at less than 30 degrees have a crease instead. 0 leaves it out.</source>
+        <translation>Hauteur de l’écorce qui se dresse au-dessus d’une branche latérale là où elle quitte une branche plus épaisse, en part du diamètre de celle-ci. Les jumelles qui se séparent à moins de 30 degrés ont un pli à la place. 0 la supprime.</translation>
+    </message>
+    <message>
+        <source>A dense oval crown on rising, forked limbs</source>
+        <translation>Une couronne ovale et dense, sur des branches fourchues qui montent</translation>
+    </message>
+    <message>
+        <source>A broad dome of twigs in pairs</source>
+        <translation>Un large dôme de rameaux par paires</translation>
+    </message>
+    <message>
+        <source>Level sprays on a low, forked trunk</source>
+        <translation>Des rameaux à plat sur un tronc bas et fourchu</translation>
+    </message>
+    <message>
+        <source>Open rising limbs with stout twigs in pairs</source>
+        <translation>Des branches claires qui montent, de gros rameaux par paires</translation>
+    </message>
+    <message>
+        <source>A tall dome whose limbs sink and turn up at their ends</source>
+        <translation>Un haut dôme dont les branches descendent et se relèvent au bout</translation>
+    </message>
+    <message>
+        <source>Limbs in storeys with short spurs along them</source>
+        <translation>Des branches par étages, couvertes de rameaux courts</translation>
+    </message>
+    <message>
+        <source>A massive trunk under wide, winding limbs</source>
+        <translation>Un tronc massif sous de larges branches sinueuses</translation>
+    </message>
+    <message>
+        <source>A vase: limbs rise and part, and their twigs hang over</source>
+        <translation>Un vase : les branches montent et s’écartent, leurs rameaux retombent</translation>
+    </message>
+    <message>
+        <source>A low, dense and crooked crown of spurs</source>
+        <translation>Une couronne basse, dense et tordue de rameaux courts</translation>
+    </message>
+    <message>
+        <source>A straight trunk with stout spreading limbs</source>
+        <translation>Un tronc droit aux grosses branches étalées</translation>
+    </message>
+    <message>
+        <source>Wider than high, with long limbs that wander</source>
+        <translation>Plus large que haut, aux longues branches sinueuses</translation>
+    </message>
+    <message>
+        <source>A massive trunk under a rounded crown</source>
+        <translation>Un tronc massif sous une couronne arrondie</translation>
+    </message>
+    <message>
+        <source>A straight trunk to the top of a tall crown</source>
+        <translation>Un tronc droit jusqu’au sommet d’une haute couronne</translation>
+    </message>
+    <message>
+        <source>A straight trunk with limbs that get shorter upwards</source>
+        <translation>Un tronc droit aux branches de plus en plus courtes vers le haut</translation>
+    </message>
+    <message>
+        <source>Crooked rising limbs in a narrow, open crown</source>
+        <translation>Des branches tordues qui montent, une couronne étroite et claire</translation>
+    </message>
+    <message>
+        <source>A small crown of rising limbs</source>
+        <translation>Une petite couronne de branches qui montent</translation>
+    </message>
+    <message>
+        <source>Many fine rising limbs, dense nearly to the ground</source>
+        <translation>De nombreuses branches fines qui montent, denses presque jusqu’au sol</translation>
+    </message>
+    <message>
+        <source>A slender cone around a trunk that reaches its top</source>
+        <translation>Un cône élancé autour d’un tronc qui va jusqu’au sommet</translation>
+    </message>
+    <message>
+        <source>Stout limbs under a broad crown</source>
+        <translation>De grosses branches sous une large couronne</translation>
+    </message>
+    <message>
+        <source>Stiff rising limbs studded with spurs</source>
+        <translation>Des branches raides qui montent, hérissées de rameaux courts</translation>
+    </message>
+    <message>
+        <source>A light cone whose twigs hang from level limbs</source>
+        <translation>Un cône léger dont les rameaux pendent de branches horizontales</translation>
+    </message>
+    <message>
+        <source>Whorls of level limbs that end in plumes</source>
+        <translation>Des verticilles de branches horizontales terminées en plumes</translation>
+    </message>
+    <message>
+        <source>A stiff blue cone of whorled limbs</source>
+        <translation>Un cône bleu et raide de branches verticillées</translation>
+    </message>
+    <message>
+        <source>A cone of level limbs with hanging tips</source>
+        <translation>Un cône de branches horizontales aux bouts pendants</translation>
+    </message>
+    <message>
+        <source>Site</source>
+        <translation>Lieu</translation>
+    </message>
+    <message>
+        <source>Mean wind in metres per second while the tree grows: 2 in a sheltered garden, 5 in open country, 8 on a coast, 12 on a ridge. Buds on the windward side dry out, shoots turn to leeward, and the tree stays low.</source>
+        <translation>Vent moyen en mètres par seconde pendant que l’arbre pousse : 2 dans un jardin abrité, 5 en rase campagne, 8 sur une côte, 12 sur une crête. Les bourgeons exposés se dessèchent, les pousses se tournent sous le vent et l’arbre reste bas.</translation>
+    </message>
+    <message>
+        <source>Prevailing wind</source>
+        <translation>Vent dominant</translation>
+    </message>
+    <message>
+        <source>Direction that the wind blows to in most years, as a turn about the vertical axis: 0 along X, a quarter turn against Z.</source>
+        <translation>Direction vers laquelle le vent souffle la plupart des années, en rotation autour de l’axe vertical : 0 le long de X, un quart de tour contre Z.</translation>
+    </message>
+    <message>
+        <source>Light from one side</source>
+        <translation>Lumière d’un seul côté</translation>
+    </message>
+    <message>
+        <source>0: light comes from all around. 1: from one side only, as at the edge of a wood or before a wall.</source>
+        <translation>0 : la lumière vient de tous les côtés. 1 : d’un seul, comme à la lisière d’un bois ou devant un mur.</translation>
+    </message>
+    <message>
+        <source>Side of the light</source>
+        <translation>Côté de la lumière</translation>
+    </message>
+    <message>
+        <source>The side that the light comes from, as a turn about the vertical axis: 0 along X, a quarter turn against Z.</source>
+        <translation>Le côté d’où vient la lumière, en rotation autour de l’axe vertical : 0 le long de X, un quart de tour contre Z.</translation>
+    </message>
+    <message>
+        <source>Slope</source>
+        <translation>Pente</translation>
+    </message>
+    <message>
+        <source>How steep the ground is. Limbs keep above it, and the crown grows to the open side, downhill.</source>
+        <translation>La raideur du sol. Les branches restent au-dessus, et le houppier pousse vers le côté dégagé, en aval.</translation>
+    </message>
+    <message>
+        <source>Downhill</source>
+        <translation>Aval</translation>
+    </message>
+    <message>
+        <source>Direction in which the ground falls, as a turn about the vertical axis: 0 along X, a quarter turn against Z.</source>
+        <translation>Direction dans laquelle le sol descend, en rotation autour de l’axe vertical : 0 le long de X, un quart de tour contre Z.</translation>
+    </message>
+    <message>
+        <source>Lean at the ground</source>
+        <translation>Inclinaison au pied</translation>
+    </message>
+    <message>
+        <source>How far the seedling leans downhill. Later years&apos; shoots turn up again, which leaves a curved foot.</source>
+        <translation>De combien la jeune plante penche vers l’aval. Les pousses des années suivantes se redressent, ce qui laisse un pied courbé.</translation>
+    </message>
+    <message>
+        <source>An old hawthorn on a cliff, combed by the sea wind, in autumn</source>
+        <translation>Une vieille aubépine sur une falaise, peignée par le vent de mer, en automne</translation>
+    </message>
+    <message>
+        <source>Neighbours</source>
+        <translation>Voisins</translation>
+    </message>
+    <message>
+        <source>Other growing trees of the scene shade this one. All were planted in the same year, and each keeps the space that is nearer to its own stem.</source>
+        <translation>Les autres arbres de la scène qui poussent ombragent celui-ci. Tous ont été plantés la même année, et chacun garde l’espace plus proche de sa propre tige.</translation>
+    </message>
+    <message>
+        <source>a tree that is bare to all its ends is dead</source>
+        <translation>un arbre nu jusqu’à toutes ses extrémités est mort</translation>
+    </message>
+    <message>
+        <source>How much shoots turn to where the light comes from; how much the stem of a palm bends to it and away from solids.</source>
+        <translation>Combien les pousses se tournent d’où vient la lumière ; combien le stipe d’un palmier s’y courbe, loin des solides.</translation>
+    </message>
+    <message>
+        <source>the palm has died of it: its only bud is gone</source>
+        <translation>le palmier en est mort : son seul bourgeon a disparu</translation>
+    </message>
+    <message>
+        <source>a palm has no other buds: it gets older by its age</source>
+        <translation>un palmier n’a pas d’autre bourgeon : il vieillit par son âge</translation>
     </message>
 </context>
 <context>
@@ -9198,6 +9461,14 @@
         <source>Grows year by year: young at the age of %1, mature at %2, old at %3</source>
         <translation>Pousse année après année : jeune à l’âge de %1 ans, adulte à %2, vieux à %3</translation>
     </message>
+    <message>
+        <source>Coconut Palm Rules</source>
+        <translation>Cocotier par règles</translation>
+    </message>
+    <message>
+        <source>Cliff Hawthorn</source>
+        <translation>Aubépine des falaises</translation>
+    </message>
 </context>
 <context>
     <name>ramure::AboutDialog</name>
@@ -9309,8 +9580,8 @@ OpenGL&#xa0;: %4
         <translation>Peau</translation>
     </message>
     <message>
-        <source>What is bound to the arm: the cylinder, or a copy of an imported mesh, whose vertices follow the segments that are nearest to them. The object itself is hidden.</source>
-        <translation>Ce qui est lié au bras : le cylindre, ou une copie d&apos;un maillage importé, dont les sommets suivent les segments les plus proches. L&apos;objet lui-même est masqué.</translation>
+        <source>Outer shape of the arm: the cylinder, or a copy of an imported mesh whose vertices follow the nearest segments. The object itself is hidden.</source>
+        <translation>Forme du bras : le cylindre, ou une copie d’un maillage importé dont les sommets suivent les segments les plus proches. L’objet lui-même est masqué.</translation>
     </message>
     <message>
         <source>Fit</source>
@@ -9580,8 +9851,8 @@ OpenGL&#xa0;: %4
         <translation>La ci&amp;ble reçoit aussi une clé</translation>
     </message>
     <message>
-        <source>Where the target has no keys yet, so that it stays where it was while the arm was baked</source>
-        <translation>Si la cible n’a pas encore de clés&#xa0;: elle reste ainsi où elle était pendant la transformation</translation>
+        <source>If the target has no keys yet. It then stays in place, as during the baking</source>
+        <translation>Si la cible n’a pas encore de clés. Elle reste alors en place, comme pendant la transformation</translation>
     </message>
     <message>
         <source>&amp;Bake</source>
@@ -9621,8 +9892,8 @@ OpenGL&#xa0;: %4
         <translation>La branche plie · molette : sur quelle longueur · relâcher : terminé · Échap : retour</translation>
     </message>
     <message>
-        <source>Drag: the limb bows where it is green, what is bright follows · Shift: down to the ground</source>
-        <translation>Glisser : la branche plie là où elle est verte, ce qui est clair suit · Maj : jusqu’au sol</translation>
+        <source>Drag: the limb bows along its green part, the bright part follows · Shift: down to the ground</source>
+        <translation>Glisser : la branche plie dans sa partie verte, la partie claire suit · Maj : jusqu’au sol</translation>
     </message>
     <message>
         <source>Drag a branch: the limb bows as the hand goes</source>
@@ -9765,8 +10036,8 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
         <translation>Arbres</translation>
     </message>
     <message>
-        <source>Draw the selected nodes and what is below them. Otherwise, everything visible is drawn, as it is at the time shown</source>
-        <translation>Dessiner les nœuds sélectionnés et ce qui est sous eux. Sinon, tout ce qui est visible est dessiné, tel qu’à l’instant montré</translation>
+        <source>Draws the selected nodes and their children. If off, draws everything visible, as it is at the time shown</source>
+        <translation>Dessine les nœuds sélectionnés et leurs enfants. Sinon, dessine tout ce qui est visible, tel qu’à l’instant montré</translation>
     </message>
     <message>
         <source>Crossed cards</source>
@@ -9789,7 +10060,7 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
         <translation>Un dossier : GLB et images PNG</translation>
     </message>
     <message>
-        <source>Only what is selected</source>
+        <source>Selection only</source>
         <translation>Seulement la sélection</translation>
     </message>
     <message>
@@ -9945,8 +10216,8 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
         <translation>Les branches qui partent du bout de celle-ci. Cliquez pour en sélectionner une.</translation>
     </message>
     <message>
-        <source>Level</source>
-        <translation>Niveau</translation>
+        <source>Order</source>
+        <translation>Ordre</translation>
     </message>
     <message>
         <source>How many brackets of the grammar are around the branch: 0 is the trunk.</source>
@@ -10309,8 +10580,8 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
         </translation>
     </message>
     <message>
-        <source>Cut: what hangs there falls when the timeline plays.</source>
-        <translation>Coupé : ce qui pend là tombe quand la ligne de temps joue.</translation>
+        <source>Cut: the part falls when the timeline plays.</source>
+        <translation>Coupé : la partie tombe quand l’animation est lue.</translation>
     </message>
     <message numerus="yes">
         <source>%n branch(es), %1 m</source>
@@ -10326,6 +10597,10 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
     <message>
         <source>Shift: wheel takes the limb that it grows on, or back</source>
         <translation>Maj : la molette prend la branche qui la porte, ou revient</translation>
+    </message>
+    <message>
+        <source>No limb is there: click on one, or a few pixels beside it.</source>
+        <translation>Il n’y a pas de branche là&#xa0;: cliquez sur une branche, ou à quelques pixels d’elle.</translation>
     </message>
 </context>
 <context>
@@ -10350,7 +10625,7 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
         <translation>Annulé. Aucun fichier n’a été modifié.</translation>
     </message>
     <message>
-        <source>Only what is selected</source>
+        <source>Selection only</source>
         <translation>Seulement la sélection</translation>
     </message>
     <message>
@@ -10471,7 +10746,7 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
         <translation>Les images demandent une vue, que cette machine ne peut pas dessiner</translation>
     </message>
     <message>
-        <source>What the export is for</source>
+        <source>Purpose of the export</source>
         <translation>Usage de l’export</translation>
     </message>
     <message>
@@ -10542,8 +10817,8 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
         <translation>Torsion %1°</translation>
     </message>
     <message>
-        <source>Drag a branch to the right or left: what grows on it turns</source>
-        <translation>Glisser une branche à droite ou à gauche : ce qui pousse dessus tourne</translation>
+        <source>Drag a branch to the right or left: its twigs turn</source>
+        <translation>Glisser une branche à droite ou à gauche : ses rameaux tournent</translation>
     </message>
     <message>
         <source>Digits: degrees · wheel: more or less · Enter or click: done · Esc: back</source>
@@ -10797,8 +11072,8 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
         <translation>Déplacer %1</translation>
     </message>
     <message>
-        <source>Branches are bent by a drag with Ctrl; what is moved is the tree: select it</source>
-        <translation>Les branches se plient en glissant avec Ctrl ; ce qui se déplace est l’arbre : sélectionnez-le</translation>
+        <source>Drag with Ctrl to bend branches. To move the tree, select it</source>
+        <translation>Glissez avec Ctrl pour plier des branches. Pour déplacer l’arbre, sélectionnez-le</translation>
     </message>
     <message>
         <source>Select a node that is shown and not locked: then it can be moved</source>
@@ -10848,8 +11123,8 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
         <translation>Maj : un clic copie une autre branche</translation>
     </message>
     <message>
-        <source>The limb is copied: click where it is to grow.</source>
-        <translation>La branche est copiée : cliquez là où elle doit pousser.</translation>
+        <source>The limb is copied: click its new place.</source>
+        <translation>La branche est copiée : cliquez sur sa nouvelle place.</translation>
     </message>
 </context>
 <context>
@@ -10859,8 +11134,8 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
         <translation>Remplacer</translation>
     </message>
     <message>
-        <source>Writes the characters of the language in place of those that look like them</source>
-        <translation>Écrit les caractères du langage à la place de ceux qui leur ressemblent</translation>
+        <source>Replaces lookalikes by the characters of the language</source>
+        <translation>Remplace les sosies par les caractères du langage</translation>
     </message>
 </context>
 <context>
@@ -10979,8 +11254,8 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
         <translation>Historique des modifications</translation>
     </message>
     <message>
-        <source>Click a step to go back or forth to it. The dot marks what is in the file.</source>
-        <translation>Cliquez une étape pour y revenir ou y avancer. Le point marque ce qui est dans le fichier.</translation>
+        <source>Click a step to go back or forth to it. The dot marks the saved state.</source>
+        <translation>Cliquez une étape pour y revenir ou y avancer. Le point marque l’état enregistré.</translation>
     </message>
 </context>
 <context>
@@ -11084,18 +11359,6 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
 <context>
     <name>ramure::JointForm</name>
     <message>
-        <source>%1: take the key at this frame away</source>
-        <translation>%1 : retirer la clé à cette image</translation>
-    </message>
-    <message>
-        <source>%1 has keys: insert one at this frame</source>
-        <translation>%1 a des clés : en insérer une à cette image</translation>
-    </message>
-    <message>
-        <source>%1: insert a key at this frame</source>
-        <translation>%1 : insérer une clé à cette image</translation>
-    </message>
-    <message>
         <source>Change joint %1</source>
         <translation>Modifier l&apos;articulation %1</translation>
     </message>
@@ -11169,8 +11432,8 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
         <translation>nom de réglages à garder</translation>
     </message>
     <message>
-        <source>Settings of this page that were kept under a name, or those of its last export. Where files go is not part of them.</source>
-        <translation>Réglages de cette page gardés sous un nom, ou ceux de son dernier export. L’emplacement des fichiers n’en fait pas partie.</translation>
+        <source>Settings of this page under a name, or those of its last export. The folder of the files is not part of them.</source>
+        <translation>Réglages de cette page gardés sous un nom, ou ceux de son dernier export. Le dossier des fichiers n’en fait pas partie.</translation>
     </message>
     <message>
         <source>As the last time</source>
@@ -11208,12 +11471,12 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
         <translation>Accélérations</translation>
     </message>
     <message>
-        <source>Where the easing shows its character</source>
-        <translation>Là où l’accélération montre son caractère</translation>
+        <source>End of the segment on which the easing acts</source>
+        <translation>Bout du segment où agit l’accélération</translation>
     </message>
     <message>
-        <source>Where the handles of Bézier keys stand</source>
-        <translation>Où se trouvent les poignées des clés de Bézier</translation>
+        <source>Position of the handles of Bézier keys</source>
+        <translation>Position des poignées des clés de Bézier</translation>
     </message>
     <message>
         <source>Before the first key</source>
@@ -11355,16 +11618,16 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
         <translation>Poignées</translation>
     </message>
     <message>
-        <source>Where the handles of the selected Bézier keys stand</source>
-        <translation>Où se trouvent les poignées des clés de Bézier sélectionnées</translation>
+        <source>Position of the handles of the selected Bézier keys</source>
+        <translation>Position des poignées des clés de Bézier sélectionnées</translation>
     </message>
     <message>
         <source>Ends</source>
         <translation>Extrémités</translation>
     </message>
     <message>
-        <source>What the channels do before their first key and behind their last</source>
-        <translation>Ce que font les canaux avant leur première clé et après leur dernière</translation>
+        <source>Values of the channels before their first key and after their last</source>
+        <translation>Valeurs des canaux avant leur première clé et après leur dernière</translation>
     </message>
     <message>
         <source>All nodes</source>
@@ -11391,8 +11654,8 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
         <translation>secondes</translation>
     </message>
     <message>
-        <source>Where dragged keys land; hold Shift to drag freely</source>
-        <translation>Où arrivent les clés glissées ; tenir Maj pour glisser librement</translation>
+        <source>Snapping of dragged keys; hold Shift to drag freely</source>
+        <translation>Aimantation des clés glissées ; tenir Maj pour glisser librement</translation>
     </message>
     <message>
         <source>Snapping</source>
@@ -11819,8 +12082,8 @@ restantes</translation>
         <translation>Studio sombre</translation>
     </message>
     <message>
-        <source>Where the sun stands, in degrees clockwise from the north (−Z): 90 is the east (X)</source>
-        <translation>Où se tient le soleil, en degrés dans le sens des aiguilles d’une montre depuis le nord (−Z) : 90 est l’est (X)</translation>
+        <source>Direction of the sun, in degrees clockwise from the north (−Z): 90 is the east (X)</source>
+        <translation>Direction du soleil, en degrés dans le sens des aiguilles d’une montre depuis le nord (−Z) : 90 est l’est (X)</translation>
     </message>
     <message>
         <source>Height of the sun over the horizon, 2 to 90 degrees: a low one is warm</source>
@@ -11863,8 +12126,8 @@ restantes</translation>
         <translation>Ciel naturel</translation>
     </message>
     <message>
-        <source>What lies behind and below the trees: sky and meadow, the sky and the light of a clear day as the sun&apos;s height makes them, or one colour that takes shadows</source>
-        <translation>Ce qui se trouve derrière et sous les arbres : ciel et pré, le ciel et la lumière d’un jour clair selon la hauteur du soleil, ou une seule couleur qui reçoit les ombres</translation>
+        <source>Background of the trees: sky and meadow, the physical sky and light of a clear day for the sun&apos;s height, or one colour that takes shadows</source>
+        <translation>Arrière-plan des arbres : ciel et pré, le ciel et la lumière physiques d’un jour clair selon la hauteur du soleil, ou une seule couleur qui reçoit les ombres</translation>
     </message>
     <message>
         <source>Dust and water in the air of the natural sky: 2 is very clear, 8 hazy</source>
@@ -11922,8 +12185,8 @@ restantes</translation>
 <context>
     <name>ramure::LimbTool</name>
     <message>
-        <source>The limb and what is thick follow · wheel: how many branches · Esc: back</source>
-        <translation>La branche maîtresse et ce qui est épais suivent · molette : combien de branches · Échap : annuler</translation>
+        <source>The limb and its thick branches follow · wheel: how many branches · Esc: back</source>
+        <translation>La branche maîtresse et ses branches épaisses suivent · molette : combien de branches · Échap : annuler</translation>
     </message>
     <message>
         <source>The limb follows · wheel: how many branches · Shift: trunk and root, too · Esc: back</source>
@@ -12123,6 +12386,21 @@ restantes</translation>
     </message>
 </context>
 <context>
+    <name>ramure::MenuSearch</name>
+    <message>
+        <source>Type to find</source>
+        <translation>Tapez pour chercher</translation>
+    </message>
+    <message>
+        <source>Find in this menu</source>
+        <translation>Chercher dans ce menu</translation>
+    </message>
+    <message>
+        <source>Nothing here is called that</source>
+        <translation>Rien ici ne s’appelle ainsi</translation>
+    </message>
+</context>
+<context>
     <name>ramure::MenuTool</name>
     <message>
         <source>right: menu</source>
@@ -12226,8 +12504,8 @@ restantes</translation>
         <translation>Lâcher : fait · Maj ou molette : autour · Ctrl : sur une autre branche · chiffres : place en % · Échap : retour</translation>
     </message>
     <message>
-        <source>Drag a branch: its fork slides along what it grows on</source>
-        <translation>Glissez une branche : sa fourche glisse le long de ce qui la porte</translation>
+        <source>Drag a branch: its fork slides along its parent</source>
+        <translation>Glissez une branche : sa fourche glisse le long de son parent</translation>
     </message>
     <message>
         <source>Click: type its place</source>
@@ -12342,6 +12620,17 @@ restantes</translation>
     </message>
 </context>
 <context>
+    <name>ramure::OutlineKey</name>
+    <message>
+        <source>selected</source>
+        <translation>sélectionné</translation>
+    </message>
+    <message>
+        <source>selected · %1: on or off</source>
+        <translation>sélectionné · %1 : montrer ou non</translation>
+    </message>
+</context>
+<context>
     <name>ramure::Palette</name>
     <message>
         <source>Commands, parameters and the handbook</source>
@@ -12373,18 +12662,6 @@ restantes</translation>
     <message>
         <source>Back to the default</source>
         <translation>Revenir à la valeur par défaut</translation>
-    </message>
-    <message>
-        <source>%1: take the key at this frame away</source>
-        <translation>%1 : retirer la clé à cette image</translation>
-    </message>
-    <message>
-        <source>%1 has keys: insert one at this frame</source>
-        <translation>%1 a des clés : en insérer une à cette image</translation>
-    </message>
-    <message>
-        <source>%1: insert a key at this frame</source>
-        <translation>%1 : insérer une clé à cette image</translation>
     </message>
     <message>
         <source>Back to the value of %1</source>
@@ -12441,8 +12718,8 @@ restantes</translation>
         <translation>Physique</translation>
     </message>
     <message>
-        <source>Of all trees, over the latest frames: kinetic energy, the largest relative error of a branch&apos;s length, and the time that one step of the physics takes (ms)</source>
-        <translation>Pour tous les arbres, sur les dernières images : énergie cinétique, plus grande erreur relative de longueur d&apos;une branche, et durée d&apos;un pas de la physique (ms)</translation>
+        <source>Figures of all trees over the latest frames: kinetic energy, the largest relative error of a branch&apos;s length, and the time of one physics step (ms)</source>
+        <translation>Pour tous les arbres, sur les dernières images : énergie cinétique, plus grande erreur relative de longueur d’une branche, et durée d’un pas de la physique (ms)</translation>
     </message>
     <message>
         <source>Residual</source>
@@ -12477,8 +12754,8 @@ restantes</translation>
         <translation>Copier les valeurs pour un tableur</translation>
     </message>
     <message>
-        <source>As columns with tabs between them</source>
-        <translation>En colonnes séparées par des tabulations</translation>
+        <source>Copies the columns, separated by tabs</source>
+        <translation>Copie les colonnes, séparées par des tabulations</translation>
     </message>
     <message>
         <source>Start anew</source>
@@ -12596,8 +12873,8 @@ restantes</translation>
         <translation>Fond transparent</translation>
     </message>
     <message>
-        <source>Without sky and ground, to put the trees in front of something else</source>
-        <translation>Sans ciel ni sol, pour placer les arbres devant autre chose</translation>
+        <source>Leaves out sky and ground, to put the trees in front of another picture</source>
+        <translation>Omet le ciel et le sol, pour placer les arbres devant une autre image</translation>
     </message>
     <message>
         <source>As the view, %1 × %2</source>
@@ -12608,8 +12885,8 @@ restantes</translation>
         <translation>Garder le rapport de la vue</translation>
     </message>
     <message>
-        <source>One side follows the other, so that the picture shows what the view shows; else it shows more or less at its sides</source>
-        <translation>Un côté suit l’autre, pour que l’image montre ce que montre la vue ; sinon elle en montre plus ou moins sur ses bords</translation>
+        <source>Keeps the ratio of the view, so that the picture shows the same part of the scene. If off, it shows more or less at its sides</source>
+        <translation>Garde les proportions de la vue, pour que l’image montre la même partie de la scène. Sinon, elle en montre plus ou moins sur ses bords</translation>
     </message>
 </context>
 <context>
@@ -12772,8 +13049,8 @@ restantes</translation>
         <translation>Mégaoctets pour les images calculées, tous les arbres ensemble : %L1 à %L2</translation>
     </message>
     <message>
-        <source>With less, fewer moments of a long run are kept: a jump within it computes a few steps more.</source>
-        <translation>Avec moins, on garde moins d’instants d’un long calcul : un saut recalcule quelques pas de plus.</translation>
+        <source>With less memory, fewer moments of a long run are kept, and a jump within it computes a few more steps.</source>
+        <translation>Avec moins de mémoire, on garde moins d’instants d’un long calcul, et un saut recalcule quelques pas de plus.</translation>
     </message>
     <message>
         <source>The language changes when Ramure is started again.</source>
@@ -12901,8 +13178,8 @@ restantes</translation>
         <translation>Feuilles</translation>
     </message>
     <message>
-        <source>Area of what looks down by more than 45°, in cm²: it needs supports</source>
-        <translation>Aire de ce qui regarde vers le bas de plus de 45°, en cm² : il lui faut des supports</translation>
+        <source>Area that overhangs by more than 45°, in cm²: it needs supports</source>
+        <translation>Surface en surplomb de plus de 45°, en cm² : il lui faut des supports</translation>
     </message>
     <message>
         <source>Whether its centre of mass is over the foot, and how far from the foot’s border, in mm</source>
@@ -13064,7 +13341,7 @@ restantes</translation>
         <translation>Insérer une clé</translation>
     </message>
     <message>
-        <source>No parameter of what is selected is called “%1”.</source>
+        <source>No parameter of the selection is called “%1”.</source>
         <translation>Aucun paramètre de la sélection ne s’appelle « %1 ».</translation>
     </message>
     <message>
@@ -13099,8 +13376,8 @@ restantes</translation>
         <translation>%1 m de large, %2 m de haut</translation>
     </message>
     <message>
-        <source>Click a solid around the tree: what stands out of it is cut</source>
-        <translation>Cliquer sur un solide autour de l’arbre : ce qui en dépasse est coupé</translation>
+        <source>Click a solid around the tree: the wood outside it is cut</source>
+        <translation>Cliquer sur un solide autour de l’arbre : le bois qui en dépasse est coupé</translation>
     </message>
     <message>
         <source>Draw half of the outline beside the trunk: the tree is cut to it</source>
@@ -13127,12 +13404,12 @@ restantes</translation>
         <translation>Rien n’est coupé : %1 · Échap : retour</translation>
     </message>
     <message>
-        <source>That was too short: draw half of the outline beside the trunk.</source>
-        <translation>Trop court : dessinez la moitié du contour à côté du tronc.</translation>
+        <source>The stroke was too short: draw half of the outline beside the trunk.</source>
+        <translation>Trait trop court : dessinez la moitié du contour à côté du tronc.</translation>
     </message>
     <message>
-        <source>That was too short: drag from the middle of the tree outwards, and what is red goes.</source>
-        <translation>Trop court : glissez du milieu de l’arbre vers l’extérieur, et ce qui est rouge part.</translation>
+        <source>The stroke was too short: drag from the middle of the tree outwards, and the red parts go.</source>
+        <translation>Trait trop court : glissez du milieu de l’arbre vers l’extérieur, et les parties rouges partent.</translation>
     </message>
     <message>
         <source>%1 would go</source>
@@ -13246,8 +13523,8 @@ restantes</translation>
         <translation>Cela ne change rien en ce moment : %1</translation>
     </message>
     <message>
-        <source>The source that the recipe begins with: its values are those of the tree</source>
-        <translation>La source par laquelle la recette commence : ses valeurs sont celles de l’arbre</translation>
+        <source>The recipe&apos;s first source: its values are the tree&apos;s parameters</source>
+        <translation>La première source de la recette : ses valeurs sont les paramètres de l’arbre</translation>
     </message>
     <message>
         <source>%1 ms</source>
@@ -13284,12 +13561,12 @@ restantes</translation>
         </translation>
     </message>
     <message>
-        <source>Hand edits that follow each other. What is done to this row is done to all of them.</source>
-        <translation>Des retouches à la main qui se suivent. Ce qu’on fait à cette ligne, on le fait à toutes.</translation>
+        <source>Consecutive hand edits. A change of this row changes all of them.</source>
+        <translation>Des retouches à la main qui se suivent. Un changement de cette ligne les change toutes.</translation>
     </message>
     <message>
-        <source>It does not run: a step below holds what it has made</source>
-        <translation>Elle ne s’exécute pas : une étape plus bas garde ce qu’elle a fait</translation>
+        <source>It does not run, because a step below holds its result</source>
+        <translation>Elle ne s’exécute pas, car une étape plus bas garde son résultat</translation>
     </message>
     <message>
         <source>The tree is younger: it acts from the year %1 on</source>
@@ -13320,28 +13597,12 @@ restantes</translation>
         <translation>Couper</translation>
     </message>
     <message>
-        <source>Earlier</source>
-        <translation>Plus tôt</translation>
-    </message>
-    <message>
-        <source>Later</source>
-        <translation>Plus tard</translation>
-    </message>
-    <message>
         <source>Copy to</source>
         <translation>Copier vers</translation>
     </message>
     <message>
         <source>Delete</source>
         <translation>Supprimer</translation>
-    </message>
-    <message>
-        <source>Earlier (Alt+Up): it acts before the one above</source>
-        <translation>Plus tôt (Alt+Haut) : elle agit avant celle du dessus</translation>
-    </message>
-    <message>
-        <source>Later (Alt+Down): it acts after the one below</source>
-        <translation>Plus tard (Alt+Bas) : elle agit après celle du dessous</translation>
     </message>
     <message>
         <source>Copy the selected steps to another tree</source>
@@ -13398,6 +13659,22 @@ restantes</translation>
     <message>
         <source>Let the tree answer a cut</source>
         <translation>Laisser l’arbre répondre à une coupe</translation>
+    </message>
+    <message>
+        <source>Move up (Alt+Up): the step acts before the one above</source>
+        <translation>Monter (Alt+Haut)&#xa0;: l’étape agit avant celle du dessus</translation>
+    </message>
+    <message>
+        <source>Move down (Alt+Down): the step acts after the one below</source>
+        <translation>Descendre (Alt+Bas)&#xa0;: l’étape agit après celle du dessous</translation>
+    </message>
+    <message>
+        <source>Move up</source>
+        <translation>Monter</translation>
+    </message>
+    <message>
+        <source>Move down</source>
+        <translation>Descendre</translation>
     </message>
 </context>
 <context>
@@ -13466,8 +13743,8 @@ restantes</translation>
         <translation>Fichier enregistré ensuite</translation>
     </message>
     <message>
-        <source>The file was saved after this change was kept. What “Recover” opens may be older than the file; compare the two before you save.</source>
-        <translation>Le fichier a été enregistré après que cette modification a été gardée. Ce qu’ouvre « Récupérer » peut être plus ancien que le fichier ; comparez les deux avant d’enregistrer.</translation>
+        <source>The file was saved after this change was kept. “Recover” may open an older state than the file; compare the two before you save.</source>
+        <translation>Le fichier a été enregistré après que cette modification a été gardée. « Récupérer » ouvre peut-être un état plus ancien que le fichier ; comparez les deux avant d’enregistrer.</translation>
     </message>
 </context>
 <context>
@@ -13666,8 +13943,8 @@ restantes</translation>
 <context>
     <name>ramure::SawTool</name>
     <message>
-        <source>What the line crosses is cut · release: done · Esc: nothing is cut</source>
-        <translation>Ce que la ligne croise est coupé · lâcher : fait · Échap : rien n’est coupé</translation>
+        <source>The line cuts all branches it crosses · release: done · Esc: nothing is cut</source>
+        <translation>La ligne coupe toutes les branches qu’elle croise · lâcher : fait · Échap : rien n’est coupé</translation>
     </message>
     <message>
         <source>Drag a line through twigs: they are cut there</source>
@@ -13681,12 +13958,12 @@ restantes</translation>
         </translation>
     </message>
     <message>
-        <source>What comes into it is cut · release: done · Esc: nothing is cut</source>
-        <translation>Ce qui y entre est coupé · lâcher : fait · Échap : rien n’est coupé</translation>
+        <source>Branches inside are cut · release: done · Esc: nothing is cut</source>
+        <translation>Les branches à l’intérieur sont coupées · lâcher : fait · Échap : rien n’est coupé</translation>
     </message>
     <message>
-        <source>Drag around twigs: what comes into it is cut</source>
-        <translation>Glisser autour de rameaux : ce qui y entre est coupé</translation>
+        <source>Drag around twigs: the twigs inside are cut</source>
+        <translation>Entourez des rameaux : ceux qui sont à l’intérieur sont coupés</translation>
     </message>
 </context>
 <context>
@@ -13720,8 +13997,8 @@ restantes</translation>
         <translation>Enfants</translation>
     </message>
     <message>
-        <source>Level</source>
-        <translation>Niveau</translation>
+        <source>Order</source>
+        <translation>Ordre</translation>
     </message>
     <message>
         <source>Locked</source>
@@ -13998,8 +14275,8 @@ restantes</translation>
         <translation>Comptée à partir de 1 au début de la branche.</translation>
     </message>
     <message>
-        <source>Where the section is on the branch&apos;s curve: 0 at its start, 1 at its end.</source>
-        <translation>Où se trouve la section sur la courbe de la branche&#xa0;: 0 au début, 1 à la fin.</translation>
+        <source>Position of the section on the branch&apos;s curve: 0 at its start, 1 at its end.</source>
+        <translation>Position de la section sur la courbe de la branche : 0 au début, 1 à la fin.</translation>
     </message>
     <message>
         <source>Way along the curve from the branch&apos;s start.</source>
@@ -14010,8 +14287,8 @@ restantes</translation>
         <translation>Dans l’espace de l’arbre, Y vers le haut.</translation>
     </message>
     <message>
-        <source>Where the curve goes; the section lies across it.</source>
-        <translation>Où va la courbe&#xa0;; la section lui est perpendiculaire.</translation>
+        <source>Direction of the curve; the section is perpendicular to it.</source>
+        <translation>Direction de la courbe ; la section lui est perpendiculaire.</translation>
     </message>
     <message>
         <source>Points from the centre to the first point of the section&apos;s circle.</source>
@@ -14022,16 +14299,16 @@ restantes</translation>
         <translation>Tangente × normale&#xa0;: un quart de tour après la normale.</translation>
     </message>
     <message>
-        <source>Of the section&apos;s circle.</source>
-        <translation>Du cercle de la section.</translation>
+        <source>Radius of the section&apos;s circle.</source>
+        <translation>Rayon du cercle de la section.</translation>
     </message>
     <message>
-        <source>One over the radius of the circle that fits the curve here; 0 where it is straight.</source>
-        <translation>L’inverse du rayon du cercle qui épouse la courbe ici&#xa0;; 0 là où elle est droite.</translation>
+        <source>One over the radius of the circle that fits the curve here; 0 if the curve is straight.</source>
+        <translation>L’inverse du rayon du cercle qui épouse la courbe ici ; 0 si la courbe est droite.</translation>
     </message>
     <message>
-        <source>How fast the frame turns about the curve beyond what carrying it along needs: 0 for rotation-minimising frames.</source>
-        <translation>À quelle vitesse le repère tourne autour de la courbe au-delà de ce que son transport demande&#xa0;: 0 pour les repères à rotation minimale.</translation>
+        <source>How fast the frame turns about the curve, compared with a rotation-minimising frame, for which it is 0.</source>
+        <translation>À quelle vitesse le repère tourne autour de la courbe, comparé à un repère à rotation minimale, pour lequel elle vaut 0.</translation>
     </message>
     <message>
         <source>How far the frame is turned about the curve since the parent&apos;s end: the roll by hand and the twist up to here.</source>
@@ -14347,8 +14624,8 @@ restantes</translation>
         <translation>faces</translation>
     </message>
     <message>
-        <source>What is visible, as an export writes it. Branches are counted after simplification.</source>
-        <translation>Ce qui est visible, tel qu’un export l’écrit. Les branches sont comptées après simplification.</translation>
+        <source>Counts of the visible nodes, as an export writes them. Branches are counted after simplification.</source>
+        <translation>Nombres des nœuds visibles, tels qu’un export les écrit. Les branches sont comptées après simplification.</translation>
     </message>
     <message>
         <source>&lt;p&gt;Closed, 2-manifold and outward: every edge has two faces. No triangle runs through another.&lt;/p&gt;</source>
@@ -14531,8 +14808,8 @@ restantes</translation>
         <translation>Comment les instants sont affichés</translation>
     </message>
     <message>
-        <source>What happens at the last frame</source>
-        <translation>Ce qui se passe à la dernière image</translation>
+        <source>Behaviour at the last frame</source>
+        <translation>Comportement à la dernière image</translation>
     </message>
     <message>
         <source>Give up computing; the frame on show stays</source>
@@ -14798,8 +15075,8 @@ restantes</translation>
         <translation>Ce que cela veut dire</translation>
     </message>
     <message>
-        <source>Choose a kind above to read what it is and what it does.</source>
-        <translation>Choisissez un genre ci-dessus pour lire ce qu’il est et ce qu’il fait.</translation>
+        <source>Choose a kind above to read its meaning and its effect.</source>
+        <translation>Choisissez un genre ci-dessus pour lire ce qu’il veut dire et son effet.</translation>
     </message>
     <message>
         <source>Copy the report as text</source>
@@ -14818,8 +15095,8 @@ restantes</translation>
         <translation>Rapport copié en texte</translation>
     </message>
     <message>
-        <source>The check of a mesh stands here. There is none in the scene.</source>
-        <translation>Ici s’affiche le contrôle d’un maillage. La scène n’en a pas.</translation>
+        <source>The check of a mesh is shown here. The scene has no mesh.</source>
+        <translation>Le contrôle d’un maillage se montre ici. La scène n’a pas de maillage.</translation>
     </message>
 </context>
 <context>
@@ -14977,6 +15254,11 @@ restantes</translation>
         <comment>Length: 3 m</comment>
         <translation>%1 : %2</translation>
     </message>
+    <message>
+        <source>Seed %1, %2</source>
+        <comment>2, 40 years</comment>
+        <translation>Graine %1, %2</translation>
+    </message>
 </context>
 <context>
     <name>ramure::VariedParamsForm</name>
@@ -15120,12 +15402,8 @@ restantes</translation>
         <translation>Les arbres que la ligne de temps fait bouger ne sont pas pris dans le vent d’un jeu.</translation>
     </message>
     <message>
-        <source>selected</source>
-        <translation>sélectionné</translation>
-    </message>
-    <message>
-        <source>selected · %1: on or off</source>
-        <translation>sélectionné · %1 : montrer ou non</translation>
+        <source>This picture is out of date</source>
+        <translation>Cette image n’est plus à jour</translation>
     </message>
 </context>
 <context>

@@ -7,7 +7,6 @@
 #include <QJsonObject>
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 
 namespace ramure::cli {
 

@@ -19,7 +19,7 @@ inline constexpr int exitRowsFailed = 3; ///< some rows of a batch
 inline constexpr int exitMemory = 4;     ///< rows of a batch wanted more than they may take
 inline constexpr int exitDiskFull = 5;
 
-/// What stands in a command's help.
+/// The texts of a command's help.
 struct CommandText
 {
     const char* name;      ///< "info"
@@ -67,8 +67,8 @@ private:
 
 /// "-o, --output FILE"
 QString optionHead(const QCommandLineOption& option);
-/// The text with the endings of the table of formats for {read}, {import} and {write}, and what is said of
-/// each that is written for {formats}.
+/// Fills in a text: the endings of the table of formats for {read}, {import} and {write}, and the help of
+/// each written format for {formats}.
 QString withFormats(const char* text);
 /// Lines of at most 96 characters, each with the indentation.
 QString wrapped(const QString& text, int indentation);

@@ -1,5 +1,5 @@
 /// \file
-/// The options of the editor: its command line, its manual page and what the shell completes follow from
+/// The options of the editor. Its command line, its manual page and the completion of the shell follow from
 /// them.
 #pragma once
 

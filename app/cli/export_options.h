@@ -1,6 +1,6 @@
 /// \file
-/// The table of export options on the command line: of `export`, of what starts it for many trees, and of
-/// `import`.
+/// Reads the table of export options from the command line, for `export`, for commands that run it on many
+/// trees, and for `import`.
 #pragma once
 
 #include "app/cli/command_line.h"
@@ -10,8 +10,8 @@ namespace ramure::cli {
 
 /// \param who ofExport, ofBatch or ofImport
 void addExportOptions(CommandLine& line, OptionFlag who);
-/// \param usual where nothing was said. Errors: those of readOption and checkLevels; Invalid (--switch
-/// alone).
+/// \param usual values of options that are not given. Errors: those of readOption and checkLevels; Invalid
+/// (--switch alone).
 Expected<ExportOptions> exportOptionsOf(const CommandLine& line, OptionFlag who, ExportOptions usual = {});
 /// Returns nothing where none of --up, --unit and --scale was given.
 std::optional<FileSpace> spaceGiven(const CommandLine& line, const ExportOptions& options);

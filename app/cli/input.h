@@ -28,17 +28,18 @@ Expected<Input> loadInput(const QString& text, const QStringList& sets, const Pr
 /// The INPUT of a command with its --set. Warnings about it go to the standard error. Errors as above.
 Expected<Input> loadInput(const CommandLine& line, const Progress& progress = {});
 
-/// What a tree grows from but probably does not mean (core/generators/parametric/grammar_notes.h); names of
-/// several trees stand before it.
+/// Warnings about grammars that grow a tree but probably do not mean it
+/// (core/generators/parametric/grammar_notes.h). If there are several trees, the tree's name stands before
+/// each.
 std::vector<Error> warningsOf(const Scene& scene);
-/// Likewise, as the value of "warnings" in the JSON of commands, which have it where it is not empty.
+/// Returns the same as the value of "warnings" in a command's JSON, which has the key only if there are any.
 QJsonArray jsonWarnings(const Scene& scene);
 
 /// The values of --set, for every node that has the parameter. Errors: Unknown, Invalid, Syntax; path = the
 /// key.
 Expected<void> applySettings(Scene& scene, const QStringList& sets);
 
-/// What became of a step of a recipe, as commands print it: "placed".
+/// Returns the state of a recipe's step as commands print it: "placed".
 const char* stateName(EditState state);
 
 /// The trees of a scene, shown or not, in its order; at least one. Error: Invalid.
@@ -52,7 +53,7 @@ Expected<std::vector<const Node*>> treesOrShapes(const Scene& scene);
 /// file).
 Expected<void> keepNodes(Input& input, const QStringList& names);
 
-/// Names of several trees stand before what an error is about.
+/// If there are several trees, the tree's name stands in front of the error's subject.
 Expected<TreeResult> evaluateTree(TreePipeline& pipeline, const Node& node, bool isOneOfSeveral, Stage last,
                                   const Progress& progress = {});
 

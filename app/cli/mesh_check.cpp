@@ -4,27 +4,16 @@
 #include "core/io/export_scene.h"
 #include "core/pipeline/separate_branches.h"
 #include "core/qt/document/project/mesh_report_json.h"
-#include "core/qt/document/project/project_json.h"
 #include "core/scene/object_mesh.h"
 #include "core/scene/shape_check.h"
 #include "core/surface/mesh/transformed.h"
+#include "core/surface/mesher/build_branch_mesh.h"
 #include <QJsonArray>
 #include <algorithm>
 
 namespace ramure::cli {
 
 namespace {
-
-/// What a tree is asked without its crossings, in about 30 ms for a million triangles.
-Expected<MeshAnalysis> shapeOf(const TriangleMesh& mesh, const Progress& progress)
-{
-    MeshAnalysis analysis;
-    analysis.hash = meshHash(mesh);
-    auto quality = measureQuality(mesh, 0, progress);
-    RAMURE_TRY(quality);
-    analysis.quality = std::move(*quality);
-    return analysis;
-}
 
 /// The check again, of the mesh where it stands in the world.
 Expected<void> checkPlaced(CheckedMesh& checked, const TriangleMesh& mesh, const glm::dmat4& world,
@@ -55,7 +44,7 @@ Expected<CheckedMesh> checkTree(const Node& node, bool isOneOfSeveral, Evaluated
     RAMURE_TRY(confirmWithOpenMesh(branches.mesh, checked.report, progress.part(0.4, 0.6)));
     auto analysis = checks.crossings
                         ? analyseMesh(branches, result->simplified->skeleton, 0, progress.part(0.6, 0.9))
-                        : shapeOf(branches.mesh, progress.part(0.6, 0.9));
+                        : analyseShape(branches.mesh, 0, progress.part(0.6, 0.9));
     RAMURE_TRY(analysis);
     checked.analysis = std::move(*analysis);
     if (checks.placed && world != glm::dmat4(1.0))

@@ -18,12 +18,12 @@ namespace ramure::cli {
 /// (MeshChecks::placed); or a file's objects together.
 struct CheckedMesh
 {
-    std::string name; ///< of the node; empty for a file
+    std::string name; ///< name of the node; empty for a file
     MeshReport report;
     MeshAnalysis analysis;                ///< without crossings unless they were asked for
-    std::optional<TextureReport> texture; ///< of a tree, if it was asked for
+    std::optional<TextureReport> texture; ///< only for a tree, and only if it was asked for
     BudgetFit budget = BudgetFit::NotAsked;
-    Index targetTriangles = 0; ///< of a tree, as its parameters say; 0 = none
+    Index targetTriangles = 0; ///< triangle budget in a tree's parameters; 0 = none
     NodeKind kind = NodeKind::Tree;
     bool isOpen = false; ///< a terrain or a plane: valid with a boundary
     /// Valid in its own space, but not where it stands (MeshChecks::placed).
@@ -48,18 +48,18 @@ struct MeshChecks
     bool placed = false;
 };
 
-/// Is each mesh closed, manifold and oriented, does OpenMesh agree, and has a tree as many pieces as roots;
-/// its quality and its hash. Open surfaces (isOpenSurface) may have a boundary.
+/// Checks whether each mesh is closed, manifold and oriented, whether OpenMesh agrees, and whether a tree has
+/// as many pieces as roots. Adds its quality and its hash. Open surfaces (isOpenSurface) may have a boundary.
 /// Errors: those of EvaluatedScene; Cancelled.
 Expected<std::vector<CheckedMesh>> checkMeshes(const Input& input, Evaluator& evaluator,
                                                const MeshChecks& checks, const Progress& progress);
 
-/// The same of the bark of all trees in a scene that is about to be written, level by level, where it stands.
+/// Checks the bark of all trees in a scene that is about to be written, level by level and in its place.
 /// Errors: those of checkMesh.
 Expected<std::vector<CheckedMesh>> checkBarks(const ExportScene& scene);
 
-/// Moves colliding branches of all trees apart (core/pipeline/separate_branches.h); says on the standard
-/// error how far it came. Errors: Invalid for a mesh file; those of separateBranches.
+/// Moves colliding branches of all trees apart (core/pipeline/separate_branches.h) and reports the result on
+/// the standard error. Errors: Invalid for a mesh file; those of separateBranches.
 Expected<void> separateTrees(Input& input, TreePipeline& pipeline, const Progress& progress);
 
 /// All figures added up; valid where all are.
@@ -71,7 +71,8 @@ QString verdictText(MeshVerdict verdict, std::uint64_t crossings);
 std::uint64_t crossingsOf(const std::vector<CheckedMesh>& all);
 /// Are these trees alone, or a file?
 bool isOfTrees(const std::vector<CheckedMesh>& all);
-/// Of one mesh its object; of several the sums, and "trees", or "nodes" where not all are trees.
+/// Returns the object of one mesh. For several it returns the sums, and "trees", or "nodes" if not all are
+/// trees.
 QJsonObject jsonOf(const std::vector<CheckedMesh>& all, bool crossings);
 
 } // namespace ramure::cli

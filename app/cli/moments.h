@@ -15,7 +15,7 @@ struct Moments
     std::vector<std::int64_t> frames;
     double framesPerSecond = 24.0;
 
-    /// That of the project; with --seamless the frames of the sequence are a loop without a seam.
+    /// The timeline of the project; with --seamless the frames form a loop without a seam.
     TimelineSettings timeline;
 
     /// --wind-loop: the last frame is the first one again, as programs want it that play a clip round and

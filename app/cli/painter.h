@@ -15,7 +15,7 @@ namespace ramure::cli {
 class Painter
 {
 public:
-    /// Once. Errors: those of VirtualDisplay and OffscreenRenderer.
+    /// Call it once. Errors: those of VirtualDisplay and OffscreenRenderer.
     Expected<void> begin();
     /// \pre begin() went well
     Expected<QImage> draw(const RenderScene& scene, const Camera& camera, QSize size,
@@ -34,7 +34,7 @@ private:
     std::optional<OffscreenRenderer> m_renderer;
 };
 
-/// What is shown of a scene at its time. Errors: those of its trees; Invalid (nothing in it).
+/// Builds the visible scene at its time. Errors: those of its trees; Invalid (nothing in it).
 Expected<RenderScene> renderSceneOf(EvaluatedScene& now, DisplayMode mode);
 /// From the front, all that is visible.
 Camera cameraFor(const RenderScene& scene, QSize size);

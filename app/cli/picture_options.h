@@ -14,8 +14,8 @@ struct PictureOptions
     QString cameraNode;           ///< the name of a camera of the scene, in the place of both; empty: none
     RenderOptions options;        ///< but for the lens
     double fStop = 0.0;           ///< 0: everything is sharp
-    double focus = 0.0;           ///< m; 0: what the camera looks at
-    QString skyFile;              ///< where the sky goes, if anywhere
+    double focus = 0.0;           ///< m; 0: the camera's target
+    QString skyFile;              ///< file for the sky; empty: none
 };
 
 void addPictureOptions(CommandLine& line);

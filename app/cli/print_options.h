@@ -1,5 +1,5 @@
 /// \file
-/// `export --print`: a tree made ready for a printer, and what is to be known about it.
+/// `export --print`: makes a tree ready for a printer and reports on it.
 #pragma once
 
 #include "app/cli/export_options.h"

@@ -1,5 +1,5 @@
 /// \file
-/// A display where there is none that answers: an X server of our own that nobody sees.
+/// Starts an invisible X server of our own if no display answers.
 #pragma once
 
 #include "core/base/error.h"

@@ -60,31 +60,31 @@ public:
     /// False once writing has failed: commit() says why, and what follows is dropped.
     [[nodiscard]] bool isGood() const { return m_errno == 0; }
     [[nodiscard]] bool isRegular() const { return !m_temporary.empty(); }
-    /// Writes what is left; then the target becomes the new file, on the disk. Error: Io (a full disk too);
-    /// the target is what it was.
+    /// Writes the rest, then puts the new file on the disk in place of the target. Error: Io (a full disk
+    /// too); the target stays as before.
     Expected<void> commit();
-    /// Files that belong together: all of them become the new ones, or none. (A loss of power between two may
-    /// leave a new one beside an old one, both whole. Where the file system cannot exchange two names, so may
-    /// an error.)
+    /// Commits files that belong together: either all of them are replaced, or none. A loss of power between
+    /// two may leave a new file beside an old one, both whole. The same can follow from an error on a file
+    /// system that cannot exchange two names.
     static Expected<void> commitTogether(std::initializer_list<FileWriter*> files);
 
 private:
     /// Stays in the second cache; a fraction of it, whole pages, is written at a time.
     static constexpr std::size_t bufferSize = std::size_t(1) << 18;
     static constexpr std::size_t pageSize = 4096;
-    enum class Place { Beside, Exchanged, First, Final }; ///< of what was written, see place()
+    enum class Place { Beside, Exchanged, First, Final }; ///< where the written bytes are now, see place()
 
     explicit FileWriter(std::string path);
     /// Hands over the first \p bytes of the buffer and moves the rest to its front.
     void flush(std::size_t bytes);
-    /// Writes what is left, syncs and closes the file, without touching the target.
+    /// Writes the rest, syncs and closes the file, without touching the target.
     Expected<void> finish();
     [[nodiscard]] int place(); ///< puts the new file in the target's place; 0 or the reason why not
     void takeBack();           ///< undoes place()
     void removeTemporary();
     [[nodiscard]] Error error(int code) const;
 
-    std::string m_path;      ///< as the caller wrote it, for messages
+    std::string m_path;      ///< the name as the caller wrote it, for messages
     std::string m_target;    ///< links followed
     std::string m_temporary; ///< empty for devices, and once it is gone
     Place m_place = Place::Beside;
@@ -98,25 +98,26 @@ private:
 Error writeError(const std::string& path, int code);
 /// Did writeError() make it?
 bool isWriteError(const Error& error);
-/// Did it because the disk, or what the user may have of it, is full? Whatever is written next will fail too.
+/// True if the error came from a full disk or a used-up quota. Further writing will fail, too.
 bool isDiskFull(const Error& error);
 
 /// Makes a folder and those above it that do not exist yet. Error: Io.
 Expected<void> makeFolder(const std::string& path);
 
-/// A whole file at once. Errors: those of FileWriter.
+/// Writes a whole file at once. Errors: those of FileWriter.
 Expected<void> writeFile(const std::string& path, std::string_view bytes);
 
-/// What somebody else has just written (Qt its settings) is on the disk afterwards. Error: Io.
+/// Makes sure that a file written by somebody else (Qt writes the settings) is on the disk. Error: Io.
 Expected<void> syncFile(const std::string& path);
 
 /// Call once, when a program starts. A file that grows beyond the limit of its process (`ulimit -f`) is then
 /// an error of the writing, EFBIG, and no longer the end of the program.
 void makeFileLimitAnError();
 
-/// Deletes what writings of \p path that were cut short (a crash, a kill) left beside it: files named
-/// "PATH.new-PROCESS-NUMBER" that nobody has written to for ten seconds and whose process is gone, or for an
-/// hour. No other name is ever touched. Never fails: what cannot be deleted stays. Returns how many went.
+/// Deletes the remains of interrupted writes of \p path (a crash, a kill): files named
+/// "PATH.new-PROCESS-NUMBER" that have not been written to for ten seconds and whose process is gone, or for
+/// an hour. No other name is ever touched. Never fails: files that cannot be deleted stay. Returns the number
+/// of deleted files.
 int removeAbandonedParts(const std::string& path);
 
 } // namespace ramure

@@ -1,6 +1,6 @@
 /// \file
-/// Four floats that are computed with at once: one vector instruction instead of four. Arithmetic operators
-/// work on all four, and with a plain float on one side; the results are those of plain floats.
+/// Four floats in one vector: one instruction instead of four. Arithmetic operators work on all four, and
+/// with a plain float on one side. The results equal those of plain floats.
 #pragma once
 
 #include <cstring>

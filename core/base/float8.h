@@ -1,7 +1,7 @@
 /// \file
-/// Eight floats that are computed with at once, and eight points of three floats each as three of those.
-/// One instruction each inside RAMURE_WIDE_CLONE on processors with wide vectors, two elsewhere; the results
-/// are those of plain floats. Passed by reference: whoever passes vectors by value asks for wide registers.
+/// Eight floats in one vector, and eight points as three such vectors. Each operation is one instruction
+/// inside RAMURE_WIDE_CLONE on processors with wide vectors, two elsewhere. The results equal those of plain
+/// floats. Pass them by reference: passing vectors by value would ask for wide registers.
 #pragma once
 
 #include "core/base/float4.h"
@@ -10,7 +10,7 @@ namespace ramure {
 
 using Float8 [[gnu::vector_size(32)]] = float;
 
-/// Eight points: what was a component of one becomes a lane for all.
+/// Eight points; each component is a vector with one lane per point.
 struct EightPoints
 {
     Float8 x, y, z;

@@ -9,10 +9,10 @@
 
 namespace ramure {
 
-/// Call once, when a program starts. Every change of a parameter makes tens of megabytes anew and frees the
-/// old ones. Given back to the system and taken again, each page of them is cleared and mapped once more:
-/// that is a quarter of the time of a rebuild. Up to half a gigabyte stays. One arena, because those of other
-/// threads give back what they free whatever one says; nothing here allocates often on many threads.
+/// Call this once, when a program starts. Every change of a parameter allocates tens of megabytes and frees
+/// the old ones. If they went back to the system, each page would be cleared and mapped again, which is a
+/// quarter of the time of a rebuild. Up to half a gigabyte is kept. All threads use one arena, because other
+/// arenas return freed memory regardless of the setting; no code here allocates often on many threads.
 inline void keepFreedMemory()
 {
 #ifdef __GLIBC__

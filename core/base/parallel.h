@@ -37,9 +37,9 @@ void run(std::size_t chunks, void* work, Call call);
 } // namespace parallel
 
 /// Calls \p work(begin, end) for consecutive ranges of \p grain numbers (the last may be shorter) that
-/// together are [0, count); returns when all are done. \p grain should stand for 20 microseconds of work or
-/// more. A loop inside of a loop, and a second one at the same time, run on their own thread. Where calls
-/// throw, all ranges are still passed over, and the exception of one of them is thrown.
+/// together cover [0, count), and returns when all are done. \p grain should stand for 20 microseconds of
+/// work or more. A loop inside another loop, or started while another one runs, stays on its caller's thread.
+/// If calls throw, the other ranges are still worked on, and one of the exceptions is thrown afterwards.
 template <class Work> void parallelFor(std::size_t count, std::size_t grain, Work&& work)
 {
     grain = std::max<std::size_t>(grain, 1);

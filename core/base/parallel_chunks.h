@@ -1,8 +1,8 @@
 /// \file
-/// Work that falls into numbered chunks, on a few threads. What a chunk does may depend on its number only;
-/// so the result is the same on one thread and on many. For long work that reports and can be cancelled: its
-/// threads are its own, with the calling thread's priority, so that work in the background does not keep the
-/// threads of parallel.h from work in the foreground.
+/// Shares numbered chunks of work among a few threads. The work of a chunk may depend on its number only, so
+/// the result is the same on one thread and on many. This is for long work that reports progress and can be
+/// cancelled. Its threads are its own and have the calling thread's priority, so background work does not
+/// keep the threads of parallel.h from work in the foreground.
 #pragma once
 
 #include "core/base/progress.h"

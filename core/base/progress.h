@@ -1,5 +1,5 @@
 /// \file
-/// What a long function gets to say how far it is and to learn that it should stop.
+/// A long function gets a Progress to report how far it is and to learn that it should stop.
 #pragma once
 
 #include <functional>

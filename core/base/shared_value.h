@@ -1,5 +1,5 @@
 /// \file
-/// Large data that is shared and never changed in place, compared by what it holds.
+/// Large data that is shared and never changed in place. Two values are equal if their contents are.
 #pragma once
 
 #include <cstdint>

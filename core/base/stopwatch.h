@@ -1,6 +1,6 @@
 /// \file
-/// Time since a start, twice: on the clock of the wall, and as the calling thread spent it on a processor. On
-/// a busy machine only the second says what a piece of work costs.
+/// Measures time since a start in two ways: by the wall clock, and as processor time of the calling thread.
+/// On a busy machine only the second tells the cost of a piece of work.
 #pragma once
 
 #include <chrono>
@@ -11,7 +11,7 @@ namespace ramure {
 struct Elapsed
 {
     double wallMs = 0.0;
-    double cpuMs = 0.0; ///< of the calling thread; of the process where the system counts no threads
+    double cpuMs = 0.0; ///< time of the calling thread, or of the process if the system counts no threads
 
     Elapsed& operator+=(const Elapsed& other)
     {

@@ -12,8 +12,8 @@
 
 namespace ramure {
 
-/// Like std::memcpy, past the caches: they need not read what is overwritten, and keep what they hold.
-/// Other threads see it after endStreamCopies().
+/// Copies like std::memcpy, but past the caches: they need not read the overwritten memory, and keep their
+/// contents. Other threads see the copy after endStreamCopies().
 inline void streamCopy(void* to, const void* from, std::size_t bytes)
 {
 #ifdef __x86_64__

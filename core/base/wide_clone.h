@@ -1,10 +1,10 @@
 /// \file
-/// More versions of a function for processors with wider vectors, chosen when the program starts:
-/// RAMURE_WIDE_CLONE for those of eight floats, RAMURE_WIDEST_CLONE for those of sixteen too, where a
-/// function does nothing but reckon with many numbers side by side.
+/// More versions of a function for processors with wider vectors, chosen when the program starts.
+/// RAMURE_WIDE_CLONE is for vectors of eight floats. RAMURE_WIDEST_CLONE adds sixteen, for functions that
+/// only compute with many numbers side by side.
 ///
-/// The same bytes come out of all: none fuses operations, and whoever uses it adds in a fixed order.
-/// (Sanitizers start too late for such a choice.)
+/// All versions give the same bytes, because none fuses operations and all add in a fixed order. (Sanitizers
+/// start too late for such a choice.)
 #pragma once
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(RAMURE_SANITIZED)

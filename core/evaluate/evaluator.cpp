@@ -167,7 +167,7 @@ Expected<PosedTree> Evaluator::posed(const Node& now, const PhysicsParams& physi
     for (auto& [id, each] : m_trees) // one more tree leaves less to each of the others
         each.setMemoryLimit(m_memoryBytes / m_trees.size());
     if (!std::isfinite(seconds) || seconds > run.cache().timeAt(maxPhysicsSteps))
-        return fail(ErrorCode::Invalid, RAMURE_NOOP("the time lies beyond what the physics counts"));
+        return fail(ErrorCode::Invalid, RAMURE_NOOP("the time is too late for the physics"));
     run.setPhysics(physics, now.animation, seconds);
     auto motion = run.motionAt(seconds, m_timeline, progress.part(0.45, 1.0));
     RAMURE_TRY(motion);

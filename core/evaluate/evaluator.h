@@ -15,10 +15,10 @@ namespace ramure {
 /// Gives the result of a tree node at rest, with all stages up to \p last.
 using TreeSource =
     std::function<Expected<TreeResult>(const Node& node, Stage last, const Progress& progress)>;
-/// Evaluates what is asked for; \p pipeline must outlive the source.
+/// Returns a source that runs the pipeline on request; \p pipeline must outlive the source.
 TreeSource pipelineSource(TreePipeline& pipeline);
 
-/// The name of the node stands before what an error is about.
+/// Puts the node's name in front of the error's subject.
 Error named(const Node& node, Error error);
 
 /// A tree as it rests, and the motion that it is in; without bones it rests.
@@ -35,22 +35,23 @@ class Evaluator;
 class EvaluatedScene
 {
 public:
-    /// As tracks alone have it: arms stand as their joints say, and trees are not asked for. Views begin with
-    /// this; the player moves it on.
+    /// Evaluates the tracks alone: arms stand as their joints say, and no tree is needed. A view begins with
+    /// this, then the player moves it on.
     explicit EvaluatedScene(const Scene& scene, double seconds = 0.0);
 
     [[nodiscard]] const Scene& scene() const { return *m_scene; }
     [[nodiscard]] double seconds() const { return m_seconds; }
     /// One per node, in the order of Scene::nodes().
     const std::vector<NodeTransforms>& transforms();
-    [[nodiscard]] NodeTransforms transforms(NodeId node) const; ///< of one alone; unknown ids: identity
+    /// One node alone; an unknown id gives the identity.
+    [[nodiscard]] NodeTransforms transforms(NodeId node) const;
     /// With the values of tracks, and the joints of an arm that was posed; valid as long as this object.
     const NodeParams& params(const Node& node);
 
     /// Turns an arm towards its target. Errors: those of Evaluator::joints, named.
     Expected<void> pose(const Node& arm, const Progress& progress = {});
     Expected<void> poseArms(const Progress& progress = {}); ///< all of them, hidden ones too
-    /// The shape of anything but a tree, arms posed, in the node's own space; null where there is nothing.
+    /// Returns the shape of any node but a tree, arms posed, in the node's own space; null if it has none.
     /// Errors: those of pose() and objectSolid, named.
     Expected<std::shared_ptr<const TriangleMesh>> solid(const Node& node, const Progress& progress = {});
     /// Errors: those of Evaluator::tree. \pre an evaluator with a source made this; likewise of the next two.
@@ -66,7 +67,7 @@ private:
     double m_seconds;
     Evaluator* m_evaluator = nullptr;
     std::vector<NodeTransforms> m_transforms;
-    std::map<NodeId, NodeParams> m_params; ///< of nodes whose own are others
+    std::map<NodeId, NodeParams> m_params; ///< for nodes whose tracks change their parameters
 };
 
 /// Keeps one run per tree and arm, so that the frames of a sequence cost one run together. Not thread-safe.
@@ -93,7 +94,7 @@ public:
     /// The same, not deformed yet. \param bones also where it rests.
     Expected<PosedTree> posedTree(const Node& node, Stage last, double seconds, bool bones,
                                   const Progress& progress = {});
-    [[nodiscard]] std::size_t bytes() const; ///< of the states that are kept
+    [[nodiscard]] std::size_t bytes() const; ///< memory of the kept states
 
 private:
     Expected<PosedTree> posed(const Node& now, const PhysicsParams& physics, Stage last, double seconds,

@@ -3,6 +3,7 @@
 /// motions: the physics of a tree, the inverse kinematics of an arm.
 #pragma once
 
+#include "core/base/progress.h"
 #include "core/math/box.h"
 #include "core/rig/arm/arm_solver.h"
 #include "core/rig/physics/physics_state.h"
@@ -14,15 +15,15 @@
 
 namespace ramure {
 
-/// What views show of an arm on its way.
+/// An arm on its way to its target, for views.
 struct ArmProgress
 {
     NodeId node = noNode;
     std::vector<double> angles;
     std::vector<ArmLimit> limits; ///< by angle
-    ArmFigures figures;           ///< of the solver
+    ArmFigures figures;           ///< the solver's figures
     double residual = 0.0;        ///< m, from the arm's own tip to the target
-    std::vector<float> residuals; ///< of the arm, by ticks; at most 4096
+    std::vector<float> residuals; ///< distance left to the target, one per tick; at most 4096
     bool moves = false;
 };
 
@@ -38,18 +39,18 @@ struct NodeMotion
     /// petioles, one per leaf; tree space.
     std::shared_ptr<const std::vector<RigidTransform>> bones;
     Index firstLeaf = noIndex; ///< the bone of the first leaf; noIndex: they go with their branches
-    Box box;                   ///< of the moved tree, tree space; a little generous
+    Box box;                   ///< bounds of the moved tree in tree space, slightly too large
     PhysicsFigures figures;
-    std::shared_ptr<const ArmProgress> arm; ///< of arms only
-    bool reshapes = false;                  ///< of arms only: tracks change the mesh that follows the bones
-    std::int64_t step = 0;                  ///< of the physics
-    double stepSeconds = 0.0; ///< what one step took, mean over those computed for this frame; 0 = none was
+    std::shared_ptr<const ArmProgress> arm; ///< null unless the node is an arm
+    bool reshapes = false;                  ///< only for arms: tracks change the mesh that follows the bones
+    std::int64_t step = 0;                  ///< step of the physics
+    double stepSeconds = 0.0; ///< mean time of the steps computed for this frame; 0 = none was computed
 
     /// At rest there is nothing to deform.
     [[nodiscard]] bool moves() const { return step > 0; }
 };
 
-/// Not thread-safe: a run keeps what it computed on the way.
+/// Not thread-safe: a run keeps its intermediate results.
 class NodeRun
 {
 public:

@@ -52,7 +52,7 @@ private:
         LeafBends bends;
         std::vector<glm::dvec3> fruit; ///< how fast each is carried
     };
-    [[nodiscard]] std::vector<RigidTransform> bones(); ///< of how it stands now
+    [[nodiscard]] std::vector<RigidTransform> bones(); ///< the tree's present pose
     Expected<void> seek(std::int64_t step, Stand& stand, const Progress& progress);
     void setTrackedPhysics(const PhysicsParams& params, const NodeAnimation& animation, double seconds);
 
@@ -61,14 +61,14 @@ private:
     double m_alpha = 0.0;
     std::unique_ptr<PhysicsCache> m_cache;
     PhysicsParams m_params;
-    NodeAnimation m_animation;    ///< of the parameters, where the physics has tracks
+    NodeAnimation m_animation;    ///< tracks of the parameters, if the physics has any
     std::int64_t m_scripted = -1; ///< steps that have been told theirs
     bool m_mixed = false;
     NodeMotion m_motion; ///< meshes and skins; the rest is of the moment asked for last
     bool m_smooth = false;
     LeafParams m_leaf;
     std::shared_ptr<const Foliage> m_leavesOf;
-    std::optional<LeafSwing> m_swing; ///< of plants' leaves
+    std::optional<LeafSwing> m_swing; ///< only for trees with plant leaves
     FruitSwing m_fruit;
     Stand m_now, m_earlier;
 };

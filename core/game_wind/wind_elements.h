@@ -1,6 +1,6 @@
 /// \file
-/// The rigid pieces that a tree is for Pivot Painter 2: stems and leaves, each turning about the place where
-/// it stands on another one. Each has a texel; what deeper stems carry goes with the deepest that has one.
+/// The rigid pieces into which Pivot Painter 2 divides a tree: stems and leaves, each turning about its foot
+/// on its parent. Each has a texel. Stems too deep for a texel move with the deepest ancestor that has one.
 ///
 /// Limits are those of the material functions of Unreal Engine 4.27 to 5: chains of four pieces, 30,000
 /// pieces (Epic Games, "Pivot Painter Tool 2.0", dev.epicgames.com).
@@ -11,7 +11,7 @@
 namespace ramure {
 
 inline constexpr Index mostElements = 30'000, mostElementDepth = 4;
-/// m: what a texel of 8 bits decodes to at least, as the engine has it.
+/// m: the least extent that the engine decodes from a texel of 8 bits.
 inline constexpr double leastExtent = 0.08;
 
 struct WindElement
@@ -31,13 +31,13 @@ struct WindElements
     bool leavesGoAlong = false;        ///< they are too many for pieces of their own
 };
 
-/// The parameters of the foliage shader; what the engine asks for in its four groups, by depth.
+/// The parameters of the foliage shader, which has four groups of them, one per depth.
 struct PivotMotion
 {
-    double turns[mostElementDepth] = {0.01, 0.015, 0.02, 0.04}; ///< of a whole one, at a gust of 1
+    double turns[mostElementDepth] = {0.01, 0.015, 0.02, 0.04}; ///< turn of a whole element at a gust of 1
     double gustOffset = 0.5;
-    double falloff = 0.25;             ///< of the extent: nearer to the pivot less of the turn
-    double speed = 0.25, across = 0.1; ///< of the texture of gusts, per second: with the wind, across it
+    double falloff = 0.25;             ///< share of the extent; nearer to the pivot an element turns less
+    double speed = 0.25, across = 0.1; ///< movement of the gust texture per second, along and across the wind
     double worldScale = 1024.0;        ///< cm: the texture comes again
     double shelterBias = -1.25, shelterScale = -0.444;
 };
@@ -61,7 +61,7 @@ struct PivotTextures
     std::vector<glm::vec4> pivots; ///< rgb: cm; a: packedIndex() of the parent
     std::vector<glm::vec4> axes;   ///< rgb: 0.5 + half of it; a: extent / 2048 cm
 
-    /// Where a vertex of the element looks, rows from the top.
+    /// Returns the texel in which a vertex of the element looks up its data; rows count from the top.
     [[nodiscard]] glm::vec2 placeOf(Index element) const
     {
         const Index row = element / width;

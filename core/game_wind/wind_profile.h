@@ -35,7 +35,7 @@ std::span<const WindProfileFacts> windProfiles();
 /// \pre it is not None
 const WindProfileFacts& factsOf(WindProfile profile);
 
-/// What stands for the whole tree where an engine has parameters of a material. Formulas:
+/// Settings of the whole tree that engines hold as material parameters. Formulas:
 /// resources/shaders/wind.glsl.
 struct WindSettings
 {
@@ -47,7 +47,7 @@ struct WindSettings
 /// \param meshes all of the tree
 WindSettings windSettings(const WindTree& tree, std::span<const std::span<const WindVertex>> meshes);
 
-/// Of one mesh: as many as it has vertices, or none.
+/// The wind data of one mesh. Each column has one entry per vertex, or is empty.
 struct WindColumns
 {
     std::vector<glm::u16vec4> colours; ///< 65535 is 1; linear

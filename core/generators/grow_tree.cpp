@@ -41,12 +41,11 @@ constexpr double leastAge = 0.25;
 
 Expected<GrownSymbols> growYears(const NodeParams& all, const Progress& progress)
 {
-    GrowthParams params = all.growth;
-    params.age = historyYears(all);
-    auto history =
-        growHistory(params, static_cast<std::uint64_t>(all.grammar.seed), growthCuts(all), progress);
-    RAMURE_TRY(history);
-    return GrownSymbols{{}, {}, std::make_shared<const GrowthHistory>(std::move(*history))};
+    auto life = beginLife(all, progress);
+    RAMURE_TRY(life);
+    if (auto grown = life->growTo(historyYears(all), progress); !grown)
+        return fail(std::move(grown.error()));
+    return GrownSymbols{{}, {}, std::make_shared<const GrowthHistory>(std::move(*life).take())};
 }
 
 Expected<Skeleton> cutAge(const GrowthHistory& history, double age)
@@ -103,7 +102,8 @@ GrowthCuts growthCuts(const NodeParams& params)
     if (growthYears(params) <= 0.0)
         return cuts;
     for (const TreeEdit& edit : params.edits)
-        if (edit.enabled && edit.year > 0.0 && canLiveOn(edit)) {
+        if (edit.enabled && edit.year > 0.0 && canLiveOn(edit) &&
+            (edit.operation != EditOperation::Prune || params.growth.habit == GrowthHabit::Branching)) {
             GrowthCut cut{edit.target.address, 0.0, std::max(int(edit.year), 1), edit.id, {}};
             if (edit.operation == EditOperation::Cut)
                 cut.share = edit.at;
@@ -112,6 +112,12 @@ GrowthCuts growthCuts(const NodeParams& params)
             cuts.push_back(std::move(cut));
         }
     return cuts;
+}
+
+Expected<GrowthRun> beginLife(const NodeParams& params, const Progress& progress)
+{
+    const auto seed = static_cast<std::uint64_t>(params.grammar.seed);
+    return GrowthRun::begin(params.growth, seed, growthCuts(params), progress);
 }
 
 const char* sizeKey(const NodeParams& params)

@@ -13,19 +13,24 @@
 
 namespace ramure {
 
-/// What the rules made of the axiom, or the years of a seed; empty where the generator has no such part.
+/// The word that the rules made of the axiom, or the history of a tree grown by years. Parts that the
+/// generator does not have are empty.
 struct GrownSymbols
 {
     std::string letters;
-    ModuleWord word; ///< of the parametric dialect, one module a letter
-    /// Of a tree that grows year by year: its life, from which its age is cut.
+    ModuleWord word; ///< parametric dialect: one module per letter
+    /// Only for a tree that grows year by year: its life, from which its age is cut.
     std::shared_ptr<const GrowthHistory> history{};
 };
 
-/// Errors of both: those of the generators, path = the parameter's key; Cancelled. \pre checkParams.
+/// Errors of both functions: those of the generators, path = the parameter's key; Cancelled. \pre
+/// checkParams.
 Expected<GrownSymbols> growSymbols(const NodeParams& params, const Progress& progress = {});
 Expected<Skeleton> growSkeleton(const GrownSymbols& grown, const NodeParams& params,
                                 const Progress& progress = {});
+
+/// The life of a tree that grows by years, before its first one. Errors: those of growHistory().
+Expected<GrowthRun> beginLife(const NodeParams& params, const Progress& progress = {});
 
 /// Years that the history of a tree is grown for: as many for all ages of ten years.
 double historyYears(const NodeParams& params);

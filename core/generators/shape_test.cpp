@@ -1,7 +1,6 @@
 #include "core/generators/shape_test.h"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <utility>
 

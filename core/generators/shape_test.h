@@ -1,5 +1,5 @@
 /// \file
-/// What lies in a shape that a tree is pruned to.
+/// Tests whether points lie in a shape that a tree is pruned to.
 #pragma once
 
 #include "core/base/error.h"

@@ -14,8 +14,8 @@ struct CsvTable
 {
     struct Row
     {
-        int line = 0;                   ///< of the file where it begins, from 1
-        std::vector<std::string> cells; ///< as many as there are columns
+        int line = 0;                   ///< line of the file where it begins, from 1
+        std::vector<std::string> cells; ///< one per column
     };
     std::vector<std::string> columns; ///< at least one; no two the same, none empty, no blanks at their ends
     std::vector<Row> rows;

@@ -1,6 +1,6 @@
 /// \file
-/// What a format is given to write: nodes that stand in each other, their meshes, materials and skins, and a
-/// clip of how all that moves. A format without nodes asks for it flattened.
+/// A scene as formats get it to write: nested nodes with their meshes, materials and skins, and a clip of
+/// their motion. A format without nodes asks for it flattened.
 #pragma once
 
 #include "core/game_wind/wind_profile.h"
@@ -26,7 +26,7 @@ struct ExportNode
     std::string name;
     Index parent = noIndex; ///< stands before it; noIndex: the world
     SkinMethod method = SkinMethod::DualQuaternion;
-    bool isArm = false; ///< its meshes and bones have Z up: armUpright() stands between them and the node
+    bool isArm = false; ///< its meshes and bones have Z up; armUpright() stands between them and the node
     std::vector<ExportBone> bones{}; ///< none: nothing is known of them but where they go
 };
 
@@ -38,29 +38,29 @@ struct ExportMesh
     std::shared_ptr<const TriangleMesh> mesh; ///< never empty; as it rests, in the node's own space
     Index material = 0;
     std::shared_ptr<const Skin> skin{}; ///< to the node's bones; null: it follows the node alone
-    bool isLevel = false;               ///< of detail: one of several
+    bool isLevel = false;               ///< it is one of several levels of detail
     int level = 0;                      ///< 0 the finest
     Index finest = noIndex; ///< number of the mesh in whose place it can be shown; noIndex: it is one
     double coverage = 0.0;  ///< share of the screen down to which this level suffices and is needed
     Index pieces = 0;       ///< leaves or fruit that it holds
-    std::shared_ptr<const WindColumns> wind{}; ///< of a game; null: none
+    std::shared_ptr<const WindColumns> wind{}; ///< data for wind in games; null: none
 };
 
 /// One leaf, fruit or flower.
 struct ExportCopy
 {
-    glm::dmat4 place{1.0}; ///< of the shape in the space of its node, as the first frame has it
+    glm::dmat4 place{1.0}; ///< transform of the shape in the space of its node at the first frame
     glm::vec3 tint{1.0F};  ///< times the shape's colours
     Index branch = noIndex;
-    std::uint64_t key = 0;    ///< of the branch
-    std::uint32_t number = 0; ///< among those of its branch
+    std::uint64_t key = 0;    ///< key of the branch
+    std::uint32_t number = 0; ///< its number among the leaves of its branch
     bool operator==(const ExportCopy&) const = default;
 };
 
 /// Many of one shape, in the place of a mesh that holds them all.
 struct ExportCopies
 {
-    std::string name; ///< as the mesh would have it
+    std::string name; ///< name of the column in the mesh
     std::string kind; ///< "birch", "acorn"
     Index node = 0;
     std::shared_ptr<const TriangleMesh> shape;
@@ -68,7 +68,7 @@ struct ExportCopies
     std::vector<ExportCopy> copies;
 };
 
-/// What a game looks up beside the meshes of one tree.
+/// Textures that a game looks up beside the meshes of one tree.
 struct ExportPivots
 {
     std::string suffix; ///< "", of several trees "_1", "_2" ...
@@ -92,7 +92,7 @@ struct ExportScene
     std::vector<ExportPivots> pivots; ///< files beside the meshes': core/io/pivot_files.h
     std::vector<Material> materials;
     std::vector<ExportFrame> frames; ///< at least one; more are a clip
-    FileSpace space;                 ///< what formats that hold one turn the world into
+    FileSpace space;                 ///< the space into which formats with a single space turn the world
     std::optional<LinePart> lines;   ///< instead of meshes: a skeleton, in the space of the file
 };
 
@@ -104,7 +104,7 @@ Index materialIn(ExportScene& scene, const Material& material);
 
 /// The coarsest level of its meshes.
 int lastLevel(const ExportScene& scene);
-/// The scene with the meshes of one level alone, and with those that have none.
+/// Returns the scene with the meshes of one level, and with those that have no levels.
 ExportScene levelOf(const ExportScene& scene, int level);
 
 /// Named meshes in the space of the file.

@@ -12,10 +12,10 @@ namespace ramure {
 
 enum class UpAxis : std::uint8_t { Y, Z };
 
-/// What a number of a file is a length in.
+/// The unit of lengths in a file.
 struct LengthUnit
 {
-    const char* name; ///< as files and the command line have it: "cm"
+    const char* name; ///< the name in files and on the command line: "cm"
     double metres;
 };
 inline constexpr LengthUnit lengthUnits[] = {{"m", 1.0},  {"cm", 0.01},   {"mm", 0.001},
@@ -44,7 +44,7 @@ Expected<UpAxis> upAxisNamed(const std::string& name);
 Expected<std::size_t> lengthUnitNamed(const std::string& name);
 Expected<double> fileScaleOf(double number);
 
-/// What FileSpace::comment said in the first lines of an OBJ or PLY file, if anything.
+/// Returns the space that FileSpace::comment wrote into the first lines of an OBJ or PLY file, if any.
 std::optional<FileSpace> fileSpaceIn(std::string_view head);
 /// The same, of a file on the disk. Nothing where it cannot be read.
 std::optional<FileSpace> fileSpaceOf(const std::string& path);

@@ -18,8 +18,9 @@ namespace ramure {
 enum class MaterialMap : std::uint8_t { Colour, Normal, Height, Occlusion, Roughness };
 inline constexpr std::array mapNames = {"colour", "normal", "height", "occlusion", "roughness"};
 
-/// "bark_furrowed_1f3a9c04_1024_normal.png": the number stands for all that the picture hangs on, so that
-/// frames of a sequence and neighbours in a folder share what is the same and never take each other's.
+/// Returns a name such as "bark_furrowed_1f3a9c04_1024_normal.png". The hash in it covers everything that the
+/// picture depends on, so frames of a sequence and neighbours in a folder share equal pictures and never take
+/// wrong ones.
 std::string mapFileName(const BarkParams& bark, int size, MaterialMap map);
 /// "leaf_oak_1_1024_normal.png". The number is leafMapsVersion. \pre the map is one of leafMapKinds.
 /// \param season LeafParams::season: the colours of another than summer have a name of their own,
@@ -27,9 +28,9 @@ std::string mapFileName(const BarkParams& bark, int size, MaterialMap map);
 std::string mapFileName(LeafShape leaf, int size, MaterialMap map, double season = 0.0);
 inline constexpr std::array leafMapKinds{MaterialMap::Colour, MaterialMap::Normal, MaterialMap::Height};
 
-/// Writes the five pictures of a bark into a folder. Where all are there already, nothing is made: whoever
-/// painted over them keeps that. Returns the names of those that were written. Errors: Invalid (plain bark),
-/// Limit (the size), Io (with file), Cancelled.
+/// Writes the five pictures of a bark into a folder. If all are there already, nothing is written, so
+/// pictures that somebody painted over survive. Returns the names of the written files. Errors: Invalid
+/// (plain bark), Limit (the size), Io (with file), Cancelled.
 Expected<std::vector<std::string>> writeMaps(const std::string& folder, const BarkParams& bark, int size,
                                              const Progress& progress = {});
 
@@ -39,7 +40,7 @@ struct MadeMap
     MaterialMap map;
     std::string png;
 };
-/// The same pictures in memory, those of \p kinds in their order. Errors: Invalid, Limit, Cancelled.
+/// Makes the same pictures in memory, those of \p kinds in their order. Errors: Invalid, Limit, Cancelled.
 Expected<std::vector<MadeMap>> makeMaps(const BarkParams& bark, int size, std::span<const MaterialMap> kinds,
                                         const Progress& progress = {});
 /// Makes the maps of a leaf in summer. \pre all kinds are of leafMapKinds.
@@ -54,7 +55,7 @@ Expected<std::string> pictureBytes(const std::string& path);
 /// file, unreadable; not written).
 Expected<void> copyPictures(const std::string& folder, const PictureParams& pictures);
 
-/// Writes those of a leaf in the same way. Errors: Invalid (the faithful leaf, the size), Io.
+/// Writes the pictures of a leaf in the same way. Errors: Invalid (the faithful leaf, the size), Io.
 Expected<std::vector<std::string>> writeMaps(const std::string& folder, LeafShape leaf, int size,
                                              double season = 0.0);
 

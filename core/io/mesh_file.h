@@ -32,12 +32,13 @@ struct LinePart
 
 struct WriteOptions
 {
-    bool ascii = false;      ///< where the format has a form of text beside a binary one
+    bool ascii = false;      ///< write the text form of a format that has a binary one, too
     std::string comment{};   ///< one line in the head of the file, after the program's name; empty: none
     int mapSize = 1024;      ///< pixels a side of the pictures of materials; 0: none
-    bool compressed = false; ///< smaller, where the format can: numbers are rounded to what is still seen
-    int joints = 256;        ///< of a tree in a clip, at most; 0: as many as it has branches
-    std::function<void(const Error& note)> tell{}; ///< what was left out or made simpler; may be empty
+    bool compressed = false; ///< a smaller file, if the format can: numbers are rounded to visible precision
+    int joints = 256;        ///< most joints of a tree in a clip; 0: one per branch
+    /// Gets notes on things left out or simplified; may be empty.
+    std::function<void(const Error& note)> tell{};
 };
 
 /// Writes PATH and, beside it, the .mtl with the same stem, and the pictures of barks whose meshes have
@@ -67,8 +68,8 @@ struct ReadObject
 struct ReadMesh
 {
     std::vector<ReadObject> objects; ///< at least one
-    std::vector<std::string> notes;  ///< what was skipped or guessed, with line numbers
-    /// Positions are those of the file less this: 0 unless the file is so far from the origin that single
+    std::vector<std::string> notes;  ///< notes on things skipped or guessed, with line numbers
+    /// Offset subtracted from the file's positions: 0 unless the file is so far from the origin that single
     /// precision would lose its shape.
     glm::dvec3 origin{0.0};
     /// All objects as one mesh, for validation: vertices that objects share in the file are one again.
@@ -80,11 +81,10 @@ using MaterialSource = std::function<Expected<std::string>(const std::string& na
 /// Looks beside the OBJ at \p path.
 MaterialSource materialsBeside(const std::string& path);
 
-/// Reads a file of a format of meshes (core/io/formats/file_format.h) by the ending. What the program does
-/// not use (unknown PLY properties) is skipped; texture coordinates are kept where every corner of an object
-/// has them. Colours of vertices, faces and materials are kept, for each triangle; where none is to be had
-/// there are no colours, and a material file that is missing or broken is a note. Normals that do not exist
-/// or are no directions, and pictures that cannot be read, are notes. Indices may be negative. Errors with
+/// Reads a mesh file; its ending picks the format (core/io/formats/file_format.h). Unknown PLY properties are
+/// skipped. Texture coordinates are kept if every corner of an object has them. Colours of vertices, faces
+/// and materials are kept per triangle; without any, the mesh has no colours. A material file that is missing
+/// or broken, an invalid normal and an unreadable picture become notes. Indices may be negative. Errors with
 /// file and line (or byte offset): Io, Syntax, Invalid (index out of range, non-finite position, points
 /// without faces), Unknown (ending), Cancelled.
 Expected<ReadMesh> readMeshFile(const std::string& path, const Progress& progress = {});

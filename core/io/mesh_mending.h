@@ -1,6 +1,6 @@
 /// \file
-/// What all readers of meshes do with what other programs write: polygons, coordinates far from the origin,
-/// colours of vertices, normals that are none, points without faces. Internal to core/io.
+/// Repairs that all mesh readers share: polygons, coordinates far from the origin, colours of vertices,
+/// invalid normals, points without faces. Internal to core/io.
 #pragma once
 
 #include "core/io/mesh_file.h"
@@ -43,7 +43,7 @@ glm::dvec3 farOrigin(std::span<const glm::vec3> positions);
 glm::dvec3 farOrigin(std::span<const glm::dvec3> positions);
 /// Returns the positions relative to \p origin, as floats.
 std::vector<glm::vec3> movedFrom(const glm::dvec3& origin, std::span<const glm::dvec3> positions);
-/// What became of the coordinates.
+/// Returns the note that coordinates were moved by \p origin.
 std::string farNote(const glm::dvec3& origin);
 
 /// A polygon that was read as a fan, which it may not be.
@@ -60,7 +60,7 @@ public:
     /// Keeps the polygon whose fan ends the triangles, unless its vertices are known and it is a fan.
     void take(std::span<const glm::uvec3> triangles, std::size_t corners,
               std::span<const glm::vec3> positions);
-    /// Cuts those that are no fans, and their texture triangles (as many, fewer or none) alike.
+    /// Cuts polygons that are no fans, and their texture triangles (as many, fewer or none) alike.
     void cut(std::span<const glm::vec3> positions, std::span<glm::uvec3> triangles,
              std::span<glm::uvec3> texture, std::vector<std::string>& notes);
 
@@ -69,11 +69,12 @@ private:
                 std::span<const glm::vec3> positions);
 
     std::vector<Polygon> m_polygons;
-    std::vector<glm::vec3> m_corners; ///< of the polygon in hand
+    std::vector<glm::vec3> m_corners; ///< corners of the current polygon
 };
 
-/// Colours of triangles from those of their vertices: the mean of the corners whose last triangle it is, as
-/// writePly chooses them, so that what it wrote comes back; of a triangle that is no corner's last, of all.
+/// Computes colours of triangles from those of their vertices. Each is the mean of the corners for which this
+/// triangle is the last one, or of all corners if there is none. writePly chooses them in the same way, so
+/// its files come back equal.
 std::vector<glm::u8vec3> triangleColours(std::span<const glm::uvec3> triangles,
                                          std::span<const glm::u8vec3> ofVertices);
 /// From 0 to 1 each; where one is above 1, all are from 0 to 255, which is noted.
@@ -81,8 +82,8 @@ std::vector<glm::u8vec3> colourBytes(std::span<const glm::vec3> colours, std::ve
 
 /// True where all are finite and none is zero.
 bool areNormals(std::span<const glm::vec3> normals);
-/// Normals of vertices that a triangle has are replaced by those of its faces where they are zero or no
-/// numbers, which is noted. Those of no triangle become +Y.
+/// Replaces vertex normals that are zero or no numbers by those of the faces, and notes it. A vertex without
+/// a triangle gets +Y.
 void mendNormals(TriangleMesh& mesh, std::vector<std::string>& notes);
 
 /// Error: Invalid, points without a triangle.

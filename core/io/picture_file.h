@@ -15,7 +15,7 @@ struct PictureBytes
 {
     int width = 0, height = 0;
     int channels = 3;       ///< 1: grey, 3: red, green, blue, 4: and alpha
-    bool areColours = true; ///< sRGB; else numbers, which nobody may convert
+    bool areColours = true; ///< true: sRGB colours; false: plain numbers that must not be converted
     std::span<const std::uint8_t> bytes;
 };
 

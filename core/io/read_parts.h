@@ -1,5 +1,5 @@
 /// \file
-/// What the OBJ and the PLY reader share. Internal to core/io.
+/// Parts that the OBJ and the PLY reader share. Internal to core/io.
 #pragma once
 
 #include "core/io/float_text.h"
@@ -38,7 +38,7 @@ public:
 
     [[nodiscard]] const std::string& path() const { return m_path; }
     [[nodiscard]] bool isRegular() const { return m_isRegular; }
-    [[nodiscard]] std::size_t size() const { return m_size; } ///< of a regular file
+    [[nodiscard]] std::size_t size() const { return m_size; } ///< bytes, for a regular file
     /// Reads up to \p room bytes; fewer only at the end. Error: Io.
     Expected<std::size_t> read(char* to, std::size_t room);
     void rewind(); ///< a regular file
@@ -83,7 +83,7 @@ private:
     InputFile& m_file;
     std::string m_buffer;    ///< one byte more than are read, for the last line feed
     std::size_t m_used = 0;  ///< bytes in the buffer
-    std::size_t m_given = 0; ///< of which those in front were given out
+    std::size_t m_given = 0; ///< bytes; those in front were already given out
     std::size_t m_padding = 0;
     bool m_isAtEnd = false;
 };

@@ -1,5 +1,5 @@
 /// \file
-/// What the OBJ and the PLY writer share. Internal to core/io.
+/// Parts that the OBJ and the PLY writer share. Internal to core/io.
 #pragma once
 
 #include "core/base/file_writer.h"
@@ -11,7 +11,8 @@ namespace ramure::writing {
 /// Elements between two looks at the stop token.
 inline constexpr std::size_t chunk = std::size_t(1) << 16;
 
-/// Non-finite positions or normals would be read by nobody: Invalid, with the part and the vertex.
+/// Refuses non-finite positions and normals, which no program could read: Invalid, with the part and the
+/// vertex.
 Expected<void> checkFinite(std::span<const MeshPart> parts, const std::string& file);
 Expected<void> checkFinite(const LinePart& lines, const std::string& file);
 

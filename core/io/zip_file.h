@@ -35,9 +35,9 @@ public:
     ~ZipReader();
 
     [[nodiscard]] bool has(const std::string& name) const;
-    /// Unpacks an entry piece by piece; \p take says false to stop, which is not an error.
-    /// Errors: Unknown (no such entry); Limit (more than \p mostBytes by what the archive declares, or by
-    /// what comes out of it; or packed so tightly that it can only be a trap); Syntax (broken); Cancelled.
+    /// Unpacks an entry piece by piece; \p take returns false to stop, which is not an error. Errors: Unknown
+    /// (no such entry); Limit (more than \p mostBytes declared or unpacked, or packed so tightly that it can
+    /// only be a zip bomb); Syntax (broken); Cancelled.
     Expected<void> read(const std::string& name, std::uint64_t mostBytes,
                         const std::function<bool(std::string_view)>& take,
                         const Progress& progress = {}) const;

@@ -31,21 +31,22 @@ struct BillboardPicture
     }
 };
 
-/// A picture of which each pixel is the mean of some: colours as light adds up, of what is covered; the depth
-/// is the median of theirs. \pre both sides are multiples of \p each, 1 or more
+/// Shrinks a picture. Each pixel becomes the mean of \p each x \p each pixels: colours add up as light,
+/// covered pixels only; the depth is their median. \pre both sides are multiples of \p each, 1 or more
 BillboardPicture shrunk(const BillboardPicture& large, int each);
 /// \pre it fits
 void paste(BillboardPicture& onto, const BillboardPicture& what, int x, int y);
-/// What is not covered at all gets the colour, normal and depth of what is nearby, so that smaller versions
-/// of the picture have no fringe; alpha of the colour stays 0 there, what is covered stays as it is. Nothing
-/// happens where nothing is covered. By averages over larger and larger squares (pull-push: Gortler,
-/// Grzeszczuk, Szeliski, Cohen, "The Lumigraph", 1996). \pre the rectangle lies in the picture
+/// Fills uncovered pixels with the colour, normal and depth of their nearest covered neighbours, so that
+/// smaller versions of the picture have no fringe. Their alpha stays 0, and covered pixels stay as they are.
+/// A picture without covered pixels is not changed. The method averages over larger and larger squares
+/// (pull-push: Gortler, Grzeszczuk, Szeliski, Cohen, "The Lumigraph", 1996). \pre the rectangle lies in the
+/// picture
 void bleed(BillboardPicture& picture, const PixelRect& within);
-/// Normals turned into other axes: those of a card, which pictures in tangent space have.
-/// \pre the rectangle lies in the picture
+/// Turns normals into the axes of a card, as pictures in tangent space need them. \pre the rectangle lies in
+/// the picture
 void turnNormals(BillboardPicture& picture, const PixelRect& within, const ViewFrame& axes);
 
-/// What is covered, in pixels; a width of 0: nothing is.
+/// Returns the smallest rectangle around the covered pixels. Zero width means that nothing is covered.
 PixelRect coveredRect(const BillboardPicture& picture);
 
 } // namespace ramure

@@ -1,6 +1,6 @@
 /// \file
-/// What an engine makes of an atlas of views: how it covers a picture from any direction, and how much that
-/// is what the tree itself covers.
+/// Simulates an engine that shows a tree by an atlas of views: how the atlas covers a picture from any
+/// direction, and how well this agrees with the tree itself.
 #pragma once
 
 #include "core/lod/billboard_picture.h"
@@ -12,16 +12,16 @@ using Coverage = std::vector<float>;
 /// Measures the alpha of a picture.
 Coverage coverageOf(const BillboardPicture& picture);
 
-/// An atlas seen straight from a direction, as large as one of its views. Every pixel of the views
-/// around the direction (viewsAround) stands where its depth says; of what several show, the most is seen.
-/// \param views each way \param direction from the tree to the eye, unit, y >= 0
+/// Returns an atlas seen straight from a direction, as large as one of its views. Every pixel of the views
+/// around the direction (viewsAround) is placed by its depth; if several views cover a place, the largest
+/// coverage counts. \param views each way \param direction from the tree to the eye, unit, y >= 0
 Coverage atlasCoverage(const BillboardPicture& atlas, int views, const glm::dvec3& direction);
 
 /// Intersection over union.
 struct Likeness
 {
-    double soft = 1.0; ///< of shares of pixels: the sum of the lesser over that of the greater
-    double hard = 1.0; ///< of the pixels that are covered by half and more
+    double soft = 1.0; ///< sum over pixels of the lesser coverage, divided by the sum of the greater
+    double hard = 1.0; ///< the same, counting pixels that are covered by at least half
 };
 /// \pre both have the same size
 Likeness likenessOf(const Coverage& one, const Coverage& other);

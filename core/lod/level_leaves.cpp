@@ -2,6 +2,7 @@
 
 #include "core/math/box.h"
 #include "core/surface/foliage/leaf_table.h"
+#include "core/surface/foliage/place_foliage.h"
 #include <algorithm>
 #include <cmath>
 #include <cstdint>

@@ -15,9 +15,9 @@ struct LeafShapeOfLevel
 {
     LeafForm form;
     FoliageModel model = FoliageModel::Fine;
-    TriangleMesh mesh;      ///< of size 1, with texture coordinates where it is a plant's
+    TriangleMesh mesh;      ///< one leaf of size 1; a plant's has texture coordinates
     double area = 0.0;      ///< m², of all its triangles
-    glm::dvec3 middle{0.0}; ///< of its surface
+    glm::dvec3 middle{0.0}; ///< middle of its surface
     glm::dmat3 spread{0.0}; ///< m²: mean outer product of the ways from the middle to its surface
 };
 /// The simplest: a card where a picture cuts the leaf out of it, or a rhomb.
@@ -36,9 +36,9 @@ double areaOf(const TriangleMesh& mesh);
 /// A number in [0, 1) for each item, so that those below any bound are spread evenly over the crown.
 std::vector<double> itemChances(std::span<const FoliageItem> items);
 
-/// The numbers of \p count of the candidates, ascending: those of the lowest chance. \param candidates
-/// numbers, ascending. \param branchOf PrunedTree::branchOf: what hangs on a branch that has gone goes
-/// sooner.
+/// Chooses \p count of the candidates, those of the lowest random value; returns their numbers, ascending.
+/// \param candidates numbers, ascending \param branchOf PrunedTree::branchOf: leaves whose branch is gone go
+/// sooner
 std::vector<Index> chosenItems(std::span<const FoliageItem> items, std::span<const double> chances,
                                std::span<const Index> candidates, std::span<const Index> branchOf,
                                std::size_t count);

@@ -17,11 +17,12 @@ inline constexpr double levelSlack = 0.02;
 inline constexpr double levelStep = 0.25;
 /// And of the bark's alone, at most.
 inline constexpr double levelBarkStep = 0.5;
-/// If nobody says when the second level takes over, it does where the tree has this share of the picture's
-/// height, as in the groups of levels of game engines. Each further level takes over at usualShareStep times
-/// the share of the level before.
+/// Default for the second level: it takes over if the tree has this share of the picture's height, as in the
+/// groups of levels of game engines. Each further level takes over at usualShareStep times the share of the
+/// level before.
 inline constexpr double usualShare = 0.6, usualShareStep = 0.5;
-/// A level takes over at no larger share of the picture's height: nobody nearer sees the tree as a whole.
+/// A level takes over at this share of the picture's height at most, because nearer viewers no longer see the
+/// tree as a whole.
 inline constexpr double mostShare = 10.0;
 /// rad: the vertical angle of view for which distances are told, that of the view.
 inline constexpr double levelFovRad = 0.69;
@@ -49,7 +50,7 @@ struct LevelOptions
     }
 };
 
-/// What a game usually takes of one tree: 80,000, 20,000, 5,000 and 1,250 triangles.
+/// Returns the usual levels of one tree in a game: 80,000, 20,000, 5,000 and 1,250 triangles.
 LevelOptions gameLevels();
 
 /// Errors: Invalid (a count out of range, as many budgets as levels, a budget below leastBudget or over
@@ -57,11 +58,11 @@ LevelOptions gameLevels();
 /// or are over mostShare, not one of them for each level but the first).
 Expected<void> checkLevels(const LevelOptions& options);
 
-/// Takes "20, 60" or "20 m, 60 m" as distances, "60%, 30%" as shares, and nothing as the usual ones. Where
-/// semicolons part the numbers, a comma in one is a decimal point. Error: Invalid (what is no number, or both
-/// kinds in one text); the options are as they were.
+/// Reads "20, 60" or "20 m, 60 m" as distances, "60%, 30%" as shares, and an empty text as the usual ones. If
+/// semicolons part the numbers, a comma in one is a decimal point. Error: Invalid (no number, or both kinds
+/// in one text); the options stay as they were.
 Expected<void> readSwitches(std::string_view text, LevelOptions& options);
-/// What readSwitches() takes: "20; 60.5", "60 %; 30 %".
+/// Writes the switches as a text for readSwitches(): "20; 60.5", "60 %; 30 %".
 std::string switchesText(const LevelOptions& options);
 
 } // namespace ramure

@@ -5,10 +5,11 @@
 #include "core/pipeline/bark_feet.h"
 #include "core/surface/check/verdict.h"
 #include "core/surface/foliage/foliage_texture.h"
-#include "core/surface/mesher/cut_wood.h"
+#include "core/surface/foliage/place_foliage.h"
+#include "core/surface/mesher/build_branch_mesh.h"
+#include "core/surface/texture/cut_wood.h"
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <optional>
 #include <string>

@@ -1,5 +1,5 @@
 /// \file
-/// An axis-aligned box. A default-made one is empty and grows with what it is given.
+/// An axis-aligned box. A default-made one is empty and grows to contain added points.
 #pragma once
 
 #include <glm/common.hpp>

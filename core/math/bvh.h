@@ -1,6 +1,6 @@
 /// \file
-/// A bounding volume hierarchy over anything that has a box: answers "what does this ray meet first" and
-/// "what lies in this frustum" without looking at everything. Built once, then read from any thread.
+/// A bounding volume hierarchy over objects with boxes. It answers "what does this ray meet first" and "what
+/// lies in this frustum" without looking at every object. Built once, then read from any thread.
 #pragma once
 
 #include "core/base/index.h"
@@ -51,9 +51,9 @@ private:
     struct Node
     {
         glm::vec3 min{0.0f};
-        Index first = 0; ///< of the primitives of a leaf, or the first of two children
+        Index first = 0; ///< first primitive of a leaf, or the first of two children
         glm::vec3 max{0.0f};
-        Index count = 0; ///< of the primitives; 0 = not a leaf
+        Index count = 0; ///< number of primitives; 0 = not a leaf
     };
     /// Depth of the tree is limited while building; each level leaves at most one node on the stack.
     static constexpr Index maxDepth = 62;
@@ -62,7 +62,7 @@ private:
     struct Slabs
     {
         explicit Slabs(const Ray& ray);
-        /// Where the ray enters the box, or infinity.
+        /// Returns the distance at which the ray enters the box, or infinity.
         [[nodiscard]] double entry(const Node& node, double growth, double tMax) const;
         glm::dvec3 origin, inverse;
     };

@@ -9,7 +9,8 @@
 
 namespace ramure {
 
-/// What a stream is for. The values are part of the file format: a number never changes its meaning.
+/// The purposes of random streams. The values are part of the file format: a number never changes its
+/// meaning.
 enum class RandomStream : std::uint64_t {
     Rewrite = 1,
     Leaves = 2,
@@ -28,7 +29,7 @@ enum class RandomStream : std::uint64_t {
     Stems = 30,
     CrownPoints = 31,
     Roots = 32,
-    Steps = 33, ///< of a recipe
+    Steps = 33, ///< steps of a recipe
     Test = 1000
 };
 

@@ -1,13 +1,14 @@
 /// \file
-/// Sine, exponential and the like that give the same bits on every processor. Those of the C library do not:
-/// with and without fused multiply-add they differ in the last digit, and a tree grown from such numbers is
-/// another file. Everything in core whose result reaches a file or a decision calls these (tst_layers holds
-/// it to that); square roots, remainders and roundings are exact everywhere and stay those of std.
+/// Sine, exponential and the like that give the same bits on every processor. The functions of the C library
+/// do not: with and without fused multiply-add they differ in the last digit, and a tree grown from such
+/// numbers is another file. All code in core whose result reaches a file or a decision calls these
+/// (tst_layers checks it). Square roots, remainders and roundings are exact everywhere and stay those of std.
 #pragma once
 
 #include <glm/gtc/quaternion.hpp>
 
-/// Radians. Invalid arguments give what those of std give, errors are at most one unit in the last place.
+/// Angles are in radians. Invalid arguments give the results of std; errors are at most one unit in the last
+/// place.
 namespace ramure::maths {
 
 struct SinCos
@@ -17,7 +18,7 @@ struct SinCos
 
 double sin(double angle);
 double cos(double angle);
-/// Both in the time of one; their last digits need not be those of sin() and cos().
+/// Returns both in the time of one; their last digits may differ from those of sin() and cos().
 SinCos sincos(double angle);
 double tan(double angle);
 double asin(double sine);

@@ -11,13 +11,4 @@ glm::dvec2 ringDirection(int k, int n)
     return {cosine, sine};
 }
 
-std::vector<glm::dvec2> unitCircle(int n)
-{
-    std::vector<glm::dvec2> circle;
-    circle.reserve(static_cast<std::size_t>(n));
-    for (int k = 0; k < n; ++k)
-        circle.push_back(ringDirection(k, n));
-    return circle;
-}
-
 } // namespace ramure

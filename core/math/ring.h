@@ -3,13 +3,10 @@
 #pragma once
 
 #include <glm/vec2.hpp>
-#include <vector>
 
 namespace ramure {
 
 /// (cos, sin) of 2 pi k / n; n >= 1.
 glm::dvec2 ringDirection(int k, int n);
-/// ringDirection for k = 0 .. n - 1.
-std::vector<glm::dvec2> unitCircle(int n);
 
 } // namespace ramure

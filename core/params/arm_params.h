@@ -58,7 +58,7 @@ struct ArmSolverParams
     bool operator==(const ArmSolverParams&) const = default;
 };
 
-/// What an arm does and shows.
+/// How an arm moves and what is shown of it.
 struct ArmParams
 {
     bool follows = true;              ///< inverse kinematics turns the joints towards the target
@@ -78,7 +78,7 @@ struct ArmSkinParams
     std::int64_t lengthDivisions = 94; ///< cells of the grid along the arm
     std::int64_t radialDivisions = 32; ///< and around it
     double window = 0.2;               ///< m on either side of a joint, over which segments share the skin
-    MeshAxis axis = MeshAxis::Longest; ///< of a worn mesh
+    MeshAxis axis = MeshAxis::Longest; ///< only for an arm with a mesh of its own
     bool weights = false;              ///< coloured by the segments that it follows
     bool operator==(const ArmSkinParams&) const = default;
 };

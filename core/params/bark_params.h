@@ -23,14 +23,14 @@ enum class BarkFamily : std::uint8_t {
     Bamboo,    ///< smooth, with a node each tile
     Ribbed,    ///< cactus: green ribs with spines along their crests
     Banded,    ///< cherry: red brown, glossy, with pale lenticels across
-    PalmBoots, ///< date palm: what is left of its fronds, in crossing spirals
+    PalmBoots, ///< date palm: stubs of its fronds, in crossing spirals
 };
 
 /// Used where a surface is drawn or its maps are written; no geometry depends on them.
 struct BarkParams
 {
     BarkFamily family = BarkFamily::Plain;
-    double depth = 1.0; ///< of the family's relief
+    double depth = 1.0; ///< multiplies the relief of the family
     double light = 0.0; ///< -1 black, 1 twice as light
     double moss = 0.0;  ///< share of the surface
     std::int64_t seed = 1;

@@ -38,7 +38,7 @@ inline constexpr std::array colonisationRows{
         ParamUnit::Metre, {1e-3, 1000, 0.5, 30, 0.1, 3}),
     crownRow<&ColonisationParams::crownRadius>(
         {"colonisation.crownRadius", crownGroup, RAMURE_NOOP("Radius of the crown"),
-         RAMURE_NOOP("Half the width of the crown where it is widest.")},
+         RAMURE_NOOP("Half the greatest width of the crown.")},
         ParamUnit::Metre, {1e-3, 1000, 0.2, 15, 0.1, 3}),
     crownRow<&ColonisationParams::points>(
         {"colonisation.points", colonisationGroup, RAMURE_NOOP("Points"),
@@ -63,11 +63,11 @@ inline constexpr std::array colonisationRows{
         ParamUnit::Metre, {1e-3, 100, 0.05, 1, 0.01, 3}),
     crownRow<&ColonisationParams::tropism>(
         {"colonisation.tropism", colonisationGroup, RAMURE_NOOP("Tropism"),
-         RAMURE_NOOP("What draws branches beside the points: up to the light, or down. A longer arrow draws more.")},
+         RAMURE_NOOP("Direction that attracts branches in addition to the points: up to the light, or down. A longer arrow attracts more.")},
         ParamUnit::None, {-100, 100, -1, 1, 0.05, 3}),
     crownRow<&ColonisationParams::exponent>(
         {"colonisation.exponent", colonisationGroup, RAMURE_NOOP("Radii add as"),
-         RAMURE_NOOP("Where branches meet, their radii to this power add up: 2 gives stout trunks, 3 slender ones.")},
+         RAMURE_NOOP("At a fork, the branches' radii to this power add up: 2 gives stout trunks, 3 slender ones.")},
         ParamUnit::None, {1, 6, 2, 3, 0.05, 3}),
     crownRow<&ColonisationParams::tipRadius>(
         {"colonisation.tipRadius", colonisationGroup, RAMURE_NOOP("Radius of tips"),

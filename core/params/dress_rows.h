@@ -21,8 +21,7 @@ inline constexpr std::array dressRows{
         ParamUnit::Ratio, {0, 10, 0, 1, 0.01, 3}, Stage::Foliage, paramAnimatable),
     row<&NodeParams::foliage, &FoliageParams::leavesDensity>(
         {"foliage.leavesDensity", foliageGroup, RAMURE_NOOP("Leaves per twig"),
-         RAMURE_NOOP("How many leaves grow on each branch that is thin enough. Leaves of a plant grow by their internode: "
-                     "of them 0 alone says something, that there are none.")},
+         RAMURE_NOOP("Number of leaves on each branch that is thin enough. Leaves of a plant follow their internode instead; for them only 0 has an effect: no leaves.")},
         ParamUnit::Count, {0, 1000, 0, 50, 1, 0}, Stage::Foliage, paramAnimatable, treeOnly, isFaithful),
     row<&NodeParams::leaf, &LeafParams::internode>(
         {"foliage.internode", foliageGroup, RAMURE_NOOP("Internode"),
@@ -86,7 +85,7 @@ inline constexpr std::array dressRows{
         ParamUnit::Radian, {0, 1.3, 0, 1.2, 0.05, 3}, Stage::Foliage, paramAdvanced, treeOnly, isOfPlant),
     row<&NodeParams::leaf, &LeafParams::curl>(
         {"foliage.leafCurl", foliageGroup, RAMURE_NOOP("Curl"),
-         RAMURE_NOOP("How far a blade bends down from its foot to its tip, or up where it is negative.")},
+         RAMURE_NOOP("How far a blade bends down from its foot to its tip. Negative values bend it up.")},
         ParamUnit::Radian, {-pi / 2, pi, -0.5, 2, 0.05, 3}, Stage::Foliage, paramAdvanced, treeOnly, isOfPlant),
     row<&NodeParams::leaf, &LeafParams::cup>(
         {"foliage.leafCup", foliageGroup, RAMURE_NOOP("Cup"),
@@ -103,8 +102,7 @@ inline constexpr std::array dressRows{
         ParamUnit::Ratio, {0, 1, 0, 1, 0.01, 3}, Stage::Foliage, paramAnimatable),
     row<&NodeParams::fruit, &FruitParams::kind>(
         {"foliage.fruit", foliageGroup, RAMURE_NOOP("Fruit"),
-         RAMURE_NOOP("What the twigs carry beside leaves: fruit hang on their stalks, blossom looks at the light. Faithful: a "
-                     "sphere about the twig, a cube in the rough model.")},
+         RAMURE_NOOP("Fruit or flowers on the twigs: fruit hang on their stalks, blossom faces the light. Faithful: a sphere about the twig, a cube in the rough model.")},
         ParamUnit::None, {}, Stage::Foliage),
     row<&NodeParams::fruit, &FruitParams::size>(
         {"foliage.fruitSize", foliageGroup, RAMURE_NOOP("Fruit size"),
@@ -121,7 +119,7 @@ inline constexpr std::array dressRows{
 
     row<&NodeParams::bark, &BarkParams::family>(
         {"bark.family", barkGroup, RAMURE_NOOP("Bark"),
-         RAMURE_NOOP("What the bark looks like. Its picture is made by the program and repeats without a seam.")},
+         RAMURE_NOOP("Kind of bark. The program makes its picture, which repeats without a seam.")},
         ParamUnit::None, {}, Stage::Texture),
     row<&NodeParams::bark, &BarkParams::depth>(
         {"bark.depth", barkGroup, RAMURE_NOOP("Depth"),
@@ -129,7 +127,7 @@ inline constexpr std::array dressRows{
         ParamUnit::Ratio, {0, 5, 0, 2, 0.05, 3}, Stage::Texture),
     row<&NodeParams::bark, &BarkParams::light>(
         {"bark.light", barkGroup, RAMURE_NOOP("Lighter"),
-         RAMURE_NOOP("Makes the bark lighter, or darker where it is negative.")},
+         RAMURE_NOOP("Makes the bark lighter. Negative values make it darker.")},
         ParamUnit::Share, {-1, 1, -0.5, 0.5, 0.01, 3}, Stage::Texture),
     row<&NodeParams::bark, &BarkParams::moss>(
         {"bark.moss", barkGroup, RAMURE_NOOP("Moss"),

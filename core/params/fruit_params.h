@@ -29,8 +29,8 @@ inline constexpr int fruitKindCount = 14;
 struct FruitParams
 {
     FruitKind kind = FruitKind::Faithful;
-    double size = 1.0;  ///< of what the plant has
-    double stalk = 1.0; ///< length, of what the plant has
+    double size = 1.0;  ///< relative to the plant's natural size
+    double stalk = 1.0; ///< length, relative to the plant's natural stalk
     bool operator==(const FruitParams&) const = default;
 };
 

@@ -10,17 +10,25 @@ inline constexpr const char* ageGroup = RAMURE_NOOP("Age");
 inline constexpr const char* grownSizeGroup = RAMURE_NOOP("Size of the grown tree");
 inline constexpr const char* shootsGroup = RAMURE_NOOP("Shoots");
 inline constexpr const char* lightGroup = RAMURE_NOOP("Light");
+inline constexpr const char* siteGroup = RAMURE_NOOP("Site");
 inline constexpr const char* habitGroup = RAMURE_NOOP("Habit");
 inline constexpr const char* woodGroup = RAMURE_NOOP("Wood");
+inline constexpr const char* palmGroup = RAMURE_NOOP("Palm");
 
 inline constexpr Condition* growsByYears = [](const NodeParams& p) {
     return p.generator.kind == TreeGenerator::Growth;
 };
+inline constexpr Condition* branches = [](const NodeParams& p) {
+    return growsByYears(p) && p.growth.habit == GrowthHabit::Branching;
+};
+inline constexpr Condition* isPalm = [](const NodeParams& p) {
+    return growsByYears(p) && p.growth.habit == GrowthHabit::Palm;
+};
 inline constexpr Condition* hasSpiral = [](const NodeParams& p) {
-    return growsByYears(p) && p.growth.phyllotaxis == Phyllotaxis::Spiral;
+    return branches(p) && p.growth.phyllotaxis == Phyllotaxis::Spiral;
 };
 inline constexpr Condition* hasNoWhorl = [](const NodeParams& p) {
-    return growsByYears(p) && p.growth.whorl == 0;
+    return branches(p) && p.growth.whorl == 0;
 };
 
 // Every text stands in one line per clause; the columns of a table read better than those of the formatter.
@@ -28,7 +36,7 @@ inline constexpr Condition* hasNoWhorl = [](const NodeParams& p) {
 /// Everything but the age is of the history, which any age is cut out of.
 template <auto Member>
 constexpr ParamDef grownRow(const Words& words, ParamUnit unit, const Range& range, std::uint16_t flags = paramNone,
-                            Condition* matters = growsByYears)
+                            Condition* matters = branches)
 {
     return row<&NodeParams::growth, Member>(words, unit, range, Stage::Symbols, flags, treeOnly, matters);
 }
@@ -36,9 +44,13 @@ constexpr ParamDef grownRow(const Words& words, ParamUnit unit, const Range& ran
 inline constexpr std::array grownTreeRows{
     row<&NodeParams::growth, &GrowthParams::age>(
         {"growth.age", ageGroup, RAMURE_NOOP("Age"),
-         RAMURE_NOOP("Years since it was a seed. The tree of any age is cut out of one life: what is there at 40 was there at 30, or has "
-                     "grown since.")},
+         RAMURE_NOOP("Years since the tree was a seed. All ages belong to one life: a branch that exists at 40 existed at 30, or has grown since.")},
         ParamUnit::Year, {0, 2000, 0, 150, 1, 2}, Stage::Skeleton, paramAnimatable, treeOnly, growsByYears),
+    grownRow<&GrowthParams::habit>(
+        {"growth.habit", ageGroup, RAMURE_NOOP("Habit"),
+         RAMURE_NOOP("Branching: shoots that compete for light. Palm: one stem that never branches under a crown of fronds, which open, bow and "
+                     "fall as they get older.")},
+        ParamUnit::None, {}, paramNone, growsByYears),
     grownRow<&GrowthParams::leaderUntil>(
         {"growth.leaderUntil", ageGroup, RAMURE_NOOP("Leader until"),
          RAMURE_NOOP("The year in which the trunk loses its lead and becomes a limb among limbs. Late: one trunk to the top. Early: a crown "
@@ -47,23 +59,23 @@ inline constexpr std::array grownTreeRows{
     grownRow<&GrowthParams::maturity>(
         {"growth.maturity", ageGroup, RAMURE_NOOP("Mature at"),
          RAMURE_NOOP("Years until the height is nearly reached.")},
-        ParamUnit::Year, {2, 2000, 5, 200, 1, 0}),
+        ParamUnit::Year, {2, 2000, 5, 200, 1, 0}, paramNone, growsByYears),
 
     grownRow<&GrowthParams::height>(
         {"growth.height", grownSizeGroup, RAMURE_NOOP("Height"),
-         RAMURE_NOOP("Of the mature tree.")},
-        ParamUnit::Metre, {0.05, 150, 1, 50, 0.5, 2}),
+         RAMURE_NOOP("Height of the mature tree.")},
+        ParamUnit::Metre, {0.05, 150, 1, 50, 0.5, 2}, paramNone, growsByYears),
     grownRow<&GrowthParams::crownWidth>(
         {"growth.crownWidth", grownSizeGroup, RAMURE_NOOP("Spread"),
          RAMURE_NOOP("Width of the mature crown.")},
         ParamUnit::Metre, {0.02, 150, 0.5, 40, 0.5, 2}),
     grownRow<&GrowthParams::crownBase>(
         {"growth.crownBase", grownSizeGroup, RAMURE_NOOP("Crown begins at"),
-         RAMURE_NOOP("As a share of the height: limbs below get no light in the mature tree.")},
+         RAMURE_NOOP("Length of the bare trunk, as a share of the height. In the mature tree, limbs below get no light.")},
         ParamUnit::Share, {0, 0.95, 0, 0.8, 0.01, 2}),
     grownRow<&GrowthParams::crownWidest>(
         {"growth.crownWidest", grownSizeGroup, RAMURE_NOOP("Widest at"),
-         RAMURE_NOOP("Where the crown is widest, as a share of the crown's height.")},
+         RAMURE_NOOP("Height at which the crown is widest, as a share of the crown's height.")},
         ParamUnit::Share, {0, 1, 0, 1, 0.01, 2}),
     grownRow<&GrowthParams::crownTop>(
         {"growth.crownTop", grownSizeGroup, RAMURE_NOOP("Shape of the top"),
@@ -122,8 +134,7 @@ inline constexpr std::array grownTreeRows{
 
     grownRow<&GrowthParams::sees>(
         {"growth.sees", lightGroup, RAMURE_NOOP("Buds see"),
-         RAMURE_NOOP("What makes buds grow. Light: the sky, as far as leaves above do not hide it. Room: free space in the crown, or in the solid "
-                     "that the tree fills.")},
+         RAMURE_NOOP("The resource that buds compete for. Light: the part of the sky that no leaves above hide. Room: free space in the crown, or in the solid that the tree fills.")},
         ParamUnit::None, {}, paramAdvanced),
     grownRow<&GrowthParams::shadeTolerance>(
         {"growth.shadeTolerance", lightGroup, RAMURE_NOOP("Shade tolerance"),
@@ -135,12 +146,46 @@ inline constexpr std::array grownTreeRows{
         ParamUnit::Share, {0, 1, 0, 1, 0.05, 2}),
     grownRow<&GrowthParams::light>(
         {"growth.light", lightGroup, RAMURE_NOOP("Towards the light"),
-         RAMURE_NOOP("How much shoots turn to where the light comes from.")},
-        ParamUnit::Factor, {0, 2, 0, 1, 0.05, 2}),
+         RAMURE_NOOP("How much shoots turn to where the light comes from; how much the stem of a palm bends to it and away from solids.")},
+        ParamUnit::Factor, {0, 2, 0, 1, 0.05, 2}, paramNone, growsByYears),
     grownRow<&GrowthParams::sunlight>(
         {"growth.sunlight", lightGroup, RAMURE_NOOP("Sunlight"),
-         RAMURE_NOOP("As a share of the open sky's. With too little of it the tree dies.")},
-        ParamUnit::Share, {0, 1, 0, 1, 0.05, 2}, paramAdvanced),
+         RAMURE_NOOP("Light, as a share of the open sky's. With too little the tree dies.")},
+        ParamUnit::Share, {0, 1, 0, 1, 0.05, 2}, paramAdvanced, growsByYears),
+
+    grownRow<&GrowthParams::wind>(
+        {"growth.wind", siteGroup, RAMURE_NOOP("Wind"),
+         RAMURE_NOOP("Mean wind in metres per second while the tree grows: 2 in a sheltered garden, 5 in open country, 8 on a coast, 12 on a ridge. "
+                     "Buds on the windward side dry out, shoots turn to leeward, and the tree stays low.")},
+        ParamUnit::None, {0, 30, 0, 15, 0.5, 2}),
+    grownRow<&GrowthParams::windDirection>(
+        {"growth.windDirection", siteGroup, RAMURE_NOOP("Prevailing wind"),
+         RAMURE_NOOP("Direction that the wind blows to in most years, as a turn about the vertical axis: 0 along X, a quarter turn against Z.")},
+        ParamUnit::Radian, {-2 * pi, 2 * pi, -pi, pi, 0.05, 4}),
+    grownRow<&GrowthParams::sideLight>(
+        {"growth.sideLight", siteGroup, RAMURE_NOOP("Light from one side"),
+         RAMURE_NOOP("0: light comes from all around. 1: from one side only, as at the edge of a wood or before a wall.")},
+        ParamUnit::Share, {0, 1, 0, 1, 0.05, 2}, paramNone, growsByYears),
+    grownRow<&GrowthParams::lightDirection>(
+        {"growth.lightDirection", siteGroup, RAMURE_NOOP("Side of the light"),
+         RAMURE_NOOP("The side that the light comes from, as a turn about the vertical axis: 0 along X, a quarter turn against Z.")},
+        ParamUnit::Radian, {-2 * pi, 2 * pi, -pi, pi, 0.05, 4}, paramNone, growsByYears),
+    grownRow<&GrowthParams::slope>(
+        {"growth.slope", siteGroup, RAMURE_NOOP("Slope"),
+         RAMURE_NOOP("How steep the ground is. Limbs keep above it, and the crown grows to the open side, downhill.")},
+        ParamUnit::Radian, {0, 1.4, 0, 1, 0.02, 4}, paramNone, growsByYears),
+    grownRow<&GrowthParams::slopeDirection>(
+        {"growth.slopeDirection", siteGroup, RAMURE_NOOP("Downhill"),
+         RAMURE_NOOP("Direction in which the ground falls, as a turn about the vertical axis: 0 along X, a quarter turn against Z.")},
+        ParamUnit::Radian, {-2 * pi, 2 * pi, -pi, pi, 0.05, 4}, paramNone, growsByYears),
+    grownRow<&GrowthParams::lean>(
+        {"growth.lean", siteGroup, RAMURE_NOOP("Lean at the ground"),
+         RAMURE_NOOP("How far the seedling leans downhill. Later years' shoots turn up again, which leaves a curved foot.")},
+        ParamUnit::Radian, {0, 1.4, 0, 1, 0.02, 4}),
+    grownRow<&GrowthParams::neighbours>(
+        {"growth.neighbours", siteGroup, RAMURE_NOOP("Neighbours"),
+         RAMURE_NOOP("Other growing trees of the scene shade this one. All were planted in the same year, and each keeps the space that is nearer to its own stem.")},
+        ParamUnit::None, {}),
 
     grownRow<&GrowthParams::apicalControl>(
         {"growth.apicalControl", habitGroup, RAMURE_NOOP("Apical control"),
@@ -180,16 +225,16 @@ inline constexpr std::array grownTreeRows{
         ParamUnit::Share, {0, 1, 0, 1, 0.05, 2}),
     grownRow<&GrowthParams::wander>(
         {"growth.wander", habitGroup, RAMURE_NOOP("Crookedness"),
-         RAMURE_NOOP("How much chance turns each internode.")},
-        ParamUnit::Factor, {0, 2, 0, 1, 0.05, 2}),
+         RAMURE_NOOP("How much chance turns each internode; how far the stem of a palm leans.")},
+        ParamUnit::Factor, {0, 2, 0, 1, 0.05, 2}, paramNone, growsByYears),
 
     grownRow<&GrowthParams::pipeExponent>(
         {"growth.pipeExponent", woodGroup, RAMURE_NOOP("Pipe exponent"),
-         RAMURE_NOOP("Of the diameters that a branch carries added up: 2 keeps the area of the wood, 3 makes slender trunks.")},
+         RAMURE_NOOP("Exponent with which the diameters of a branch's twigs add up to its own: 2 keeps the area of the wood, 3 makes slender trunks.")},
         ParamUnit::None, {1.5, 4, 1.8, 3, 0.05, 2}),
     grownRow<&GrowthParams::tipRadius>(
         {"growth.tipRadius", woodGroup, RAMURE_NOOP("Radius of twigs"),
-         RAMURE_NOOP("Of a shoot in its first year. The whole tree gets thicker with it.")},
+         RAMURE_NOOP("Thickness of a shoot in its first year. The whole tree gets thicker with it.")},
         ParamUnit::Metre, {0.0001, 0.1, 0.001, 0.01, 0.0005, 4}),
     grownRow<&GrowthParams::girth>(
         {"growth.girth", woodGroup, RAMURE_NOOP("Girth of the lost"),
@@ -197,12 +242,33 @@ inline constexpr std::array grownTreeRows{
         ParamUnit::Share, {0, 1, 0, 1, 0.05, 2}, paramAdvanced),
     grownRow<&GrowthParams::droop>(
         {"growth.droop", woodGroup, RAMURE_NOOP("Sag of the years"),
-         RAMURE_NOOP("How much of what each year's new weight bends becomes form.")},
+         RAMURE_NOOP("Share of the bend under each year's new weight that stays.")},
         ParamUnit::Factor, {0, 2, 0, 1, 0.05, 2}),
     grownRow<&GrowthParams::reaction>(
         {"growth.reaction", woodGroup, RAMURE_NOOP("Reaction wood"),
-         RAMURE_NOOP("How soon what leans turns up again.")},
+         RAMURE_NOOP("How soon leaning shoots turn up again.")},
         ParamUnit::Share, {0, 1, 0, 1, 0.05, 2}, paramAdvanced),
+
+    grownRow<&GrowthParams::fronds>(
+        {"growth.fronds", palmGroup, RAMURE_NOOP("Fronds a year"),
+         RAMURE_NOOP("How many fronds open in a year of the grown palm. The crown carries as many as open within the life of one.")},
+        ParamUnit::Count, {1, 60, 2, 24, 1, 0}, paramNone, isPalm),
+    grownRow<&GrowthParams::frondLength>(
+        {"growth.frondLength", palmGroup, RAMURE_NOOP("Length of fronds"),
+         RAMURE_NOOP("Length of a frond from the stem to the tip, on the grown palm. Fronds of a seedling have a fifth of it.")},
+        ParamUnit::Metre, {0.05, 25, 1, 8, 0.1, 2}, paramNone, isPalm),
+    grownRow<&GrowthParams::frondYears>(
+        {"growth.frondYears", palmGroup, RAMURE_NOOP("Life of fronds"),
+         RAMURE_NOOP("Years from the day a frond opens until it falls.")},
+        ParamUnit::Year, {0.2, 10, 1, 5, 0.1, 2}, paramNone, isPalm),
+    grownRow<&GrowthParams::stemRadius>(
+        {"growth.stemRadius", palmGroup, RAMURE_NOOP("Radius of the stem"),
+         RAMURE_NOOP("Above its swollen foot. The stem of a palm has its width before it rises, and keeps it.")},
+        ParamUnit::Metre, {0.005, 2, 0.05, 0.6, 0.01, 3}, paramNone, isPalm),
+    grownRow<&GrowthParams::fruit>(
+        {"growth.fruit", palmGroup, RAMURE_NOOP("Fruit of a bunch"),
+         RAMURE_NOOP("How many a bunch carries, in the axil of every other frond. They swell within a year. 0: none.")},
+        ParamUnit::Count, {0, 60, 0, 20, 1, 0}, paramNone, isPalm),
 };
 // clang-format on
 

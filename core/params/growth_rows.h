@@ -11,10 +11,7 @@ namespace ramure::rows {
 inline constexpr std::array growthRows{
     row<&NodeParams::generator, &GeneratorParams::kind>(
         {"generator.kind", generatorGroup, RAMURE_NOOP("Generator"),
-         RAMURE_NOOP("What makes the branches. Grammar: symbols that rules replace, and a turtle that draws them. Weber and "
-                     "Penn: trunk, limbs, branches and twigs, each level by its own numbers. Space colonisation: branches reach for "
-                     "points that fill a crown of your shape. Drawn by hand: only what the steps of the recipe draw. Growth: shoots compete for "
-                     "light, year by year, and the tree has an age. Leaves, bark and motion stay.")},
+         RAMURE_NOOP("Method that makes the branches. Grammar: rules replace symbols, and a turtle draws them. Weber and Penn: trunk, limbs, branches and twigs, each level with its own numbers. Space colonisation: branches reach for points that fill a crown of your shape. Drawn by hand: the steps of the recipe draw all branches. Growth: shoots compete for light, year by year, and the tree has an age. Leaves, bark and motion stay.")},
         ParamUnit::None, {}, Stage::Symbols),
     row<&NodeParams::grammar, &GrammarParams::seed>(
         {"grammar.seed", generatorGroup, RAMURE_NOOP("Seed of the tree"),
@@ -62,13 +59,11 @@ inline constexpr std::array growthRows{
         ParamUnit::Metre, {1e-4, 1000, 0.01, 1, 0.01, 4}, Stage::Skeleton, paramAnimatable),
     row<&NodeParams::turtle, &TurtleParams::decay>(
         {"turtle.decay", turtleGroup, RAMURE_NOOP("Taper"),
-         RAMURE_NOOP("What remains of the radius at the end of each piece of branch. 1 keeps branches as thick as "
-                     "the trunk.")},
+         RAMURE_NOOP("Share of the radius that remains at the end of each piece of branch. 1 keeps branches as thick as the trunk.")},
         ParamUnit::Ratio, {0.01, 1, 0.5, 1, 0.01, 4}, Stage::Skeleton, paramAnimatable),
     row<&NodeParams::turtle, &TurtleParams::tropism>(
         {"turtle.tropism", turtleGroup, RAMURE_NOOP("Tropism"),
-         RAMURE_NOOP("What branches bend towards as they grow: down where their weight pulls them, up where they seek light. "
-                     "A longer arrow bends them more.")},
+         RAMURE_NOOP("Direction that branches bend towards as they grow: down under their weight, up towards the light. A longer arrow bends them more.")},
         ParamUnit::None, {-1000, 1000, -1, 1, 0.05, 3}, Stage::Skeleton, paramAnimatable, treeOnly, isParametric),
     row<&NodeParams::turtle, &TurtleParams::elasticity>(
         {"turtle.elasticity", turtleGroup, RAMURE_NOOP("Elasticity"),
@@ -137,15 +132,23 @@ inline constexpr std::array modelRows{
         ParamUnit::Ratio, {0, 4, 0, 2, 0.05, 3}, Stage::Mesh, paramNone, treeOnly, softensForks),
     row<&NodeParams::mesh, &MeshParams::forkLength>(
         {"mesh.forkLength", forksGroup, RAMURE_NOOP("Length"),
-         RAMURE_NOOP("How far above a fork its branches narrow from the width of what carries them to their own, in "
-                     "diameters of the branch. At 0 they begin with their own width, which leaves a ledge below them where "
-                     "they are thinner.")},
+         RAMURE_NOOP("Distance above a fork, in diameters of the branch, over which a branch narrows from its parent's width to its own. At 0 it begins with its own width, which leaves a ledge if it is thinner.")},
         ParamUnit::Factor, {0, 10, 0, 3, 0.1, 2}, Stage::Mesh),
     row<&NodeParams::mesh, &MeshParams::collar>(
         {"mesh.collar", forksGroup, RAMURE_NOOP("Collar"),
          RAMURE_NOOP("How much wider than its own radius a side limb is where it leaves a thicker branch. The collar "
                      "narrows within about a diameter of the limb.")},
         ParamUnit::Ratio, {0, 2, 0, 1, 0.05, 2}, Stage::Mesh),
+    row<&NodeParams::mesh, &MeshParams::fairing>(
+        {"mesh.fairing", forksGroup, RAMURE_NOOP("Fairing"),
+         RAMURE_NOOP("How far the surface around forks of thick wood is smoothed, from the walls between the branches "
+                     "to the cross-sections beside them. 0 leaves it as it is built.")},
+        ParamUnit::Ratio, {0, 1, 0, 1, 0.05, 2}, Stage::Mesh),
+    row<&NodeParams::mesh, &MeshParams::ridge>(
+        {"mesh.ridge", forksGroup, RAMURE_NOOP("Bark ridge"),
+         RAMURE_NOOP("How high bark stands up above a limb where it leaves a thicker branch, as a share of that one's "
+                     "diameter. Twins that part at less than 30 degrees have a crease instead. 0 leaves it out.")},
+        ParamUnit::Ratio, {0, 0.2, 0, 0.08, 0.005, 3}, Stage::Mesh),
     row<&NodeParams::mesh, &MeshParams::clampOvershoot>(
         {"mesh.clampOvershoot", forksGroup, RAMURE_NOOP("Calm short branches"),
          RAMURE_NOOP("A branch much shorter than its parent swings out in a wide bow before it turns to its own direction. "

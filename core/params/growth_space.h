@@ -1,13 +1,15 @@
 /// \file
-/// What solids of the scene mean to trees that grow by space colonisation.
+/// What trees that grow find in the scene: the roles of its solids, and their neighbours.
 #pragma once
 
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <memory>
+#include <vector>
 
 namespace ramure {
 
-/// Of a primitive or an imported mesh. The order is that of the interface; files know the names.
+/// The role of a primitive or an imported mesh. The order is that of the interface; files know the names.
 enum class GrowthRole : std::uint8_t {
     None,
     Envelope, ///< a tree above it in the scene fills it
@@ -16,13 +18,21 @@ enum class GrowthRole : std::uint8_t {
 
 class GrowthSpace; ///< core/generators/colonisation/growth_space.h
 
+/// Another tree that grows beside one, planted in the same year: what its parameters say of its crown.
+struct NeighbourCrown
+{
+    glm::dvec3 foot{0.0};                                         ///< m, tree space
+    double height = 0.0, width = 0.0, base = 0.0, maturity = 1.0; ///< as GrowthParams has them
+};
+
 /// Derived from the scene (core/scene/growth_spaces.h) and in no file. Two are equal where the same solids
 /// stand at the same places.
 struct GrowthSpaceLink
 {
     std::shared_ptr<const GrowthSpace> space; ///< null: no solid concerns the tree
     std::uint64_t hash = 0;
-    double top = 0.0; ///< m, tree space: of what the tree is to fill
+    double top = 0.0;                       ///< m, tree space: highest point of the solids to be filled
+    std::vector<NeighbourCrown> neighbours; ///< the nearest, for a tree that heeds them
 
     bool operator==(const GrowthSpaceLink& other) const { return hash == other.hash; }
 };

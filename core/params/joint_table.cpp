@@ -17,8 +17,9 @@ constexpr JointDef angleRow(const char* key, const char* label, const char* tool
 }
 
 constexpr std::array<JointDef, 9> rows{
-    JointDef{"length", RAMURE_NOOP("Length"), RAMURE_NOOP("Of the segment behind the joint, metres"),
-             ParamUnit::Metre, 1e-4, 1e4, 0.01, 5.0, 0.1, 3, nullptr, nullptr},
+    JointDef{"length", RAMURE_NOOP("Length"),
+             RAMURE_NOOP("Length of the segment behind the joint, in metres"), ParamUnit::Metre, 1e-4, 1e4,
+             0.01, 5.0, 0.1, 3, nullptr, nullptr},
     angleRow("phi.angle", RAMURE_NOOP("Phi"),
              RAMURE_NOOP("Turns about the segment before the joint, degrees"), &ArmJoint::phi,
              &ArmAngle::angleRad),

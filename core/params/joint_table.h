@@ -16,7 +16,7 @@ struct JointDef
     const char* label;   ///< English, context "core"
     const char* tooltip; ///< one sentence, English, context "core"; with its unit
     ParamUnit unit;
-    double hardMin, hardMax; ///< what editors and tracks give; files may hold more
+    double hardMin, hardMax; ///< limits for editors and tracks; files may hold more
     double softMin, softMax; ///< the slider's range
     double step;
     int decimals;
@@ -37,8 +37,8 @@ std::optional<std::size_t> jointNumber(std::string_view key);
 /// The number of the row of the angle itself.
 std::size_t jointAngleNumber(bool phi);
 
-/// What edits and tracks may leave behind is put right: an upper limit below the lower one is lifted to it,
-/// and limited angles stay between their limits.
+/// Repairs an angle after edits and tracks: an upper limit below the lower one is lifted to it, and a limited
+/// angle is clamped to its limits.
 void settleAngle(ArmAngle& angle);
 
 } // namespace ramure

@@ -58,7 +58,7 @@ inline constexpr int leafShapeCount = 44;
 
 /// How leaves follow each other along a twig.
 enum class LeafArrangement : std::uint8_t {
-    Natural,    ///< as the plant does
+    Natural,    ///< natural for the plant
     Alternate,  ///< one a node, two fifths of a turn apart
     Distichous, ///< one a node, left and right
     Spiral,     ///< one a node, 137.5 degrees apart
@@ -70,23 +70,23 @@ enum class LeafArrangement : std::uint8_t {
 struct LeafParams
 {
     LeafShape shape = LeafShape::Faithful;
-    double size = 1.0;       ///< of what the plant has
+    double size = 1.0;       ///< relative to the plant's natural size
     double variation = 0.25; ///< share by which leaves are larger or smaller, at most
-    double width = 1.0;      ///< of what the plant has
+    double width = 1.0;      ///< relative to the plant's natural width
     double fold = 0.3;       ///< rad, each half up from the plane
     double curl = 0.5;       ///< rad, from the foot of the blade to its tip, downwards
     double cup = 0.2;
-    double petiole = 1.0; ///< length, of what the plant has
+    double petiole = 1.0; ///< length, relative to the plant's natural petiole
     std::int64_t detail = 2;
     LeafArrangement arrangement = LeafArrangement::Natural;
     std::int64_t whorl = 4;
-    double internode = 1.0; ///< of what the plant has
+    double internode = 1.0; ///< relative to the plant's natural distance
     double angle = 0.9;     ///< rad, between petiole and twig
     double droop = 0.25;
     double light = 0.6;
     double season = 0.0;    ///< 0 summer .. 1 bare
-    double stiffness = 1.0; ///< of the petioles, of what is usual
-    double flutter = 1.0;   ///< of what is usual
+    double stiffness = 1.0; ///< of the petioles, relative to the usual
+    double flutter = 1.0;   ///< relative to the usual
     bool operator==(const LeafParams&) const = default;
 };
 

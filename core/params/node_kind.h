@@ -13,9 +13,9 @@ enum class NodeKind : std::uint8_t {
     Mesh,      ///< an imported mesh, kept in the node
     Arm,       ///< an articulated arm with its skin
     Terrain,   ///< a terrain
-    Camera,    ///< what a picture is seen from
-    /// Of a file that a newer version has written. The node is a place for its children; everything else of
-    /// it stays in Node::extras and is written back.
+    Camera,    ///< a viewpoint for pictures
+    /// A kind from the file of a newer version. The node holds a place for its children. All its other data
+    /// stay in Node::extras and are written back.
     Unknown = 15,
 };
 inline constexpr int nodeKindCount = 7; ///< without Unknown

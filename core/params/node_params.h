@@ -1,8 +1,8 @@
 /// \file
-/// All parameters of a scene node as plain structs, those of every kind of node in one: a row of the
-/// parameter table says which kinds it is for. The member initialisers are the defaults, stated nowhere else;
-/// what a parameter means, its unit and its range stand in its rows (growth_rows.h, dress_rows.h,
-/// node_rows.h, weber_penn_rows.h).
+/// All parameters of a scene node as plain structs. One struct serves all kinds of nodes; the rows of the
+/// parameter table say which kinds have a parameter. The member initialisers are the defaults, stated nowhere
+/// else. Meaning, unit and range of a parameter stand in its row (growth_rows.h, dress_rows.h, node_rows.h,
+/// weber_penn_rows.h).
 #pragma once
 
 #include "core/params/arm_params.h"
@@ -44,7 +44,7 @@ struct GrammarParams
     bool stochastic = false;
     std::int64_t seed = 1;
     GrammarDialect dialect = GrammarDialect::Classic;
-    std::string constants{}; ///< of the parametric dialect: one "name = expression" a line
+    std::string constants{}; ///< parametric dialect: one "name = expression" per line
     bool operator==(const GrammarParams&) const = default;
 };
 
@@ -53,13 +53,12 @@ struct TurtleParams
     double theta = 0.3142; ///< rad
     double alpha = 0.2;    ///< m
     double decay = 0.88;
-    glm::dvec3 tropism{0.0, -1.0, 0.0}; ///< of the parametric dialect: what branches bend towards
+    glm::dvec3 tropism{0.0, -1.0, 0.0}; ///< parametric dialect: the direction that branches bend towards
     double elasticity = 0.0;            ///< rad that a branch across a tropism of length 1 bends by
     bool operator==(const TurtleParams&) const = default;
 };
 
-/// How far turns, lengths and radii of a tree grown by chance lie from what the turtle says, at most, as a
-/// share of it.
+/// Largest random deviation of turns, lengths and radii from the turtle's values, as a share of those.
 struct VariationParams
 {
     double angle = 0.05;
@@ -85,13 +84,15 @@ struct SectionParams
 struct MeshParams
 {
     std::int64_t targetTriangles = 0; ///< 0: as the sections say
-    double forkReach = 0.9;           ///< of the thinner tube's radius
+    double forkReach = 0.9;           ///< relative to the radius of the thinner tube
     double forkSoftness = 0.7;
     bool clampOvershoot = false;
-    double nearTwinRatio = 0.25;  ///< of the added radii
+    double nearTwinRatio = 0.25;  ///< relative to the sum of the radii
     double leastRadius = 0.25e-3; ///< m
     double forkLength = 1.0;      ///< diameters, within which branches above a fork come to their own radius
     double collar = 0.0;          ///< of a side limb's radius: how much wider it leaves the stem
+    double fairing = 0.0;         ///< of forks of thick wood: 0 as they are built, 1 smooth
+    double ridge = 0.0;           ///< of the stem's diameter: bark that stands up where a limb leaves it
     std::int64_t roots = 0;       ///< that leave the foot of a trunk; 0: its tube ends flat
     double rootLength = 2.0;      ///< diameters of the trunk
     double rootHeight = 1.0;      ///< the same: where roots leave the trunk
@@ -107,14 +108,15 @@ struct FoliageParams
     bool operator==(const FoliageParams&) const = default;
 };
 
-/// Of the branches; used where texture coordinates are asked for, no geometry depends on them.
+/// Texture of the branches. It is used if texture coordinates are asked for; no geometry depends on it.
 struct TextureParams
 {
     double tileSize = 0.0; ///< m, on the thickest wood; 0: four go around it
     bool operator==(const TextureParams&) const = default;
 };
 
-/// Where a node stands in its parent: T * R * S (SPEC B2, the static transform handed on to the children).
+/// The placement of a node in its parent: T * R * S (SPEC B2, the static transform handed on to the
+/// children).
 struct PlacementParams
 {
     glm::dvec3 translation{0.0}; ///< m
@@ -123,14 +125,15 @@ struct PlacementParams
     bool operator==(const PlacementParams&) const = default;
 };
 
-/// What an artist set on one branch by hand.
+/// Values that an artist set on one branch by hand.
 struct BranchParams
 {
     double rollRad = 0.0; ///< the branch's frames turned about the tangent, handed on to its children
-    /// The branch turned about its start, and what grows on it with it: axis times angle, in tree space
-    /// before the bends of its ancestors (core/skeleton/bend.h).
+    /// Turn of the branch about its start, together with everything that grows on it: axis times angle, in
+    /// tree space before the bends of its ancestors (core/skeleton/bend.h).
     glm::dvec3 bendRad{0.0};
-    BranchPlace place{}; ///< where it was set, so that it is found again in a changed tree
+    /// The branch's place when they were set, so that it is found again in a changed tree.
+    BranchPlace place{};
 
     [[nodiscard]] bool changesNothing() const { return rollRad == 0.0 && bendRad == glm::dvec3(0.0); }
     bool operator==(const BranchParams&) const = default;
@@ -153,13 +156,14 @@ struct NodeParams
     FruitParams fruit;
     BarkParams bark;
     TextureParams texture;
-    PictureParams barkPictures, leafPictures, fruitPictures; ///< of a tree
+    PictureParams barkPictures, leafPictures, fruitPictures; ///< pictures of a tree
     PlacementParams tree;
-    PlacementParams local; ///< of its own geometry alone: not handed on to the children (SPEC B2)
+    /// Places the node's own geometry alone and is not handed on to the children (SPEC B2).
+    PlacementParams local;
     PrimitiveParams primitive;
     SurfaceParams surface;
-    GrowthRole growthRole = GrowthRole::None; ///< of primitives and imported meshes
-    PictureParams surfacePictures;            ///< of primitives and imported meshes
+    GrowthRole growthRole = GrowthRole::None; ///< for primitives and imported meshes
+    PictureParams surfacePictures;            ///< for primitives and imported meshes
     PhysicsParams physics;
     SkinParams skin;
     ArmParams arm;
@@ -167,24 +171,25 @@ struct NodeParams
     ArmSkinParams armSkin;
     TerrainParams terrain;
     CameraParams camera;
-    StepParams step;                                   ///< of a step alone (StepValues)
-    std::vector<ArmJoint> joints = defaultArmJoints(); ///< of an arm, from the foot on
+    StepParams step;                                   ///< only in a step of a recipe (StepValues)
+    std::vector<ArmJoint> joints = defaultArmJoints(); ///< joints of an arm, from the foot on
     std::map<std::uint64_t, BranchParams>
         branches;                ///< by Skeleton::name; only branches that differ from the default
-    std::vector<TreeEdit> edits; ///< of a tree, in the order in which they act
+    std::vector<TreeEdit> edits; ///< steps of a tree, in the order in which they act
     bool operator==(const NodeParams&) const = default;
 };
 
-/// What the chance of a tree goes by; 0 where there is none in it.
+/// Returns the seed of the tree's generator; 0 if nothing in it is random.
 inline std::uint64_t treeSeed(const NodeParams& params)
 {
     const bool hasChance = params.grammar.stochastic || params.generator.kind != TreeGenerator::Grammar;
     return hasChance ? static_cast<std::uint64_t>(params.grammar.seed) : 0;
 }
 
-/// m; that of a tree's trunk at the ground before chance varies it, and what its leaves, fruit and motion
-/// take their size from: for a grammar the turtle's step (SPEC A1). A trunk that carries what the points call
-/// for is known only when it has grown: there it is the usual share of the height.
+/// Returns the radius of a tree's trunk at the ground in m, before random variation. The sizes of leaves,
+/// fruit and motion refer to it. For a grammar it is the turtle's step (SPEC A1). If the trunk's radius
+/// follows from the points that it serves, it is known only after growth; then the usual share of the height
+/// is returned.
 inline double trunkRadius(const NodeParams& params)
 {
     const WeberPennParams& own = params.weberPenn;
@@ -196,7 +201,8 @@ inline double trunkRadius(const NodeParams& params)
     case TreeGenerator::Colonisation:
         return 0.015 * crownTop(params.colonisation);
     case TreeGenerator::Growth: // whatever its age: leaves do not grow with the trunk
-        return 0.018 * params.growth.height;
+        return params.growth.habit == GrowthHabit::Palm ? params.growth.stemRadius
+                                                        : 0.018 * params.growth.height;
     case TreeGenerator::Drawn:
         for (const TreeEdit& step : params.edits)
             if (step.operation == EditOperation::Draw && step.target.address == 0 && !step.points.empty())

@@ -11,7 +11,7 @@ namespace ramure::rows {
 inline constexpr std::array nodeRows{
     row<&NodeParams::tree, &PlacementParams::translation>(
         {"tree.translation", placementGroup, RAMURE_NOOP("Position"),
-         RAMURE_NOOP("Where it stands, measured from its parent.")},
+         RAMURE_NOOP("Position relative to the parent.")},
         ParamUnit::Metre, {-1e6, 1e6, -10, 10, 0.1, 3}, Stage::Placement, paramNone, everyKind),
     row<&NodeParams::tree, &PlacementParams::rotation>(
         {"tree.rotation", placementGroup, RAMURE_NOOP("Rotation"),
@@ -24,15 +24,15 @@ inline constexpr std::array nodeRows{
 
     row<&NodeParams::local, &PlacementParams::translation>(
         {"local.translation", localGroup, RAMURE_NOOP("Own position"),
-         RAMURE_NOOP("Moves what the node itself shows, but none of its children.")},
+         RAMURE_NOOP("Moves the node's own shape, but not its children.")},
         ParamUnit::Metre, {-1e6, 1e6, -10, 10, 0.1, 3}, Stage::Placement, paramAdvanced, shapedKinds),
     row<&NodeParams::local, &PlacementParams::rotation>(
         {"local.rotation", localGroup, RAMURE_NOOP("Own rotation"),
-         RAMURE_NOOP("Turns what the node itself shows, but none of its children: first about X, then Y, then Z.")},
+         RAMURE_NOOP("Turns the node's own shape, but not its children: first about X, then Y, then Z.")},
         ParamUnit::Radian, {-200 * pi, 200 * pi, -pi, pi, pi / 180, 4}, Stage::Placement, paramAdvanced, shapedKinds),
     row<&NodeParams::local, &PlacementParams::scale>(
         {"local.scale", localGroup, RAMURE_NOOP("Own scale"),
-         RAMURE_NOOP("Stretches what the node itself shows, but none of its children.")},
+         RAMURE_NOOP("Scales the node's own shape, but not its children.")},
         ParamUnit::Ratio, {1e-4, 1e4, 0.1, 10, 0.1, 3}, Stage::Placement, paramAdvanced, shapedKinds),
 
     row<&NodeParams::primitive, &PrimitiveParams::shape>(
@@ -41,11 +41,11 @@ inline constexpr std::array nodeRows{
         ParamUnit::None, {}, Stage::Mesh, paramNone, primitiveOnly),
     row<&NodeParams::primitive, &PrimitiveParams::radius>(
         {"primitive.radius", primitiveGroup, RAMURE_NOOP("Radius"),
-         RAMURE_NOOP("Of cylinders, cones and spheres; of a frame cross the thickness of its arrows.")},
+         RAMURE_NOOP("Radius of cylinders, cones and spheres. For a frame cross, the thickness of its arrows.")},
         ParamUnit::Metre, {1e-4, 1e4, 0.01, 5, 0.05, 4}, Stage::Mesh, paramAnimatable, primitiveOnly),
     row<&NodeParams::primitive, &PrimitiveParams::height>(
         {"primitive.height", primitiveGroup, RAMURE_NOOP("Height"),
-         RAMURE_NOOP("Of cylinders and cones along their axis; of a frame cross the length of its arrows.")},
+         RAMURE_NOOP("Length of cylinders and cones along their axis. For a frame cross, the length of its arrows.")},
         ParamUnit::Metre, {1e-4, 1e4, 0.01, 5, 0.05, 4}, Stage::Mesh, paramAnimatable, primitiveOnly),
     row<&NodeParams::primitive, &PrimitiveParams::size>(
         {"primitive.size", primitiveGroup, RAMURE_NOOP("Size"),
@@ -73,8 +73,7 @@ inline constexpr std::array nodeRows{
 
     row<&NodeParams::growthRole>(
         {"solid.growth", surfaceGroup, RAMURE_NOOP("Trees"),
-         RAMURE_NOOP("What trees that grow by space colonisation make of it. A tree fills solids below it in the scene, once its "
-                     "envelope is a solid of the scene; all of them grow around obstacles. Hidden ones count too.")},
+         RAMURE_NOOP("Role for trees that grow by space colonisation. A tree whose envelope is “Solid” fills the solids below it in the scene; all such trees grow around obstacles. Hidden objects count, too.")},
         ParamUnit::None, {}, Stage::Placement, paramNone, objectKinds),
 
     row<&NodeParams::physics, &PhysicsParams::mode>(
@@ -98,8 +97,7 @@ inline constexpr std::array nodeRows{
         ParamUnit::Ratio, {0, 100, 0, 3, 0.05, 3}, Stage::Motion, paramAnimatable),
     row<&NodeParams::physics, &PhysicsParams::damping>(
         {"physics.damping", physicsGroup, RAMURE_NOOP("Damping"),
-         RAMURE_NOOP("What remains of a movement: close to 1 the tree swings for long, at 0 it follows the wind without a "
-                     "swing. Robust: what half a swing leaves of it; faithful: what each step leaves of the speed.")},
+         RAMURE_NOOP("Share of a movement that remains: close to 1 the tree swings for long, at 0 it follows the wind without swinging. Robust: the share after half a swing. Faithful: the share of the speed after each step.")},
         ParamUnit::Ratio, {0, 1, 0, 1, 0.01, 3}, Stage::Motion, paramAnimatable),
     row<&NodeParams::physics, &PhysicsParams::restitution>(
         {"physics.restitution", physicsGroup, RAMURE_NOOP("Stiffness"),
@@ -107,8 +105,7 @@ inline constexpr std::array nodeRows{
         ParamUnit::None, {0, 1e6, 0, 5000, 10, 1}, Stage::Motion, paramAnimatable),
     row<&NodeParams::physics, &PhysicsParams::restFrame>(
         {"physics.restFrame", physicsGroup, RAMURE_NOOP("Back to"),
-         RAMURE_NOOP("Where a branch wants back to: the place it has as seen from its parent, or the direction it had in the "
-                     "world at first. The faithful mode always takes the world.")},
+         RAMURE_NOOP("The rest position that a branch swings back to: its place relative to its parent, or its first direction in the world. The faithful mode always uses the world.")},
         ParamUnit::None, {}, Stage::Motion, paramAdvanced),
     row<&NodeParams::physics, &PhysicsParams::settled>(
         {"physics.settled", physicsGroup, RAMURE_NOOP("Starts settled"),
@@ -127,7 +124,7 @@ inline constexpr std::array nodeRows{
         ParamUnit::Factor, {0, 100, 0, 3, 0.05, 3}, Stage::Motion, paramAnimatable),
     row<&NodeParams::physics, &PhysicsParams::windDirection>(
         {"physics.windDirection", physicsGroup, RAMURE_NOOP("Wind direction"),
-         RAMURE_NOOP("Where the wind blows to, about the vertical axis: 0 along X, a quarter turn against Z.")},
+         RAMURE_NOOP("Direction that the wind blows to, as a turn about the vertical axis: 0 along X, a quarter turn against Z.")},
         ParamUnit::Radian, {-2 * pi, 2 * pi, -pi, pi, pi / 36, 4}, Stage::Motion, paramAnimatable),
     row<&NodeParams::physics, &PhysicsParams::windGust>(
         {"physics.windGust", physicsGroup, RAMURE_NOOP("Gusts"),
@@ -143,7 +140,7 @@ inline constexpr std::array nodeRows{
         ParamUnit::None, {0, maxSeed, 0, 9999, 1, 0}, Stage::Motion, paramSeed),
     row<&NodeParams::physics, &PhysicsParams::appleBounce>(
         {"physics.appleBounce", physicsGroup, RAMURE_NOOP("Apples bounce"),
-         RAMURE_NOOP("What the ground gives back of the speed of a fallen apple: 0 it stays where it falls.")},
+         RAMURE_NOOP("Share of its speed with which a fallen apple bounces off the ground. At 0 it stays where it falls.")},
         ParamUnit::Ratio, {0, 0.95, 0, 0.95, 0.01, 3}, Stage::Motion),
     row<&NodeParams::physics, &PhysicsParams::appleFriction>(
         {"physics.appleFriction", physicsGroup, RAMURE_NOOP("Apple friction"),
@@ -162,7 +159,7 @@ inline constexpr std::array nodeRows{
         ParamUnit::None, {}, Stage::Motion, paramNone, armOnly),
     row<&NodeParams::arm, &ArmParams::target>(
         {"arm.target", armGroup, RAMURE_NOOP("Target"),
-         RAMURE_NOOP("Where the tip is to go, in the arm's own space: its foot at 0, Z up.")},
+         RAMURE_NOOP("Position that the tip moves to, in the arm's own space: its foot at 0, Z up.")},
         ParamUnit::Metre, {-1e6, 1e6, -5, 5, 0.1, 3}, Stage::Motion, paramAnimatable, armOnly),
     row<&NodeParams::arm, &ArmParams::jointRadius>(
         {"arm.jointRadius", armGroup, RAMURE_NOOP("Joint size"),
@@ -191,7 +188,7 @@ inline constexpr std::array nodeRows{
         ParamUnit::None, {}, Stage::Mesh, paramNone, armOnly),
     row<&NodeParams::armSkin, &ArmSkinParams::radius>(
         {"armSkin.radius", armSkinGroup, RAMURE_NOOP("Radius"),
-         RAMURE_NOOP("Of the cylinder around the arm.")},
+         RAMURE_NOOP("Radius of the cylinder around the arm.")},
         ParamUnit::Metre, {1e-4, 1e3, 0.05, 1, 0.05, 4}, Stage::Mesh, paramNone, armOnly),
     row<&NodeParams::armSkin, &ArmSkinParams::lengthDivisions>(
         {"armSkin.lengthDivisions", armSkinGroup, RAMURE_NOOP("Divisions along"),
@@ -248,7 +245,7 @@ inline constexpr std::array nodeRows{
         ParamUnit::None, {0, 128, 0, 16, 0.1, 2}, Stage::Placement, paramAnimatable, cameraOnly),
     row<&NodeParams::camera, &CameraParams::focus>(
         {"camera.focus", cameraGroup, RAMURE_NOOP("Focus"),
-         RAMURE_NOOP("How far away is what the lens shows sharp.")},
+         RAMURE_NOOP("Distance at which the lens is in focus.")},
         ParamUnit::Metre, {0.001, 1e4, 0.1, 30, 0.1, 3}, Stage::Placement, paramAnimatable, cameraOnly),
 };
 // clang-format on

@@ -83,7 +83,7 @@ struct ParamDef
     KindBits kinds; ///< bit 1 << NodeKind: the kinds of node that have it
     ParamValue (*get)(const NodeParams&);
     void (*assign)(NodeParams&, const ParamValue&); ///< no check; the alternative must be the row's type
-    std::span<const EnumItem> items{};              ///< of a choice, at least two; of others none
+    std::span<const EnumItem> items{}; ///< values of a choice, at least two; empty for other types
     /// False: beside the other values no stage looks at this one, and results stay as they are. Null: always.
     bool (*matters)(const NodeParams&) = nullptr;
 };

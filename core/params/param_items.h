@@ -18,6 +18,9 @@ inline constexpr std::array itemsOf<TreeGenerator>{
     EnumItem{"colonisation", RAMURE_NOOP("Space colonisation")},
     EnumItem{"drawn", RAMURE_NOOP("Drawn by hand")}, EnumItem{"growth", RAMURE_NOOP("Growth")}};
 template <>
+inline constexpr std::array itemsOf<GrowthHabit>{EnumItem{"branching", RAMURE_NOOP("Branching")},
+                                                 EnumItem{"palm", RAMURE_NOOP("Palm")}};
+template <>
 inline constexpr std::array itemsOf<Phyllotaxis>{EnumItem{"spiral", RAMURE_NOOP("Spiral")},
                                                  EnumItem{"opposite", RAMURE_NOOP("Opposite")},
                                                  EnumItem{"alternate", RAMURE_NOOP("Alternate")}};

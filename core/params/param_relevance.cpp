@@ -21,6 +21,8 @@ constexpr std::array weberPenn{"weber_penn"};
 constexpr std::array colonisation{"colonisation"};
 constexpr std::array growth{"growth"};
 constexpr std::array spiral{"spiral"};
+constexpr std::array branching{"branching"};
+constexpr std::array palm{"palm"};
 constexpr std::array profile{"profile"};
 constexpr std::array revolved{"sphere", "hemisphere", "cone", "cylinder", "profile"};
 constexpr std::array transpose{"transpose"};
@@ -47,6 +49,17 @@ constexpr std::array relevances{
     Relevance{"turtle.elasticity", "grammar.dialect", parametricOnly},
     Relevance{"variation.radius", "grammar.dialect", classic},
     Relevance{"growth.divergence", "growth.phyllotaxis", spiral},
+    Relevance{"growth.age", "generator.kind", growth},
+    Relevance{"growth.habit", "generator.kind", growth},
+    Relevance{"growth.maturity", "generator.kind", growth},
+    Relevance{"growth.height", "generator.kind", growth},
+    Relevance{"growth.sunlight", "generator.kind", growth},
+    Relevance{"growth.wander", "generator.kind", growth},
+    Relevance{"growth.fronds", "growth.habit", palm},
+    Relevance{"growth.frondLength", "growth.habit", palm},
+    Relevance{"growth.frondYears", "growth.habit", palm},
+    Relevance{"growth.stemRadius", "growth.habit", palm},
+    Relevance{"growth.fruit", "growth.habit", palm},
     Relevance{"colonisation.profile", "colonisation.envelope", profile},
     Relevance{"colonisation.crownBase", "colonisation.envelope", revolved},
     Relevance{"colonisation.crownHeight", "colonisation.envelope", revolved},
@@ -89,7 +102,7 @@ constexpr std::array relevances{
     Relevance{"variation.", "generator.kind", grammarOnly},
     Relevance{"weberPenn.", "generator.kind", weberPenn},
     Relevance{"colonisation.", "generator.kind", colonisation},
-    Relevance{"growth.", "generator.kind", growth},
+    Relevance{"growth.", "growth.habit", branching},
 };
 
 } // namespace

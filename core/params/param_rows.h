@@ -183,16 +183,15 @@ constexpr ParamDef pictureRow(const char* key, const char* group, KindBits kinds
                     RAMURE_NOOP("An image file that says how dull the surface is: white has no highlights.")};
         if (member == &P::height)
             return {RAMURE_NOOP("Height picture"),
-                    RAMURE_NOOP("An image file that says how far the surface stands out: white is highest. "
-                                "Normals are made "
-                                "of it where they have no picture.")};
+                    RAMURE_NOOP("An image file with the height of the surface: white is highest. If there is "
+                                "no picture of normals, they are computed from it.")};
         if (member == &P::occlusion)
             return {
                 RAMURE_NOOP("Occlusion picture"),
                 RAMURE_NOOP(
                     "An image file that says where little light gets to: black is the depth of a crack.")};
         return {RAMURE_NOOP("Opacity picture"),
-                RAMURE_NOOP("An image file that cuts the surface out: what is black is not there.")};
+                RAMURE_NOOP("An image file that cuts the surface out: black parts are invisible.")};
     };
     return row<Group, Member>({key, group, words(Member).first, words(Member).second}, ParamUnit::None, {},
                               Stage::Placement, paramPicture, kinds);

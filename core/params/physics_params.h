@@ -22,7 +22,8 @@ struct PhysicsParams
     double stepSeconds = 0.01;
     std::int64_t substeps = 1;
     double gravity = 1.0; ///< times the usual one
-    double damping = 0.7; ///< faithful: what a step leaves of the speed; robust: half a swing of the swing
+    /// Faithful: share of the speed after a step; robust: share of the swing after half a swing.
+    double damping = 0.7;
     double restitution = 1000.0;             ///< stiffness
     RestFrame restFrame = RestFrame::Parent; ///< robust only: SPEC A7 is in world space
     bool settled = true; ///< robust only: the modelled shape is the one that the tree's own weight has bent

@@ -1,5 +1,5 @@
 /// \file
-/// Image files that a surface wears, each in the place of what the program would make.
+/// Image files that replace the generated pictures of a surface.
 #pragma once
 
 #include <array>

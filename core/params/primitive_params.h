@@ -29,7 +29,7 @@ struct PrimitiveParams
     bool operator==(const PrimitiveParams&) const = default;
 };
 
-/// Of primitives and imported meshes.
+/// Surface of primitives and imported meshes.
 struct SurfaceParams
 {
     glm::dvec3 color{0.72, 0.72, 0.72}; ///< red, green, blue as screens have them, 0..1

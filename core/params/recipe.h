@@ -13,7 +13,7 @@ namespace ramure {
 /// Number of a step: 0 is the source that the recipe begins with, i > 0 is NodeParams::edits[i - 1].
 using StepNumber = std::size_t;
 
-/// The English name of a step: what it was called, else its kind's key, "weberPenn".
+/// Returns the English name of a step: its own name, else its kind's key, "weberPenn".
 std::string stepName(const NodeParams& params, StepNumber step);
 /// "1 weberPenn, 2 sag": for messages.
 std::string stepNames(const NodeParams& params);

@@ -14,7 +14,7 @@ enum class Stage : std::uint8_t {
     Sections,   ///< cross-sections with their frames
     Mesh,       ///< the continuous branch mesh and its report
     Foliage,    ///< leaves and apples
-    Placement,  ///< where the node stands: no geometry changes
+    Placement,  ///< the node's place: no geometry changes
     Motion,     ///< how it moves: nothing at rest changes
     Texture,    ///< how its surface is mapped: made when asked for, no geometry changes
 };

@@ -38,15 +38,15 @@ inline constexpr std::array stepRows{
         ParamUnit::Count, {1, 1000, 1, 40, 1, 0}, Stage::Skeleton, paramNone, stepOnly, stands<StandWay::Along>),
     row<&NodeParams::step, &StepParams::stand, &StandParams::from>(
         {"stand.from", standGroup, RAMURE_NOOP("From"),
-         RAMURE_NOOP("Where on the axis the lowest may grow, as a share of its length.")},
+         RAMURE_NOOP("Lowest place on the axis at which one may grow, as a share of the axis's length.")},
         ParamUnit::Share, {0, 1, 0, 1, 0.01, 2}, Stage::Skeleton, paramNone, stepOnly, stands<StandWay::Limbs, StandWay::Along>),
     row<&NodeParams::step, &StepParams::stand, &StandParams::to>(
         {"stand.to", standGroup, RAMURE_NOOP("To"),
-         RAMURE_NOOP("Where on the axis the highest may grow, as a share of its length.")},
+         RAMURE_NOOP("Highest place on the axis at which one may grow, as a share of the axis's length.")},
         ParamUnit::Share, {0, 1, 0, 1, 0.01, 2}, Stage::Skeleton, paramNone, stepOnly, stands<StandWay::Limbs, StandWay::Along>),
     row<&NodeParams::step, &StepParams::stand, &StandParams::angle>(
         {"stand.angle", standGroup, RAMURE_NOOP("Angle"),
-         RAMURE_NOOP("Between what grows and the axis that it grows on.")},
+         RAMURE_NOOP("Angle between a new shoot and the axis that carries it.")},
         ParamUnit::Radian, {0, pi, 0, pi / 2, pi / 180, 4}, Stage::Skeleton, paramNone, stepOnly, stands<StandWay::Along, StandWay::Tips>),
     row<&NodeParams::step, &StepParams::stand, &StandParams::size>(
         {"stand.size", standGroup, RAMURE_NOOP("Size"),
@@ -59,7 +59,7 @@ inline constexpr std::array stepRows{
         ParamUnit::Count, {1, 64, 1, 16, 1, 0}, Stage::Skeleton, paramAdvanced, stepOnly, stands<StandWay::Limbs, StandWay::Along, StandWay::Tips>),
     row<&NodeParams::step, &StepParams::stand, &StandParams::offset>(
         {"stand.offset", standGroup, RAMURE_NOOP("Place"),
-         RAMURE_NOOP("Where it stands, measured from the foot of the tree.")},
+         RAMURE_NOOP("Position relative to the foot of the tree.")},
         ParamUnit::Metre, {-1e4, 1e4, -5, 5, 0.1, 3}, Stage::Skeleton, paramNone, stepOnly, stands<StandWay::Ground>),
 
     row<&NodeParams::step, &StepParams::sag, &SagParams::amount>(
@@ -73,7 +73,7 @@ inline constexpr std::array stepRows{
         ParamUnit::None, {0.01, 1000, 1, 15, 0.1, 2}, Stage::Skeleton, paramNone, stepOnly),
     row<&NodeParams::step, &StepParams::sag, &SagParams::load>(
         {"sag.load", sagGroup, RAMURE_NOOP("Load of a metre"),
-         RAMURE_NOOP("What leaves and fruit weigh on one metre of twig thinner than a centimetre.")},
+         RAMURE_NOOP("Weight of leaves and fruit on one metre of twig thinner than a centimetre.")},
         ParamUnit::Kilogram, {0, 100, 0, 2, 0.01, 3}, Stage::Skeleton, paramNone, stepOnly),
 
     row<&NodeParams::step, &StepParams::gnarl, &GnarlParams::angle>(
@@ -103,22 +103,20 @@ inline constexpr std::array stepRows{
         ParamUnit::Share, {0, 1, 0, 1, 0.01, 2}, Stage::Skeleton, paramNone, stepOnly),
     row<&NodeParams::step, &StepParams::deadWood, &DeadWoodParams::length>(
         {"deadWood.length", deadWoodGroup, RAMURE_NOOP("Broken at"),
-         RAMURE_NOOP("Where dead limbs have broken off, on average, as a share of their length; 100 %: none has.")},
+         RAMURE_NOOP("Average place at which dead limbs have broken off, as a share of their length. At 100 % none is broken.")},
         ParamUnit::Share, {0.05, 1, 0.1, 1, 0.01, 2}, Stage::Skeleton, paramNone, stepOnly),
 
     row<&NodeParams::step, &StepParams::pipe, &PipeParams::exponent>(
         {"pipe.exponent", pipeGroup, RAMURE_NOOP("Exponent"),
-         RAMURE_NOOP("Of the radii that a branch carries added up: 2 keeps the area of the wood (Leonardo), 3 makes limbs thin "
-                     "more slowly. Most trees lie between 2 and 2.6.")},
+         RAMURE_NOOP("Exponent with which the radii of a branch's twigs add up to its own: 2 keeps the area of the wood (Leonardo), 3 makes limbs thin more slowly. Most trees lie between 2 and 2.6.")},
         ParamUnit::None, {1.2, 5, 1.8, 3, 0.05, 2}, Stage::Skeleton, paramNone, stepOnly),
     row<&NodeParams::step, &StepParams::pipe, &PipeParams::blend>(
         {"pipe.blend", pipeGroup, RAMURE_NOOP("Blend"),
-         RAMURE_NOOP("How far radii go from what they were to what the rule says.")},
+         RAMURE_NOOP("Blends from the old radii (0) to those of the rule (1).")},
         ParamUnit::Share, {0, 1, 0, 1, 0.01, 2}, Stage::Skeleton, paramNone, stepOnly),
     row<&NodeParams::step, &StepParams::pipe, &PipeParams::keepsFoot>(
         {"pipe.keepsFoot", pipeGroup, RAMURE_NOOP("Keep the foot"),
-         RAMURE_NOOP("The foot of each trunk keeps its radius, and the twigs get what that gives them. Off: twigs begin with the "
-                     "radius below.")},
+         RAMURE_NOOP("Each trunk keeps the radius of its foot, and the radii of the twigs follow. If off, twigs begin with the radius below.")},
         ParamUnit::None, {}, Stage::Skeleton, paramNone, stepOnly),
     row<&NodeParams::step, &StepParams::pipe, &PipeParams::tip>(
         {"pipe.tip", pipeGroup, RAMURE_NOOP("Radius of tips"),

@@ -1,6 +1,6 @@
 /// \file
-/// What a hand did to a tree: a list beside the parameters, applied in its order to what the generator grew
-/// (core/recipe/). Plain values; which of them an operation has stands in tree_edit_table.h.
+/// The steps of a tree's recipe: a list beside the parameters, applied in its order to the grown tree
+/// (core/recipe/). Plain values; tree_edit_table.h says which of them an operation has.
 #pragma once
 
 #include "core/base/shared_value.h"
@@ -15,24 +15,24 @@
 namespace ramure {
 
 enum class EditOperation : std::uint8_t {
-    Cut,       ///< what lies above `at` goes, or falls; a closed end stays
+    Cut,       ///< removes the wood above `at`, or lets it fall; a closed end stays
     Remove,    ///< the limb goes, with all on it
-    Keep,      ///< all goes but the limb, what is on it and the way down to the ground
-    Bend,      ///< what lies above `from` is turned, bit by bit up to `to` where that is above
+    Keep,      ///< keeps a limb with its twigs and the wood down to the ground, and removes the rest
+    Bend,      ///< turns the wood above `from`, gradually up to `to` if that is above
     Curl,      ///< turned bit by bit between `from` and `to`
-    Twist,     ///< what grows on the axis is turned about it, by `angleRad` at the tip
+    Twist,     ///< turns the limbs of an axis about it, by `angleRad` at the tip
     Length,    ///< times `factor`
     Thickness, ///< radii times `factor`
     Taper,     ///< radii times `factor` at the tip, unchanged at the foot
     Draw,      ///< a new axis along `points`, at `at` of the target
     Extend,    ///< the tip goes on along `points`
-    Redraw,    ///< the axis gets another way, what grows on it follows
+    Redraw,    ///< gives the axis another course; its limbs follow
     Graft,     ///< a copy of a limb, at `at` of the target
     Move,      ///< the limb is put at `at` of its parent, or of another axis
-    Prune,     ///< what stands out of a shape is cut
+    Prune,     ///< cuts the wood outside a shape
     Attract,   ///< branches within a sphere turn towards its centre, or away from it
     Comb,      ///< branches within a sphere turn into a direction
-    Leaves,    ///< those of a limb, or without a target within a sphere, are shown or hidden
+    Leaves,    ///< shows or hides the leaves of a limb, or without a target those within a sphere
     Root,      ///< the foot stands elsewhere, and flares
     Place,     ///< one leaf, fruit or flower, at `at` of the target, on the side of `azimuth`
     // Modifiers and sources: no hand made them, and their values are rows of the parameter table.
@@ -47,15 +47,16 @@ enum class EditOperation : std::uint8_t {
     Colonisation,
     Growth,
     Frozen,  ///< the tree as it was behind the steps before, which do not run
-    Unknown, ///< of a file that a newer version has written: kept, and does nothing
+    Unknown, ///< from the file of a newer version: kept without effect
 };
 inline constexpr std::size_t editOperationCount = static_cast<std::size_t>(EditOperation::Unknown) + 1;
 
-/// What Place puts there. The tree says what its fruit are: a flower is one where it blooms.
+/// What Place puts on a branch. The tree's parameters say what its fruit are; in bloom a fruit is a flower.
 enum class EditOrgan : std::uint8_t { Leaf, Fruit, Flower };
 
-/// An axis. Of those that grew, its place in the tree as grown, before any edit, so that the edit finds it in
-/// a changed tree; of one that an edit made, its name alone.
+/// The axis that a step acts on. A grown axis is described by its place in the tree as grown, before any
+/// edit, so that the edit finds it in a changed tree. An axis that an edit made is known by its address
+/// alone.
 struct EditTarget
 {
     std::uint64_t address = 0; ///< Axis::address; 0: none
@@ -64,11 +65,11 @@ struct EditTarget
     bool operator==(const EditTarget&) const = default;
 };
 
-/// Of a stroke, of an axis that is drawn.
+/// One point of a stroke or of a drawn axis.
 struct StrokePoint
 {
     glm::dvec3 position{0.0}; ///< m
-    double radius = 0.0;      ///< m; 0: as what it continues
+    double radius = 0.0;      ///< m; 0: like the axis that it continues
     bool operator==(const StrokePoint&) const = default;
 };
 
@@ -83,7 +84,7 @@ struct EditShape
     std::array<double, 6> numbers{0.0, 0.0, 0.0, 1.0, 0.0, 0.0};
     /// Profile: radius and height above the foot, upwards, and 0; it turns about the vertical. Mesh: corners.
     std::vector<glm::dvec3> points{};
-    std::vector<std::array<std::uint32_t, 3>> triangles{}; ///< of a closed mesh
+    std::vector<std::array<std::uint32_t, 3>> triangles{}; ///< triangles of a closed mesh
     bool operator==(const EditShape&) const = default;
 };
 
@@ -134,14 +135,14 @@ private:
     std::shared_ptr<const NodeParams> m_params;
 };
 
-/// One step of a tree's recipe behind the source that it begins with: what a hand did, a modifier, or another
-/// source. Vectors are in the frame that the parent carries to the fork, x and y along its normal and
-/// binormal, z along its tangent (Axis::azimuth is measured in the same), so that they keep their meaning
-/// when the tree changes; those of Prune, Attract, Comb and Root in tree space. Shares are of the axis'
-/// length as the edits before left it.
+/// One step of a tree's recipe after its first source: a hand edit, a modifier, or another source. Vectors
+/// are in the frame that the parent carries to the fork, x and y along its normal and binormal, z along its
+/// tangent (Axis::azimuth is measured in the same), so that they keep their meaning when the tree changes.
+/// Vectors of Prune, Attract, Comb and Root are in tree space. Shares refer to the axis's length after the
+/// steps before.
 struct TreeEdit
 {
-    std::uint64_t id = 0; ///< unlike those of the tree's other edits; the address of an axis that it draws
+    std::uint64_t id = 0; ///< unique in the tree; for an edit that draws an axis, the address of that axis
     std::string name{};   ///< empty: that of the operation
     EditOperation operation = EditOperation::Remove;
     bool enabled = true;
@@ -159,9 +160,9 @@ struct TreeEdit
     glm::dvec3 direction{0.0, 1.0, 0.0};
     glm::dvec3 centre{0.0}; ///< m, of a brush
     glm::dvec3 offset{0.0}; ///< m
-    bool below = false;     ///< also what grows on the axis; Draw: as on a limb beside it
+    bool below = false; ///< also acts on the limbs of the axis; Draw: the axis grows like a limb beside it
     bool shown = true;
-    bool falls = false;   ///< Cut: what is cut off stays in its place, and falls when the physics plays
+    bool falls = false;   ///< Cut: the cut part stays in its place, and falls when the physics plays
     double seconds = 0.0; ///< Cut: when it comes off
     /// Cut, Remove and Prune: the age of a growing tree, in years, at which it is done: younger trees are
     /// without it, and older ones have answered (growth_history.h). 0: it is done to the tree as it has
@@ -175,10 +176,10 @@ struct TreeEdit
     std::vector<LimbPiece> limb{};
     StepValues values{};
     SharedValue<FrozenTree> frozen{};
-    /// Of the algorithm: a saved tree grows as it did when a later version of the program grows others
-    /// better.
+    /// Version of the algorithm. A saved tree keeps its version and grows as before, even if a later version
+    /// of the program grows other trees better.
     std::int64_t version = 1;
-    std::string kept{}; ///< Unknown: what the file says of it, as JSON
+    std::string kept{}; ///< Unknown: the step's JSON in the file
     bool operator==(const TreeEdit&) const = default;
 };
 

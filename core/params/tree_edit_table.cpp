@@ -54,7 +54,7 @@ constexpr EditOperationInfo operations[] = {
     {EditOperation::DeadWood, "deadWood", RAMURE_NOOP("Dead wood"), "target", "", 0, StepGroup::Modifier,
      RAMURE_NOOP("Some limbs have died and lost their twigs"), "step. deadWood.", "order = 1"},
     {EditOperation::Pipe, "pipe", RAMURE_NOOP("Thickness by the pipe rule"), "target", "", 0,
-     StepGroup::Modifier, RAMURE_NOOP("Wood is as thick as what it carries needs"), "step.where pipe."},
+     StepGroup::Modifier, RAMURE_NOOP("Makes wood as thick as its load requires"), "step.where pipe."},
     {EditOperation::Flare, "flare", RAMURE_NOOP("Flare"), "target", "", 0, StepGroup::Modifier,
      RAMURE_NOOP("The foot of the trunk swells"), "step.where flare.", "order = 0"},
     {EditOperation::GrowOn, "growOn", RAMURE_NOOP("Grow on"), "target", "", 0, StepGroup::Modifier,
@@ -63,7 +63,9 @@ constexpr EditOperationInfo operations[] = {
      "growth.internode growth.phyllotaxis growth.divergence growth.axil growth.whorl growth.endBuds "
      "growth.acrotony growth.branching growth.shortShoots growth.orders growth.shadeTolerance "
      "growth.shedding growth.light growth.apicalControl growth.sideLength growth.upright growth.weeping "
-     "growth.plagiotropy growth.wander growth.pipeExponent growth.tipRadius growth.droop growth.reaction"},
+     "growth.plagiotropy growth.wander growth.pipeExponent growth.tipRadius growth.droop growth.reaction "
+     "growth.wind growth.windDirection growth.sideLight growth.lightDirection growth.slope "
+     "growth.slopeDirection"},
     {EditOperation::Grammar, "grammar", RAMURE_NOOP("Grammar"), "target", "", 0, StepGroup::Source,
      RAMURE_NOOP("Twigs or trees that rules draw"), "step. stand. grammar. turtle. variation.", "order = 1"},
     {EditOperation::WeberPenn, "weberPenn", RAMURE_NOOP("Weber and Penn"), "target", "", 0, StepGroup::Source,
@@ -76,7 +78,7 @@ constexpr EditOperationInfo operations[] = {
      RAMURE_NOOP("Shoots that compete for light, year by year"), "step. stand. growth.", "order = 1"},
     {EditOperation::Frozen, "frozen", RAMURE_NOOP("Frozen tree"), "target", "", editFrozen, StepGroup::Hand,
      RAMURE_NOOP(
-         "Holds what the steps above have made: they do not run until it is switched off or deleted")},
+         "Holds the result of the steps above: they do not run until this step is switched off or deleted")},
     {EditOperation::Unknown, "", RAMURE_NOOP("Unknown step"), "target", "", 0, StepGroup::Unknown},
 };
 static_assert(std::size(operations) == editOperationCount);

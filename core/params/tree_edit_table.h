@@ -41,7 +41,7 @@ enum EditField : std::uint32_t {
     editYear = 33554432,   ///< TreeEdit::year
 };
 
-/// Whose doing a step is.
+/// The origin of a step, for grouping.
 enum class StepGroup : std::uint8_t { Hand, Modifier, Source, Unknown };
 
 struct EditOperationInfo
@@ -55,7 +55,7 @@ struct EditOperationInfo
     StepGroup group = StepGroup::Hand;
     const char* tip = "";   ///< one line for a menu, RAMURE_NOOP; modifiers and sources have one
     const char* rows = "";  ///< prefixes of the parameters that it has, with a blank between
-    const char* where = ""; ///< of a new step
+    const char* where = ""; ///< default condition of a new step
     std::int64_t version = 1;
 };
 /// One per operation, in their order.
@@ -63,16 +63,16 @@ std::span<const EditOperationInfo> editOperations();
 const EditOperationInfo& infoOf(EditOperation operation);
 /// Null: there is none of that key.
 const EditOperationInfo* editOperationOf(std::string_view key);
-/// The rows of paramTable(), and behind them those that steps alone have. findParam() knows all of them.
+/// The rows of paramTable(), followed by those that only steps have. findParam() knows all of them.
 std::span<const ParamDef> allParams();
 /// The parameters of a step, whose values are in TreeEdit::values; none of a hand edit.
 std::span<const ParamDef* const> stepParams(EditOperation operation);
 /// A step as a new one begins, without an id.
 TreeEdit newStep(EditOperation operation);
-/// The same with the values that \p like has of its kind: those of a preset, say.
+/// Makes a step with the values that \p like has for its kind, for example those of a preset.
 TreeEdit newStep(EditOperation operation, const NodeParams& like);
 
-/// How many steps do not run, because the last of them holds what they have made; 0: none is frozen.
+/// Returns the number of steps that do not run because a frozen step holds their result; 0: none is frozen.
 std::size_t stepsFrozen(std::span<const TreeEdit> steps);
 
 struct EditNumber
@@ -105,7 +105,7 @@ struct EditShapeInfo
 {
     EditShapeKind kind;
     const char* key;     ///< "sphere"
-    std::size_t numbers; ///< of EditShape::numbers
+    std::size_t numbers; ///< numbers of EditShape
 };
 std::span<const EditShapeInfo> editShapes();
 
@@ -118,7 +118,7 @@ struct EditOrganInfo
 /// In the order of EditOrgan.
 std::span<const EditOrganInfo> editOrgans();
 
-/// Of a stroke or a limb.
+/// Most points of a stroke or a limb.
 inline constexpr std::size_t mostEditPoints = 100'000;
 inline constexpr std::size_t mostShapeTriangles = 1'000'000;
 
@@ -126,7 +126,7 @@ inline constexpr std::size_t mostShapeTriangles = 1'000'000;
 /// or out of range, too few points or too many, a shape without extent, a limb whose pieces do not follow
 /// each other.
 Expected<void> checkTreeEdit(const TreeEdit& edit);
-/// Of a list. Errors: those of checkTreeEdit, Invalid (id 0, or twice); path = "edits[3].at".
+/// Checks a list. Errors: those of checkTreeEdit, Invalid (id 0, or twice); path = "edits[3].at".
 Expected<void> checkTreeEdits(std::span<const TreeEdit> edits);
 
 /// A name for a new edit that is unlike all of the list's: the same list and edit give the same one.

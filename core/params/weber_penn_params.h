@@ -35,10 +35,10 @@ enum class CrownShape : std::uint8_t {
     Flame,
     InverseConical,
     TendFlame,
-    Envelope, ///< as the pruning envelope says
+    Envelope, ///< shaped by the pruning envelope
 };
 
-/// Of the stems of one level; level 0 is the trunk.
+/// Parameters of the stems of one level; level 0 is the trunk.
 struct WeberPennLevel
 {
     double length = 1.0; ///< share of the parent's; of the trunk, of the scale
@@ -49,7 +49,7 @@ struct WeberPennLevel
     double splitAngle = 0.0, splitAngleV = 0.0;
     std::int64_t curveRes = 3; ///< pieces
     double curve = 0.0, curveBack = 0.0, curveV = 0.0;
-    double downAngle = 0.0, downAngleV = 0.0; ///< of the trunk against the vertical
+    double downAngle = 0.0, downAngleV = 0.0; ///< for the trunk against the vertical
     double rotate = 0.0, rotateV = 0.0;
     std::int64_t branches = 1; ///< stems of this level that a stem of the one below carries; trunks
     bool operator==(const WeberPennLevel&) const = default;
@@ -68,7 +68,8 @@ struct WeberPennParams
     double lobeDepth = 0.07;
     double flare = 0.6;
     double attractionUp = 0.5;
-    double clearance = 0.0; ///< m that limbs and what they carry stay above the ground; 0: they may go below
+    /// M above the ground below which no limb or twig sinks; 0: they may sink below it.
+    double clearance = 0.0;
     double pruneRatio = 0.0, pruneWidth = 0.5, pruneWidthPeak = 0.5;
     double prunePowerLow = 0.5, prunePowerHigh = 0.5;
     std::array<WeberPennLevel, weberPennLevels> level = aspenLevels();

@@ -59,7 +59,7 @@ inline constexpr std::array weberPennRows{
         ParamUnit::None, {}, paramNumbered),
     wholeRow<&WeberPennParams::scale>(
         "weberPenn.scale", RAMURE_NOOP("Height"),
-        RAMURE_NOOP("What the length of the trunk is a share of."),
+        RAMURE_NOOP("Size of the tree; the length of the trunk is a share of it."),
         ParamUnit::Metre, {1e-3, 1000, 0.5, 60, 0.1, 3}), // far enough for a slider by ratios
     wholeRow<&WeberPennParams::scaleV>(
         "weberPenn.scaleV", RAMURE_NOOP("Height varies"),
@@ -84,8 +84,7 @@ inline constexpr std::array weberPennRows{
         ParamUnit::None, {0, 10, 0.5, 3, 0.05, 3}),
     wholeRow<&WeberPennParams::flare>(
         "weberPenn.flare", RAMURE_NOOP("Flare"),
-        RAMURE_NOOP("By how much the trunk is thicker at the ground than its cone, as a share of its radius; negative, "
-                    "thinner."),
+        RAMURE_NOOP("Extra thickness of the trunk at the ground, as a share of its radius. Negative values make it thinner."),
         ParamUnit::Ratio, {-1, 10, 0, 2, 0.05, 3}),
     wholeRow<&WeberPennParams::lobes>(
         "weberPenn.lobes", RAMURE_NOOP("Lobes"),
@@ -102,8 +101,7 @@ inline constexpr std::array weberPennRows{
         ParamUnit::None, {-10, 10, -4, 4, 0.1, 3}),
     wholeRow<&WeberPennParams::clearance>(
         "weberPenn.clearance", RAMURE_NOOP("Ground clearance"),
-        RAMURE_NOOP("Limbs that sink so low go on level, and what they carry ends above the ground; 0: they may grow "
-                    "below it."),
+        RAMURE_NOOP("Limbs that sink to this height continue level, and their twigs end above the ground. At 0 they may grow below the ground."),
         ParamUnit::Metre, {0, 1000, 0, 3, 0.05, 3}),
     wholeRow<&WeberPennParams::pruneRatio>(
         "weberPenn.pruneRatio", RAMURE_NOOP("Pruning"),
@@ -111,11 +109,11 @@ inline constexpr std::array weberPennRows{
         ParamUnit::Ratio, {0, 1, 0, 1, 0.05, 3}),
     wholeRow<&WeberPennParams::pruneWidth>(
         "weberPenn.pruneWidth", RAMURE_NOOP("Envelope width"),
-        RAMURE_NOOP("Half the width of the pruning envelope where it is widest, as a share of the height."),
+        RAMURE_NOOP("Half the greatest width of the pruning envelope, as a share of the height."),
         ParamUnit::Ratio, {0, 10, 0, 1, 0.01, 3}, paramNone, isPruned),
     wholeRow<&WeberPennParams::pruneWidthPeak>(
         "weberPenn.pruneWidthPeak", RAMURE_NOOP("Widest at"),
-        RAMURE_NOOP("Where the envelope is widest: 0 at the base of the crown, 1 at its top."),
+        RAMURE_NOOP("Height at which the envelope is widest: 0 at the base of the crown, 1 at its top."),
         ParamUnit::Ratio, {0, 1, 0, 1, 0.01, 3}, paramNone, hasEnvelope),
     wholeRow<&WeberPennParams::prunePowerLow>(
         "weberPenn.prunePowerLow", RAMURE_NOOP("Curve below"),
@@ -146,7 +144,7 @@ template <std::size_t n> inline constexpr std::array weberPennLevel{
         ParamUnit::Count, {0, 10000, 0, 100, 1, 0}),
     levelRow<n, "length", &WeberPennLevel::length>(
         RAMURE_NOOP("Length"),
-        RAMURE_NOOP("As a share of the stem that carries it; of the trunk, of the height."),
+        RAMURE_NOOP("Length as a share of the parent stem's. For the trunk, a share of the tree's height."),
         ParamUnit::Ratio, {0, 100, 0, 2, 0.01, 3}),
     levelRow<n, "lengthV", &WeberPennLevel::lengthV>(
         RAMURE_NOOP("Length varies"),
@@ -159,8 +157,7 @@ template <std::size_t n> inline constexpr std::array weberPennLevel{
         ParamUnit::None, {0, 3, 0, 3, 0.05, 3}),
     levelRow<n, "downAngle", &WeberPennLevel::downAngle>(
         RAMURE_NOOP("Angle to the parent"),
-        RAMURE_NOOP("Between a stem and the one that carries it: 0 goes on straight, a quarter turn stands away. Of the "
-                    "trunk, between it and the vertical. Negative: to the other side."),
+        RAMURE_NOOP("Angle between a stem and its parent: 0 continues straight, a quarter turn stands off at a right angle. For the trunk, the angle to the vertical. Negative: to the other side."),
         ParamUnit::Radian, {-pi, pi, 0, pi, pi / 180, 4}),
     levelRow<n, "downAngleV", &WeberPennLevel::downAngleV>(
         RAMURE_NOOP("Angle varies"),
@@ -181,12 +178,11 @@ template <std::size_t n> inline constexpr std::array weberPennLevel{
         ParamUnit::Count, {1, 64, 1, 20, 1, 0}),
     levelRow<n, "curve", &WeberPennLevel::curve>(
         RAMURE_NOOP("Curve"),
-        RAMURE_NOOP("By how much a stem bends from its foot to its tip: away from the stem that carries it, or towards it "
-                    "where it is negative."),
+        RAMURE_NOOP("Angle by which a stem bends from its foot to its tip, away from its parent. A negative angle bends it towards the parent."),
         ParamUnit::Radian, turns),
     levelRow<n, "curveBack", &WeberPennLevel::curveBack>(
         RAMURE_NOOP("Curve back"),
-        RAMURE_NOOP("Where it is not 0, the first half of a stem bends by the curve, the second by this."),
+        RAMURE_NOOP("If it is not 0, the first half of a stem bends by the curve, the second half by this angle."),
         ParamUnit::Radian, turns),
     levelRow<n, "curveV", &WeberPennLevel::curveV>(
         RAMURE_NOOP("Curve varies"),
@@ -202,7 +198,7 @@ template <std::size_t n> inline constexpr std::array weberPennLevel{
         ParamUnit::Ratio, {0, 4, 0, 1, 0.05, 3}),
     levelRow<n, "splitAngle", &WeberPennLevel::splitAngle>(
         RAMURE_NOOP("Split angle"),
-        RAMURE_NOOP("How far the stems of a split turn away from each other; less where they stand upright no more."),
+        RAMURE_NOOP("How far the stems of a split turn away from each other. Leaning stems turn less."),
         ParamUnit::Radian, {0, pi, 0, pi / 2, pi / 180, 4}),
     levelRow<n, "splitAngleV", &WeberPennLevel::splitAngleV>(
         RAMURE_NOOP("Split angle varies"),

@@ -1,7 +1,7 @@
 #include "core/pipeline/bark_feet.h"
 
 #include "core/base/parallel.h"
-#include "core/surface/mesher/bark_place.h"
+#include "core/surface/foliage/bark_place.h"
 
 namespace ramure {
 namespace {

@@ -3,6 +3,7 @@
 /// skeleton, that is not where a branch's plain curve and radius are.
 #pragma once
 
+#include "core/base/progress.h"
 #include "core/surface/foliage/foliage.h"
 #include "core/surface/mesher/branch_mesh.h"
 

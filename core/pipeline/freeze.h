@@ -1,5 +1,5 @@
 /// \file
-/// Keeping what the first steps of a recipe have made, so that they need not run again.
+/// Freezes the first steps of a recipe: their result is kept, so that they need not run again.
 #pragma once
 
 #include "core/base/error.h"
@@ -8,9 +8,8 @@
 
 namespace ramure {
 
-/// The list of steps with one more behind the first \p count, which holds the tree as they have made it
-/// (EditOperation::Frozen). Errors: those of the generator; Invalid: a later step is frozen already;
-/// Cancelled.
+/// Returns the list with a frozen step (EditOperation::Frozen) after the first \p count, which holds their
+/// result. Errors: those of the generator; Invalid: a later step is frozen already; Cancelled.
 Expected<std::vector<TreeEdit>> frozenBehind(const NodeParams& tree, std::size_t count,
                                              const Progress& progress = {});
 

@@ -1,6 +1,6 @@
 /// \file
-/// Moves branches that collide apart (SPEC A9): of each pair the thinner one, or what it grows on, is turned
-/// about its start, as little as it takes; what grows on it follows, and lengths stay.
+/// Moves branches that collide apart (SPEC A9). From each pair the thinner one, or its parent, is turned
+/// about its start, as little as possible. Its twigs follow, and lengths stay.
 #pragma once
 
 #include "core/pipeline/tree_pipeline.h"
@@ -13,8 +13,8 @@ struct SeparateOptions
 {
     int rounds = 12;          ///< at most so many meshes are built and looked at
     double clearance = 0.15;  ///< free space between two branches, as a share of their added radii
-    double mostTurnRad = 0.7; ///< of one branch in one round
-    unsigned threads = 0;     ///< of the search for crossings; the result is the same for any number
+    double mostTurnRad = 0.7; ///< most turn of one branch in one round
+    unsigned threads = 0;     ///< threads that search for crossings; their number does not change the result
 };
 
 struct Separation
@@ -24,10 +24,9 @@ struct Separation
     std::vector<Collision> rest;                 ///< and still do; never more than before
 };
 
-/// Turns, builds the mesh, looks what still crosses, and goes on while that gets better: fewer pairs, no more
-/// crossings at forks than there were, and a valid mesh. A round that made things worse is taken back in part
-/// or as a whole.
-/// Errors: those of the pipeline and of analyseMesh; Cancelled.
+/// Turns branches, builds the mesh and searches for crossings again, as long as this improves the tree: fewer
+/// pairs, no more crossings at forks than before, and a valid mesh. A round that made things worse is taken
+/// back in part or as a whole. Errors: those of the pipeline and of analyseMesh; Cancelled.
 Expected<Separation> separateBranches(TreePipeline& pipeline, const NodeParams& params,
                                       const SeparateOptions& options = {}, const Progress& progress = {});
 

@@ -89,11 +89,11 @@ void add(StageHash& hash, const TreeEdit& edit)
     hash.add(edit.version);
 }
 
-/// What the history of a growing tree is made from beside its parameters.
+/// What the history of a growing tree is made from beside its parameters, but for its years.
 std::uint64_t lifeHash(std::uint64_t before, const NodeParams& params)
 {
     StageHash hash(before);
-    hash.add(historyYears(params)).add(params.growth.space.hash);
+    hash.add(params.growth.space.hash);
     for (const TreeEdit& edit : params.edits)
         if (growthYears(params) > 0.0 && edit.year > 0.0 && canLiveOn(edit))
             add(hash, edit);
@@ -115,8 +115,10 @@ StageHashes::StageHashes(const NodeParams& params)
         add(hash, def.get(params));
         of(def.stage) = hash.value();
     }
-    if (params.generator.kind == TreeGenerator::Growth)
-        of(Stage::Symbols) = lifeHash(of(Stage::Symbols), params);
+    if (params.generator.kind == TreeGenerator::Growth) {
+        m_life = lifeHash(of(Stage::Symbols), params);
+        of(Stage::Symbols) = StageHash(m_life).add(historyYears(params)).value();
+    }
     if (params.generator.kind == TreeGenerator::Colonisation && params.colonisation.space.hash != 0)
         of(Stage::Skeleton) = StageHash(of(Stage::Skeleton)).add(params.colonisation.space.hash).value();
     // So far each has its own parameters alone: now what comes before it too.

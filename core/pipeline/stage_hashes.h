@@ -1,6 +1,6 @@
 /// \file
-/// What the stages of a tree are made from, each as one number: equal numbers, equal results. Made from the
-/// parameter table, whose rows say the first stage that they affect.
+/// One hash per stage of a tree, made from all inputs of the stage: equal hashes mean equal results. The
+/// parameter table says which stage a parameter affects first.
 #pragma once
 
 #include "core/params/node_params.h"
@@ -14,18 +14,22 @@ class StageHashes
 public:
     explicit StageHashes(const NodeParams& params);
 
-    /// Of all inputs of a stage, those of the stages before it included. Placement and Motion have none here:
-    /// the pipeline does not make them.
+    /// Returns the hash of all inputs of a stage, including the stages before it. Placement and Motion have
+    /// none here, because the pipeline does not make them.
     [[nodiscard]] std::uint64_t operator[](Stage stage) const
     {
         return m_hashes[static_cast<std::size_t>(stage)];
     }
 
-    /// Of what the generator makes, before any edit.
+    /// Hash of the inputs of the generator, before any edit.
     [[nodiscard]] std::uint64_t grown() const { return m_grown; }
 
+    /// Of what a growing tree lives by, whatever its age: trees of one life are one tree at several ages. 0:
+    /// it does not grow by years.
+    [[nodiscard]] std::uint64_t life() const { return m_life; }
+
 private:
-    std::uint64_t m_grown = 0;
+    std::uint64_t m_grown = 0, m_life = 0;
     std::array<std::uint64_t, stageCount> m_hashes{};
 };
 

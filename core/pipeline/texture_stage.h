@@ -1,6 +1,6 @@
 /// \file
-/// The stage of texture coordinates: made when somebody asks for them, then kept beside the mesh that they
-/// are of. Views, files and checks all ask it.
+/// The stage of texture coordinates: they are computed at the first request, then kept beside their mesh.
+/// Views, files and checks all ask it.
 #pragma once
 
 #include "core/pipeline/stage_cache.h"
@@ -18,7 +18,8 @@ public:
     /// \param rest of a tree at rest: it keeps its texture while it moves.
     explicit TextureStage(std::shared_ptr<const BranchMesh> rest);
 
-    /// From any thread; two that ask at once may both compute. Errors: those of textureCoordinates.
+    /// May be called from any thread; two simultaneous callers may both compute. Errors: those of
+    /// textureCoordinates.
     Expected<std::shared_ptr<const TextureCoordinates>> coordinates(const TextureParams& params,
                                                                     const Progress& progress = {}) const;
     /// The memory of the coordinates that are kept, without the mesh. From any thread.

@@ -5,14 +5,17 @@
 #include "core/params/tree_edit_table.h"
 #include "core/pipeline/bark_feet.h"
 #include "core/pipeline/draft_tubes.h"
+#include "core/pipeline/longest_life.h"
 #include "core/pipeline/stage_cache.h"
 #include "core/pipeline/stage_hashes.h"
 #include "core/recipe/edit_context.h"
 #include "core/skeleton/bend.h"
 #include "core/skeleton/edit_places.h"
 #include "core/skeleton/packed_skeleton.h"
-#include "core/surface/mesher/cut_wood.h"
+#include "core/surface/foliage/place_foliage.h"
+#include "core/surface/mesher/build_branch_mesh.h"
 #include "core/surface/mesher/mesh_divisions.h"
+#include "core/surface/texture/cut_wood.h"
 #include <algorithm>
 #include <chrono>
 #include <numeric>
@@ -240,13 +243,14 @@ Expected<MeshedFoliage> meshFoliage(const Skeleton& skeleton, const NodeParams& 
     RAMURE_TRY(placed);
     if (branches)
         standOnBark(*placed, *branches, skeleton.size(), trunkRadius(params), progress);
-    if (progress.cancelled())
-        return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
     const auto foliage = std::make_shared<const Foliage>(std::move(*placed));
     const double alpha = trunkRadius(params);
-    return MeshedFoliage{
-        foliage, std::make_shared<const TriangleMesh>(buildLeaves(skeleton, *foliage, alpha, model)),
-        std::make_shared<const TriangleMesh>(buildApples(skeleton, *foliage, alpha, FoliageModel::Fine))};
+    TriangleMesh leaves = buildLeaves(skeleton, *foliage, alpha, model, progress);
+    TriangleMesh apples = buildApples(skeleton, *foliage, alpha, FoliageModel::Fine, progress);
+    if (progress.cancelled())
+        return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
+    return MeshedFoliage{foliage, std::make_shared<const TriangleMesh>(std::move(leaves)),
+                         std::make_shared<const TriangleMesh>(std::move(apples))};
 }
 
 } // namespace
@@ -254,6 +258,7 @@ Expected<MeshedFoliage> meshFoliage(const Skeleton& skeleton, const NodeParams& 
 struct TreePipeline::Cache
 {
     StageCache<GrownSymbols> symbols{bytesOf};
+    LongestLife life;
     StageCache<Skeleton> skeleton{bytesOf};
     StageCache<TreeAxes> axes{bytesOf}; ///< of trees with edits, as they have grown
     StageCache<EditedTree> edited{bytesOf};
@@ -354,7 +359,11 @@ private:
             return {};
         }
         return cached(m_cache.symbols, m_hashes[Stage::Symbols], m_progress,
-                      [&] { return growSymbols(m_params, m_progress.part(0.0, 0.05)); })
+                      [&] {
+                          const Progress progress = m_progress.part(0.0, 0.05);
+                          return m_hashes.life() != 0 ? m_cache.life.grow(m_hashes.life(), m_params, progress)
+                                                      : growSymbols(m_params, progress);
+                      })
             .map([&](auto made) {
                 m_result.symbols = std::shared_ptr<const std::string>(made, &made->letters);
                 m_grown = std::move(made);

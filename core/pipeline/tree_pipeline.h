@@ -1,6 +1,6 @@
 /// \file
-/// From parameters to meshes: the stages in their order, each result kept under a hash of what it was made
-/// from. Nobody marks dirt: undo and redo find their results in the cache.
+/// Turns parameters into meshes: runs the stages in their order and keeps each result under a hash of its
+/// inputs. Nothing has to be marked as changed: undo and redo find their results in the cache.
 #pragma once
 
 #include "core/base/error.h"
@@ -25,18 +25,19 @@ class EditContext;
 struct TreeResult
 {
     std::shared_ptr<const std::string> symbols; ///< empty where no grammar grows
-    std::shared_ptr<const Skeleton> grown;      ///< as the generator made it
+    std::shared_ptr<const Skeleton> grown;      ///< the result of the generator
     std::shared_ptr<const Skeleton> skeleton;   ///< with the edits of the tree; without any the same as grown
-    std::shared_ptr<const EditReport> edits;    ///< what became of them; null: there are none
+    std::shared_ptr<const EditReport> edits;    ///< what each step did; null: there are no steps
     std::shared_ptr<const EditContext> edited;  ///< the tree for edits behind those; null: there are none
     std::shared_ptr<const SimplifiedSkeleton>
         simplified;                             ///< equal to the skeleton where simplify.enabled is off
-    std::shared_ptr<const SectionSet> sections; ///< of the simplified skeleton
-    std::shared_ptr<const BranchMesh> branches; ///< branch ids are those of the simplified skeleton
+    std::shared_ptr<const SectionSet> sections; ///< sections of the simplified skeleton
+    std::shared_ptr<const BranchMesh> branches; ///< branch ids refer to the simplified skeleton
     std::shared_ptr<const TriangleMesh> cuts;   ///< cutWood on the branch mesh; null: nothing was cut
-    /// Of the branch mesh, as it is at rest.
+    /// Texture of the branch mesh at rest.
     std::shared_ptr<const TextureStage> texture;
-    std::shared_ptr<const MeshReport> report; ///< of the branch mesh; OpenMesh asked only if wanted
+    /// Check of the branch mesh; includes OpenMesh's opinion only if wanted.
+    std::shared_ptr<const MeshReport> report;
     /// Drafts only, in place of branches and report: open tubes to look at.
     std::shared_ptr<const TriangleMesh> draftTubes;
     std::shared_ptr<const Foliage> foliage;
@@ -57,14 +58,14 @@ public:
     TreePipeline& operator=(const TreePipeline&) = delete;
 
     /// Runs the stages up to \p last that are not in the cache. Not thread-safe: one pipeline per thread.
-    /// Errors: those of checkParams and of the stages, path = the parameter key where one is to blame; Limit
-    /// where the mesh would have more than maxMeshFaces (found before memory is taken); Cancelled. No failure
-    /// is kept.
+    /// Errors: those of checkParams and of the stages, path = the key of the parameter that caused it, if
+    /// any; Limit if the mesh would have more than maxMeshFaces (found before memory is taken); Cancelled.
+    /// Failures are not cached.
     Expected<TreeResult> evaluate(const NodeParams& params, Stage last = Stage::Foliage,
                                   const Progress& progress = {});
-    /// A cheap picture of the same parameters: everything but the mesh and its report, in their place
-    /// draftTubes, with fewer cross-sections where there are very many branches. Where the mesh is in the
-    /// cache, the full result. Errors as above.
+    /// Computes a cheap preview of the same parameters: everything but the mesh and its report. draftTubes
+    /// stands in their place, with fewer cross-sections if there are very many branches. If the mesh is in
+    /// the cache, the full result is returned. Errors as above.
     Expected<TreeResult> evaluateDraft(const NodeParams& params, const Progress& progress = {});
     /// Most results kept per stage (default 8, at least 1); the oldest go first.
     void setCacheSize(std::size_t perStage);

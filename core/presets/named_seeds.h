@@ -1,5 +1,5 @@
 /// \file
-/// Seeds of each species that are worth a look, named by what sets their trees apart.
+/// Seeds of each species that are worth a look, named after the special features of their trees.
 #pragma once
 
 #include <array>

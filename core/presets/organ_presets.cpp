@@ -115,7 +115,7 @@ std::vector<Preset> organPresets()
          paramsOf({"!(0.14)F(0.06)K(0)", bambooRules, 26, LeafShape::Bamboo, 1, 0.6, BarkFamily::Bamboo,
                    FruitKind::Faithful, true}),
          "Bambusa textilis", group},
-        {"CoconutPalm", RAMURE_NOOP("A slim leaning trunk with a mop of feather fronds"),
+        {"CoconutPalmRules", RAMURE_NOOP("A slim leaning trunk with a mop of feather fronds"),
          paramsOf({coconutAxiom, coconutRules, 26, LeafShape::Willow, 0.36, 0.5, BarkFamily::PalmScars,
                    FruitKind::Coconut, false, 16, 2}),
          "Cocos nucifera", group},

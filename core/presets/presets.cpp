@@ -2,6 +2,8 @@
 
 #include "core/presets/species.h"
 #include <algorithm>
+#include <array>
+#include <string_view>
 #include <vector>
 
 namespace ramure {
@@ -221,9 +223,18 @@ std::vector<Preset> forms(std::span<const Preset> grown)
     bare.params.leaf.season = 1.0;
     bare.params.foliage.applesProbability = 0.0;
     Preset tray{"Bonsai", RAMURE_NOOP("A small old pine with a bent trunk and limbs like trays"),
-                bonsai(like("JapaneseMaple")), "", group};
+                bonsai(like("JapaneseMaple1995")), "", group};
+    Preset combed{"CliffHawthorn",
+                  RAMURE_NOOP("An old hawthorn on a cliff, combed by the sea wind, in autumn"),
+                  like("Hawthorn"), "", group};
+    combed.params.grammar.seed = 2;
+    combed.params.growth.wind = 9.0;
+    combed.params.growth.slope = 0.35;
+    combed.params.growth.lean = 0.5;
+    combed.params.leaf.season = 0.55;
     Preset clipped{"Hedge", RAMURE_NOOP("Box, clipped to a block"), hedge(), "", group};
-    return {std::move(tray), std::move(snag), std::move(clipped), std::move(sapling), std::move(bare)};
+    return {std::move(tray),    std::move(combed),  std::move(snag),
+            std::move(clipped), std::move(sapling), std::move(bare)};
 }
 
 std::vector<Preset> colonised()
@@ -250,6 +261,12 @@ std::vector<Preset> colonised()
              "Vachellia tortilis", group}};
 }
 
+Preset grownPreset(const GrownSpecies& species, const NodeParams& dress, const char* group)
+{
+    return {species.name, species.description, grownParams(species, dress), species.latin,
+            group,        species.ages};
+}
+
 /// Group by group, each in the order of names. Where a species grows by years, its tree of 1995 stands in a
 /// group of its own.
 std::vector<Preset> everySpecies()
@@ -265,17 +282,39 @@ std::vector<Preset> everySpecies()
                            : each.conifer ? conifers
                                           : broadleaved});
         }
-    for (const GrownSpecies& each : grownSpecies()) {
-        const auto dress = std::ranges::find(all, std::string(each.name) + "1995", &Preset::name);
-        all.push_back({each.name, each.description, grownParams(each, dress->params), each.latin,
-                       each.conifer ? conifers : broadleaved, each.ages});
-    }
+    for (const GrownSpecies& each : grownSpecies())
+        if (const auto dress = std::ranges::find(all, std::string(each.name) + "1995", &Preset::name);
+            dress != all.end())
+            all.push_back(grownPreset(each, dress->params, each.conifer ? conifers : broadleaved));
     const auto place = [&](const Preset& preset) {
         const std::string_view group = preset.group;
         return std::pair(group == of1995 ? 2 : group == conifers ? 1 : 0, std::string_view(preset.name));
     };
     std::ranges::sort(all, {}, place);
     return all;
+}
+
+/// Palms, bamboos and cacti: those of rules, and before its own the palm that grows by years.
+std::vector<Preset> everyOrganPreset()
+{
+    std::vector<Preset> all = organPresets();
+    for (const GrownSpecies& each : grownSpecies())
+        if (const auto dress = std::ranges::find(all, std::string(each.name) + "Rules", &Preset::name);
+            dress != all.end())
+            all.insert(dress, grownPreset(each, dress->params, dress->group));
+    return all;
+}
+
+/// Limbs stand around their stems or run along them: faired, these would lose a little of their collars or of
+/// the wood that goes on above a fork, or their bark would change its scale too fast.
+void leaveForksAsBuilt(std::vector<Preset>& presets)
+{
+    constexpr std::array names{"Baobab",        "CommonYew", "Hornbeam",  "LiveOak1995",       "RainTree",
+                               "RedOak1995",    "Rowan1995", "ScotsPine", "WeepingWillow1995", "WhiteWillow",
+                               "WildCherry1995"};
+    for (Preset& preset : presets)
+        if (std::ranges::find(names, std::string_view(preset.name)) != names.end())
+            preset.params.mesh.fairing = preset.params.mesh.ridge = 0.0;
 }
 
 constexpr std::size_t courseworkCount = 4;
@@ -313,9 +352,10 @@ std::vector<Preset> everyPreset()
         all[i].params.mesh.leastRadius = 0.0;
     const auto filled = colonised();
     all.insert(all.end(), filled.begin(), filled.end());
-    const std::vector<Preset> trees = everySpecies();
+    std::vector<Preset> trees = everySpecies();
+    leaveForksAsBuilt(trees);
     all.insert(all.end(), trees.begin(), trees.end());
-    for (const auto& more : {organPresets(), forms(all)})
+    for (const auto& more : {everyOrganPreset(), forms(all)})
         all.insert(all.end(), more.begin(), more.end());
     for (std::size_t i = courseworkCount; i < all.size(); ++i) // those of the coursework have no scale
         if (double& tile = all[i].params.texture.tileSize; tile == 0.0)

@@ -1,6 +1,6 @@
 /// \file
-/// The trees that ship with the program: those of the coursework (SPEC A1), three of "The Algorithmic Beauty
-/// of Plants", then species.
+/// The trees that ship with the program: the presets of the coursework (SPEC A1), three trees of "The
+/// Algorithmic Beauty of Plants", then species.
 #pragma once
 
 #include "core/base/error.h"
@@ -16,7 +16,7 @@ struct Preset
     const char* name;        ///< "SmallTree": `preset:SmallTree` on the command line
     const char* description; ///< English, context "core"
     NodeParams params;
-    const char* latin = "";    ///< of a species: "Populus tremuloides"
+    const char* latin = "";    ///< Latin name of a species: "Populus tremuloides"
     const char* group = "";    ///< English, context "core": they stand together
     std::array<int, 3> ages{}; ///< years, of one that grows by years: young, mature, old
 };

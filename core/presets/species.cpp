@@ -147,6 +147,8 @@ NodeParams speciesParams(const Species& species)
     params.mesh.targetTriangles = 300'000; // which makes trunks round; twigs do with less than the sections
     params.mesh.clampOvershoot = true;
     params.mesh.collar = 0.5;
+    params.mesh.fairing = 1.0;
+    params.mesh.ridge = 0.04;
     params.mesh.rootLength = 0.55;
     params.mesh.roots = species.growth.lobes > 0 ? std::max<std::int64_t>(species.growth.lobes, 4) : 5;
     return params;

@@ -14,14 +14,15 @@ namespace ramure {
 struct SpeciesDress
 {
     LeafShape leaf = LeafShape::Beech;
-    double size = 1.0, internode = 1.0; ///< of what the plant has on such a trunk
+    double size = 1.0, internode = 1.0; ///< relative to the plant's natural values, for this trunk
     double twig = 0.1;                  ///< thinner than this share of the trunk, branches carry leaves
     BarkFamily bark = BarkFamily::Smooth;
     double light = 0.0;
     FruitKind fruit = FruitKind::Faithful;
     double fruitful = 0.0;
-    double fruitSize = 1.0; ///< of what the plant has on such a trunk: a cone of a Scots pine is 5 cm long
-    double tile = 0.0;      ///< m, of the bark; 0: as grownBarkTile says
+    /// Relative to the plant's natural size, for this trunk: a cone of a Scots pine is 5 cm long.
+    double fruitSize = 1.0;
+    double tile = 0.0; ///< m, of the bark; 0: as grownBarkTile says
 };
 
 struct Species
@@ -38,7 +39,8 @@ struct Species
 std::span<const Species> species();
 std::span<const Species> broadleavedSpecies();
 std::span<const Species> coniferSpecies();
-/// One that grows year by year. What it wears is that of the species of the same name and "1995".
+/// A species that grows year by year. Its bark, leaves and fruit are those of the species with the same name
+/// and "1995", or for a palm with the same name and "Rules".
 struct GrownSpecies
 {
     const char* name;

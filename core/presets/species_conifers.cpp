@@ -13,7 +13,7 @@ using F = FruitKind;
 /// Our own numbers in the paper's style, from how such trees stand.
 // clang-format off
 const std::array conifers{
-    Species{"EuropeanLarch", "Larix decidua", RAMURE_NOOP("A slender open cone that is bare in winter"), true,
+    Species{"EuropeanLarch1995", "Larix decidua", RAMURE_NOOP("A slender open cone that is bare in winter"), true,
         {.shape = S::Envelope, .baseSize = 0.12, .scale = 14.4, .scaleV = 1.2, .levels = 3, .ratio = 0.0183, .ratioPower = 1.4, .lobes = 0, .flare = 0.5, .attractionUp = -0.4,
          .pruneWidthPeak = 0.05, .prunePowerLow = 0.05, .prunePowerHigh = 0.8,
          .level = {{{.curveRes = 8, .curveV = 10},
@@ -64,7 +64,7 @@ const std::array conifers{
                     {.length = 0.36, .lengthV = 0.06, .curveRes = 3, .curve = 20, .curveV = 40, .downAngle = 50, .downAngleV = 10, .rotate = -95, .rotateV = 20, .branches = 80},
                     {.length = 0.3, .curveRes = 1}}}},
         {L::Yew, 3.2, 1.1, 0.36, B::Peeling, -0.1}},
-    Species{"EasternWhitePine", "Pinus strobus", RAMURE_NOOP("Level whorled limbs with soft plumes of needles"), true,
+    Species{"EasternWhitePine1995", "Pinus strobus", RAMURE_NOOP("Level whorled limbs with soft plumes of needles"), true,
         {.shape = S::Conical, .baseSize = 0.14, .scale = 19.7, .scaleV = 2, .levels = 3, .ratio = 0.0165, .ratioPower = 1.35, .lobes = 0, .flare = 0.5, .attractionUp = 0.6,
          .level = {{{.curveRes = 8, .curveV = 10},
                     {.length = 0.311, .lengthV = 0.06, .curveRes = 6, .curve = -20, .curveV = 30, .downAngle = 82, .downAngleV = -25, .rotate = 72, .rotateV = 15, .branches = 60},
@@ -79,7 +79,7 @@ const std::array conifers{
                     {.length = 0.38, .lengthV = 0.05, .curveRes = 2, .curve = -10, .curveV = 15, .downAngle = 52, .downAngleV = 8, .rotate = -92, .rotateV = 8, .branches = 34},
                     {.length = 0.3, .curveRes = 1}}}},
         {L::Fir, 3.4, 1.5, 0.18, B::Smooth, 0.1, F::Cone, 0.004, 0.7}},
-    Species{"BlueSpruce", "Picea pungens", RAMURE_NOOP("A stiff broad cone of level limbs"), true,
+    Species{"BlueSpruce1995", "Picea pungens", RAMURE_NOOP("A stiff broad cone of level limbs"), true,
         {.shape = S::Envelope, .baseSize = 0.04, .scale = 16.7, .scaleV = 1.5, .levels = 3, .ratio = 0.0191, .ratioPower = 1.4, .lobes = 0, .flare = 0.4, .attractionUp = 0.4,
          .pruneWidthPeak = 0.05, .prunePowerLow = 0.05, .prunePowerHigh = 0.9,
          .level = {{{.curveRes = 8, .curveV = 4},
@@ -95,13 +95,13 @@ const std::array conifers{
                     {.length = 0.36, .lengthV = 0.06, .curveRes = 3, .curve = 20, .curveV = 25, .downAngle = 54, .downAngleV = 10, .rotate = -92, .rotateV = 12, .branches = 38},
                     {.length = 0.3, .curveRes = 1}}}},
         {L::Yew, 2.1, 0.8, 0.1, B::Fibrous, 0.15}},
-    Species{"DeodarCedar", "Cedrus deodara", RAMURE_NOOP("A wide cone whose limbs and top hang over"), true,
+    Species{"DeodarCedar1995", "Cedrus deodara", RAMURE_NOOP("A wide cone whose limbs and top hang over"), true,
         {.shape = S::Conical, .baseSize = 0.06, .scale = 23.3, .scaleV = 1.9, .levels = 3, .ratio = 0.0217, .ratioPower = 1.4, .lobes = 0, .flare = 0.7, .attractionUp = -0.4,
          .level = {{{.curveRes = 8, .curveV = 12},
                     {.length = 0.421, .lengthV = 0.04, .curveRes = 6, .curve = -10, .curveBack = 35, .curveV = 20, .downAngle = 80, .downAngleV = -22, .rotate = 137, .rotateV = 15, .branches = 80},
                     {.length = 0.34, .lengthV = 0.06, .curveRes = 3, .curve = 40, .curveV = 25, .downAngle = 56, .downAngleV = 8, .rotate = -90, .rotateV = 12, .branches = 60},
                     {.length = 0.3, .curveRes = 1}}}},
-        {L::Cedar, 2.4, 0.95, 0.13, B::Plated, -0.1}},
+        {L::Cedar, 2.4, 0.95, 0.13, B::Furrowed, -0.15}},
 };
 // clang-format on
 

@@ -1,5 +1,5 @@
 /// \file
-/// What foresters measure of a tree: how large grown trees of a species are, as published.
+/// Published sizes of grown trees, species by species, as foresters measure them.
 #pragma once
 
 #include <array>
@@ -19,8 +19,8 @@ struct TreeMeasures
 
 struct PublishedMeasures
 {
-    std::string_view latin; ///< as in Preset
-    TreeMeasures mean;      ///< of the quarter with the thickest stems
+    std::string_view latin; ///< see Preset
+    TreeMeasures mean;      ///< mean of the quarter with the thickest stems
     int measured = 0;       ///< trees in all
     const char* source = "";
 };

@@ -1,7 +1,7 @@
 #include "core/print/leaf_sheets.h"
+#include "core/surface/foliage/place_foliage.h"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/common.hpp>
 #include <glm/mat3x3.hpp>
 #include <numbers>

@@ -2,10 +2,7 @@
 
 #include "core/math/reproducible.h"
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
-#include <numbers>
 
 namespace ramure {
 namespace {

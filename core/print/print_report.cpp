@@ -6,7 +6,6 @@
 #include "core/surface/proof/validate.h"
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>

@@ -7,7 +7,7 @@
 #include "core/print/united_surface.h"
 #include "core/surface/check/self_intersections.h"
 #include "core/surface/mesh/normals.h"
-#include "core/surface/mesher/branch_mesh.h"
+#include "core/surface/mesher/build_branch_mesh.h"
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>

@@ -15,16 +15,17 @@ struct PrintedTree
 {
     std::shared_ptr<const TriangleMesh> mesh; ///< m at the print's size, Y up, on y = 0
     PrintReport report;
-    double scale = 1.0;                  ///< of the print against the tree
-    Index thickened = 0, cut = 0;        ///< branches
-    Index loose = 0;                     ///< pieces that came off and were left out
-    Index leaves = 0, leavesLeftOut = 0; ///< where there are any: shells, and what the tree has beside them
+    double scale = 1.0;           ///< size of the print relative to the tree
+    Index thickened = 0, cut = 0; ///< branches
+    Index loose = 0;              ///< pieces that came off and were left out
+    /// Counts of leaf shells, if there are any, and of the tree's leaves without one.
+    Index leaves = 0, leavesLeftOut = 0;
 };
 
-/// Fruit stays off. \param foliage null: leaves too. \param tree m, as the pipeline has simplified it. \param
-/// params of its mesh: the budget counts where it is below that of the options. The same bytes whenever
-/// called. Errors: those of checkPrint, printSkeleton, buildBranchMesh and unitedSurface; Invalid (crossings
-/// that could not be removed); Cancelled.
+/// Makes a printable tree; fruit is left out. \param foliage null: leaves are left out, too \param tree m,
+/// simplified by the pipeline \param params of its mesh: its budget counts if it is below that of the
+/// options. Each call gives the same bytes. Errors: those of checkPrint, printSkeleton, buildBranchMesh and
+/// unitedSurface; Invalid (crossings that could not be removed); Cancelled.
 Expected<PrintedTree> printTree(const Skeleton& tree, const NodeParams& params, const PrintOptions& options,
                                 const Progress& progress = {}, const Foliage* foliage = nullptr);
 

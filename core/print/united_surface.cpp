@@ -1,6 +1,5 @@
 #include "core/print/united_surface.h"
 
-#include "core/base/number_text.h"
 #include "core/base/parallel.h"
 #include "core/surface/proof/validate.h"
 #include <algorithm>

@@ -1,6 +1,7 @@
 #include "core/recipe/apply_edits.h"
 
 #include "core/base/stopwatch.h"
+#include "core/generators/growth/palm.h"
 #include "core/math/stage_hash.h"
 #include "core/params/tree_edit_table.h"
 #include "core/recipe/axis_filter.h"
@@ -173,8 +174,14 @@ private:
     {
         if (state == LivedEdit::State::Waits)
             return {edit.id, EditState::Waits, {}, edit.target.address};
-        if (state == LivedEdit::State::Made)
-            return {edit.id, EditState::ByAddress, {}, edit.target.address};
+        if (state == LivedEdit::State::Made) {
+            EditOutcome made{edit.id, EditState::ByAddress, {}, edit.target.address};
+            if (edit.target.address == palmStemAddress)
+                made.why =
+                    fail(ErrorCode::Unknown, RAMURE_NOOP("the palm has died of it: its only bud is gone"))
+                        .value();
+            return made;
+        }
         return {edit.id, EditState::Unplaced,
                 fail(ErrorCode::Unknown,
                      edit.operation == EditOperation::Prune
@@ -210,7 +217,7 @@ private:
             return axis;
         outcome.state = axis == noIndex ? EditState::Unplaced : EditState::Idle;
         outcome.why = fail(ErrorCode::Unknown,
-                           axis == noIndex ? RAMURE_NOOP("nothing in the tree looks like what was edited")
+                           axis == noIndex ? RAMURE_NOOP("no limb of the tree resembles the edited one")
                                            : RAMURE_NOOP("an edit before has taken the limb away"))
                           .value();
         return noIndex;

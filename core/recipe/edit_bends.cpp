@@ -195,7 +195,7 @@ Expected<void> root(EditTree& tree, const TreeEdit& edit, Index target, Index /*
     constexpr int flareSteps = 4;
     const Index first = tree.axis(target).first;
     if (tree.piece(first).parent != noIndex || tree.piece(first).loose)
-        return fail(ErrorCode::Invalid, RAMURE_NOOP("only what stands on the ground has a root"));
+        return fail(ErrorCode::Invalid, RAMURE_NOOP("only an axis on the ground has a root"));
     const EditMarks limb = tree.marked(first);
     for (Index i = tree.firstPiece(); i != noIndex; i = tree.piece(i).after)
         if (limb[i] && edit.offset != glm::dvec3(0.0)) {

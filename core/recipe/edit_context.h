@@ -1,6 +1,6 @@
 /// \file
-/// A tree with its edits so far, for whoever makes the next one: finds limbs, says where they are, and turns
-/// what was said of the tree into an edit that keeps its meaning when the tree changes.
+/// A tree with its edits so far, for making the next edit. It finds limbs, says where they are, and turns
+/// values that refer to the present tree into an edit that keeps its meaning when the tree changes.
 #pragma once
 
 #include "core/base/error.h"
@@ -18,19 +18,19 @@ namespace ramure {
 
 class EditTree;
 
-/// What an edit would take off a tree.
+/// The parts that an edit would take off a tree.
 struct EditLoss
 {
     /// Pieces by Skeleton::key, and what share of their length goes, from their ends.
     std::vector<std::pair<std::uint64_t, double>> pieces;
-    double metres = 0.0; ///< of wood, along all that goes
+    double metres = 0.0; ///< length of the removed wood
 };
 
 class EditContext
 {
 public:
-    /// \param grown as the generator made it, or as it is frozen (TreeResult::grown); it is not kept. \param
-    /// axes of it, where somebody knows them \param seed of the tree (treeSeed)
+    /// \param grown the tree as the generator made it, or as it is frozen (TreeResult::grown); it is not kept
+    /// \param axes its axes, if already known \param seed of the tree (treeSeed)
     EditContext(const Skeleton& grown, std::span<const TreeEdit> edits,
                 std::shared_ptr<const TreeAxes> axes = nullptr, std::uint64_t seed = 0,
                 const Progress& progress = {});
@@ -38,11 +38,10 @@ public:
     EditContext(const EditContext& other);
     EditContext(EditContext&&) noexcept;
     EditContext& operator=(EditContext&&) noexcept;
-    /// A copy that goes on to these edits, where those that it began with are the first of them; else
-    /// nothing.
+    /// Returns a copy continued to these edits, if its own edits are the first of them; else nothing.
     [[nodiscard]] std::optional<EditContext> upTo(std::span<const TreeEdit> edits,
                                                   const Progress& progress = {}) const;
-    /// What became of the edits that it began with.
+    /// Report on the edits that it began with.
     [[nodiscard]] const EditReport& report() const { return m_report; }
     [[nodiscard]] std::size_t bytes() const;
 
@@ -53,19 +52,20 @@ public:
     [[nodiscard]] double lengthOf(std::uint64_t address) const;
     /// m, tree space, and the radius there.
     [[nodiscard]] std::optional<StrokePoint> pointOn(std::uint64_t address, double share) const;
-    /// The frame that the axis carries at a share of its length, without twist from the root: what grows
-    /// there is measured in it.
+    /// Returns the frame that the axis carries at a share of its length, without twist from the root. Twigs
+    /// that grow there are measured in it.
     [[nodiscard]] std::optional<Frame> frameOn(std::uint64_t address, double share) const;
-    /// That of its parent at its fork; of a root, that of +Y.
+    /// Returns the frame of the axis's parent at its fork; for a root, that of +Y.
     [[nodiscard]] std::optional<Frame> frameBelow(std::uint64_t address) const;
 
-    /// The edit as it is kept: \p edit names its target and its other by their addresses alone, and has its
-    /// vectors in tree space (points as places in it) where \p inTreeSpace, else as TreeEdit says. Errors:
-    /// those of checkTreeEdit; Unknown (no such limb), path = the key.
+    /// Returns the edit in the form in which it is kept. \p edit names its limbs by their addresses alone.
+    /// Its vectors are in tree space if \p inTreeSpace (points as places in it), else in the frames of
+    /// TreeEdit. Errors: those of checkTreeEdit; Unknown (no such limb), path = the key.
     [[nodiscard]] Expected<TreeEdit> prepared(TreeEdit edit, bool inTreeSpace) const;
     /// Whether a prepared edit can act on the tree as it is now. Errors: why not.
     [[nodiscard]] Expected<void> tried(const TreeEdit& edit) const;
-    /// What goes where a prepared edit is made: of one that takes nothing away, nothing. Errors: as tried().
+    /// Returns the loss that a prepared edit would cause; it is empty for an edit that removes nothing.
+    /// Errors: as tried().
     [[nodiscard]] Expected<EditLoss> lossOf(const TreeEdit& edit) const;
     /// Makes it, for the edits behind it. Errors: why not, and then nothing is changed.
     Expected<void> apply(const TreeEdit& edit);
@@ -73,14 +73,14 @@ public:
     /// A limb with all on it, for a graft onto another tree (TreeEdit::limb, and target empty). Empty: no
     /// such axis.
     [[nodiscard]] std::vector<LimbPiece> limb(std::uint64_t address) const;
-    /// The tree as it is now. Axes that nobody touched keep their addresses and keys.
+    /// The tree as it is now. Untouched axes keep their addresses and keys.
     [[nodiscard]] Skeleton skeleton() const;
 
 private:
     [[nodiscard]] Expected<EditTarget> named(std::uint64_t address, const char* key) const;
 
     std::shared_ptr<const TreeAxes> m_grown; ///< axes of the tree as grown
-    std::vector<TreeEdit> m_edits;           ///< that it began with
+    std::vector<TreeEdit> m_edits;           ///< the edits that it began with
     EditReport m_report;
     std::uint64_t m_mark = 0;
     std::unique_ptr<EditTree> m_tree;

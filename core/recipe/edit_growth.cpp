@@ -337,7 +337,7 @@ Expected<void> move(EditTree& tree, const TreeEdit& edit, Index target, Index ot
     const Index first = tree.axis(target).first;
     const Index parentPiece = tree.piece(first).parent;
     if (parentPiece == noIndex)
-        return fail(ErrorCode::Invalid, RAMURE_NOOP("what stands on the ground has no place on a parent"));
+        return fail(ErrorCode::Invalid, RAMURE_NOOP("an axis on the ground has no place on a parent"));
     const Index parent = other != noIndex ? other : tree.piece(parentPiece).axis;
     if (tree.isOn(tree.axis(parent).first, first))
         return fail(ErrorCode::Invalid, RAMURE_NOOP("a limb cannot be put on itself"));

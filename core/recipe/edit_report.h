@@ -1,5 +1,5 @@
 /// \file
-/// What became of the edits of a tree.
+/// What each step did to a tree.
 #pragma once
 
 #include "core/base/error.h"
@@ -9,13 +9,13 @@
 namespace ramure {
 
 enum class EditState : std::uint8_t {
-    Off,        ///< switched off: nobody looked for its place
-    Frozen,     ///< did not run: a later step holds what it made
-    Waits,      ///< of a later age of the tree
+    Off,        ///< switched off: its place was not searched
+    Frozen,     ///< did not run: a later step holds its result
+    Waits,      ///< it belongs to a later age of the tree
     ByAddress,  ///< acts where it was made
-    ByLikeness, ///< acts on what looks like it
+    ByLikeness, ///< acts on a limb that resembles its target
     Unplaced,   ///< there is nothing like it
-    Idle,       ///< its limb is there, but nothing can be done to it
+    Idle,       ///< its limb exists, but the step can do nothing to it
 };
 
 struct EditOutcome
@@ -23,9 +23,9 @@ struct EditOutcome
     std::uint64_t id = 0; ///< TreeEdit::id
     EditState state = EditState::Off;
     Error why{};               ///< Unplaced and Idle
-    std::uint64_t address = 0; ///< of the axis in this tree that its target is; 0: none
-    double seconds = 0.0;      ///< that it took
-    /// Addresses of the axes that its condition named; empty where it has none.
+    std::uint64_t address = 0; ///< address of the axis it found in this tree; 0: none
+    double seconds = 0.0;      ///< time that it took
+    /// Addresses of the axes that its condition selected; empty if it has none.
     std::vector<std::uint64_t> axes{};
 };
 

@@ -12,12 +12,17 @@ constexpr double sameSpot = 1e-3;
 
 } // namespace
 
-EditTree::EditTree(const Skeleton& grown, const TreeAxes& axes, std::uint64_t seed)
+PieceTree::PieceTree(const Skeleton& grown, const TreeAxes& axes, std::uint64_t seed)
     : m_axes(axes.axes.size())
     , m_lived(grown.lived)
     , m_grownAxes(static_cast<Index>(axes.axes.size()))
     , m_hasOwnAddresses(!grown.axisStarts.empty())
     , m_seed(seed)
+{
+}
+
+EditTree::EditTree(const Skeleton& grown, const TreeAxes& axes, std::uint64_t seed)
+    : PieceTree(grown, axes, seed)
 {
     takePieces(grown);
     for (Index a = 0; a < m_grownAxes; ++a) {
@@ -91,13 +96,13 @@ void EditTree::become(const Skeleton& tree, const TreeAxes& axes, std::uint64_t 
     m_meant.clear();
 }
 
-const LivedEdit* EditTree::livedWith(std::uint64_t edit) const
+const LivedEdit* PieceTree::livedWith(std::uint64_t edit) const
 {
     const auto found = std::ranges::find(m_lived, edit, &LivedEdit::edit);
     return found == m_lived.end() ? nullptr : &*found;
 }
 
-Index EditTree::axisAt(std::uint64_t address) const
+Index PieceTree::axisAt(std::uint64_t address) const
 {
     for (Index a = 0; a < m_grownAxes; ++a)
         if (m_axes[a].address == address)
@@ -105,18 +110,18 @@ Index EditTree::axisAt(std::uint64_t address) const
     return madeAxisAt(address);
 }
 
-Index EditTree::madeAxisAt(std::uint64_t address) const
+Index PieceTree::madeAxisAt(std::uint64_t address) const
 {
     const auto found = m_made.find(address);
     return found == m_made.end() ? noIndex : found->second;
 }
 
-double EditTree::length(Index i) const
+double PieceTree::length(Index i) const
 {
     return glm::length(m_pieces[i].p1 - m_pieces[i].p0);
 }
 
-double EditTree::axisLength(Index axis) const
+double PieceTree::axisLength(Index axis) const
 {
     double sum = 0.0;
     for (Index i = m_axes[axis].first; i != noIndex; i = m_pieces[i].next)
@@ -124,7 +129,7 @@ double EditTree::axisLength(Index axis) const
     return sum;
 }
 
-Index EditTree::tipOf(Index axis) const
+Index PieceTree::tipOf(Index axis) const
 {
     Index i = m_axes[axis].first;
     while (m_pieces[i].next != noIndex)
@@ -132,7 +137,7 @@ Index EditTree::tipOf(Index axis) const
     return i;
 }
 
-AxisSpot EditTree::spotOn(Index axis, double share) const
+AxisSpot PieceTree::spotOn(Index axis, double share) const
 {
     const double whole = axisLength(axis), wanted = share * whole;
     double start = 0.0;
@@ -147,19 +152,19 @@ AxisSpot EditTree::spotOn(Index axis, double share) const
     return {tipOf(axis), 1.0};
 }
 
-glm::dvec3 EditTree::pointAt(const AxisSpot& spot) const
+glm::dvec3 PieceTree::pointAt(const AxisSpot& spot) const
 {
     const EditPiece& p = m_pieces[spot.piece];
     return spot.t >= 1.0 ? p.p1 : p.p0 + spot.t * (p.p1 - p.p0);
 }
 
-double EditTree::radiusAt(const AxisSpot& spot) const
+double PieceTree::radiusAt(const AxisSpot& spot) const
 {
     const EditPiece& p = m_pieces[spot.piece];
     return p.a0 + spot.t * (p.a1 - p.a0);
 }
 
-Frame EditTree::frameAfter(Index i) const
+Frame PieceTree::frameAfter(Index i) const
 {
     std::vector<Index> way;
     for (; i != noIndex; i = m_pieces[i].parent)
@@ -173,17 +178,17 @@ Frame EditTree::frameAfter(Index i) const
     return frame;
 }
 
-Frame EditTree::frameBelow(Index axis) const
+Frame PieceTree::frameBelow(Index axis) const
 {
     return frameAfter(m_pieces[m_axes[axis].first].parent);
 }
 
-EditMarks EditTree::marked(Index piece) const
+EditMarks PieceTree::marked(Index piece) const
 {
     return markedFrom({piece});
 }
 
-EditMarks EditTree::markedFrom(const std::vector<Index>& starts) const
+EditMarks PieceTree::markedFrom(const std::vector<Index>& starts) const
 {
     EditMarks marks(m_pieces.size(), false);
     for (const Index i : starts)
@@ -194,7 +199,7 @@ EditMarks EditTree::markedFrom(const std::vector<Index>& starts) const
     return marks;
 }
 
-bool EditTree::isOn(Index piece, Index limb) const
+bool PieceTree::isOn(Index piece, Index limb) const
 {
     for (; piece != noIndex; piece = m_pieces[piece].parent)
         if (piece == limb)
@@ -433,7 +438,7 @@ void EditTree::hang(Index axis, Index parent)
     }
 }
 
-Skeleton EditTree::skeleton() const
+Skeleton PieceTree::skeleton() const
 {
     Skeleton out;
     out.reserve(m_size);

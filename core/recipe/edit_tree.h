@@ -56,28 +56,22 @@ struct AxisSpot
     double t = 1.0; ///< along the piece
 };
 
-class EditTree
+/// The tree as it can be read.
+class PieceTree
 {
 public:
-    /// \param seed of the tree, for steps that draw by chance
-    EditTree(const Skeleton& grown, const TreeAxes& axes, std::uint64_t seed = 0);
-
     [[nodiscard]] std::uint64_t seed() const { return m_seed; }
     /// Null: the edit is not of the life of the tree.
     [[nodiscard]] const LivedEdit* livedWith(std::uint64_t edit) const;
     /// Whether the skeleton that it began with names its axes itself: their addresses hold, whatever stands
     /// where on them by now.
     [[nodiscard]] bool hasOwnAddresses() const { return m_hasOwnAddresses; }
-    /// Long steps ask it whether to stop; it must live until the next call.
-    void setProgress(const Progress* progress) { m_progress = progress; }
     [[nodiscard]] bool cancelled() const { return m_progress && m_progress->cancelled(); }
     [[nodiscard]] Progress progress() const { return m_progress ? *m_progress : Progress(); }
 
     /// By axis: whether the step that acts now acts there; empty where it says nothing of axes.
     [[nodiscard]] const std::vector<bool>& meant() const { return m_meant; }
-    void setMeant(std::vector<bool> axes) { m_meant = std::move(axes); }
     [[nodiscard]] const std::vector<EditPiece>& pieces() const { return m_pieces; }
-    [[nodiscard]] EditPiece& piece(Index i) { return m_pieces[i]; }
     [[nodiscard]] const EditPiece& piece(Index i) const { return m_pieces[i]; }
     /// Those of the generator first, as TreeAxes has them.
     [[nodiscard]] const EditAxis& axis(Index i) const { return m_axes[i]; }
@@ -113,6 +107,40 @@ public:
     /// Also from several pieces on.
     [[nodiscard]] EditMarks markedFrom(const std::vector<Index>& pieces) const;
     [[nodiscard]] bool isOn(Index piece, Index limb) const; ///< is the piece the limb's first or above it?
+    /// Also of gone pieces.
+    [[nodiscard]] const std::vector<EditOrganSeat>& organs() const { return m_organs; }
+    /// The tree as it is now, with the addresses of its axes.
+    [[nodiscard]] Skeleton skeleton() const;
+
+protected:
+    PieceTree(const Skeleton& grown, const TreeAxes& axes, std::uint64_t seed);
+
+    std::vector<EditPiece> m_pieces;
+    std::vector<EditAxis> m_axes;
+    std::vector<EditOrganSeat> m_organs;             ///< by piece
+    std::unordered_map<std::uint64_t, Index> m_made; ///< axes that edits made, by address
+    std::vector<LivedEdit> m_lived;
+    std::vector<bool> m_meant;
+    Index m_grownAxes = 0;
+    bool m_hasOwnAddresses = false;
+    std::uint64_t m_seed = 0;
+    const Progress* m_progress = nullptr;
+    Index m_head = noIndex, m_tail = noIndex, m_size = 0;
+};
+
+/// The tree as steps change it.
+class EditTree : public PieceTree
+{
+public:
+    /// \param seed of the tree, for steps that draw by chance
+    EditTree(const Skeleton& grown, const TreeAxes& axes, std::uint64_t seed = 0);
+
+    /// Long steps ask it whether to stop; it must live until the next call.
+    void setProgress(const Progress* progress) { m_progress = progress; }
+    /// Marks the axes that the next step acts on, see meant().
+    void setMeant(std::vector<bool> axes) { m_meant = std::move(axes); }
+    using PieceTree::piece;
+    [[nodiscard]] EditPiece& piece(Index i) { return m_pieces[i]; }
 
     /// Names what splits and new pieces get from now on are called by.
     void setMaker(std::uint64_t id);
@@ -126,10 +154,6 @@ public:
     void shorten(Index piece, double share);
     /// One more, that is seen also on a bare piece.
     void putOrgan(const Organ& organ) { m_organs.push_back({organ, true}); }
-    [[nodiscard]] const std::vector<EditOrganSeat>& organs() const
-    {
-        return m_organs;
-    } ///< also of gone pieces
     /// No leaves on a piece from now on, or leaves again: those that hands have put there go and come with
     /// them.
     void setBare(Index piece, bool bare);
@@ -177,9 +201,6 @@ public:
         }
     }
 
-    /// The tree as it is now, with the addresses of its axes.
-    [[nodiscard]] Skeleton skeleton() const;
-
 private:
     void takePieces(const Skeleton& tree);
     void takeAxis(Index axis, std::span<const Index> nodes);
@@ -188,17 +209,6 @@ private:
     void unlink(Index piece);
     [[nodiscard]] std::uint64_t newKey(std::uint64_t from);
 
-    std::vector<EditPiece> m_pieces;
-    std::vector<EditAxis> m_axes;
-    std::vector<EditOrganSeat> m_organs;             ///< by piece
-    std::unordered_map<std::uint64_t, Index> m_made; ///< axes that edits made, by address
-    std::vector<LivedEdit> m_lived;
-    std::vector<bool> m_meant;
-    Index m_grownAxes = 0;
-    bool m_hasOwnAddresses = false;
-    std::uint64_t m_seed = 0;
-    const Progress* m_progress = nullptr;
-    Index m_head = noIndex, m_tail = noIndex, m_size = 0;
     std::uint64_t m_maker = 0, m_keysMade = 0;
 };
 

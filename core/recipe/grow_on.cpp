@@ -2,6 +2,7 @@
 #include "core/recipe/edit_operations.h"
 
 #include "core/generators/grammar/turtle.h"
+#include "core/generators/growth/palm.h"
 #include "core/generators/growth/standing_wood.h"
 #include "core/math/stage_hash.h"
 #include "core/params/node_params.h"
@@ -14,6 +15,8 @@ Expected<void> growOn(EditTree& tree, const TreeEdit& edit, Index /*target*/, In
     if (!standing.loose.empty())
         return fail(ErrorCode::Invalid,
                     RAMURE_NOOP("a tree with a limb that is about to fall cannot grow on"));
+    if (tree.axisAt(palmStemAddress) != noIndex)
+        return fail(ErrorCode::Invalid, RAMURE_NOOP("a palm has no other buds: it gets older by its age"));
     const NodeParams& values = *edit.values;
     if (!(values.step.growOn.years > 0.0))
         return {};

@@ -4,7 +4,6 @@
 #include "core/math/reproducible.h"
 #include "core/params/node_params.h"
 #include <algorithm>
-#include <cmath>
 
 namespace ramure::edits {
 namespace {
@@ -95,7 +94,7 @@ Expected<void> flare(EditTree& tree, const TreeEdit& edit, Index target, Index /
         any = true;
     }
     return any ? Expected<void>()
-               : fail(ErrorCode::Invalid, RAMURE_NOOP("only what stands on the ground has a root"));
+               : fail(ErrorCode::Invalid, RAMURE_NOOP("only an axis on the ground has a root"));
 }
 
 } // namespace ramure::edits

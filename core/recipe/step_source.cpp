@@ -8,7 +8,6 @@
 #include "core/math/stage_hash.h"
 #include "core/recipe/scion.h"
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <optional>
 

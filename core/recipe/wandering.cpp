@@ -7,7 +7,6 @@
 #include "core/params/node_params.h"
 #include "core/skeleton/bend.h"
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <glm/matrix.hpp>
 #include <optional>
+#include <tuple>
 
 namespace ramure {
 namespace {
@@ -73,6 +74,48 @@ void add(StageHash& hash, const Placed& solid, const glm::dmat4& place)
     hash.add(solid.shape);
 }
 
+bool hasCrown(const Node& node)
+{
+    return node.kind == NodeKind::Tree && node.params.generator.kind == TreeGenerator::Growth &&
+           node.params.growth.habit == GrowthHabit::Branching;
+}
+
+/// The trees that reach a tree's light, nearest first. Equally near ones are ordered by their places, so that
+/// the order of the scene changes nothing.
+std::vector<NeighbourCrown> neighboursOf(const Scene& scene, const Node& tree, const glm::dmat4& intoTree)
+{
+    constexpr std::size_t most = 12;
+    std::vector<NeighbourCrown> all;
+    if (!hasCrown(tree) || !tree.params.growth.neighbours)
+        return all;
+    for (const Node& node : scene.nodes()) {
+        if (node.id == tree.id || !hasCrown(node))
+            continue;
+        const GrowthParams& growth = node.params.growth;
+        const glm::dmat4 place = intoTree * geometryMatrix(scene, node);
+        const double scale = glm::length(glm::dvec3(place[1]));
+        const NeighbourCrown crown{glm::dvec3(place[3]), scale * growth.height, scale * growth.crownWidth,
+                                   growth.crownBase, growth.maturity};
+        const double reach = crown.height + 0.5 * (crown.width + tree.params.growth.crownWidth);
+        if (glm::length(glm::dvec2(crown.foot.x, crown.foot.z)) < reach)
+            all.push_back(crown);
+    }
+    const auto order = [](const NeighbourCrown& crown) {
+        const glm::dvec3& at = crown.foot;
+        return std::tuple(at.x * at.x + at.z * at.z, at.x, at.z, crown.height, crown.width, crown.base);
+    };
+    std::ranges::sort(all, std::less(), order);
+    all.resize(std::min(all.size(), most));
+    return all;
+}
+
+void add(StageHash& hash, const NeighbourCrown& crown)
+{
+    for (const double number :
+         {crown.foot.x, crown.foot.y, crown.foot.z, crown.height, crown.width, crown.base, crown.maturity})
+        hash.add(number);
+}
+
 /// The mesh of a solid in the space of the tree.
 std::shared_ptr<const TriangleMesh> moved(const Node& solid, const glm::dmat4& place)
 {
@@ -102,7 +145,12 @@ std::optional<GrowthSpaceLink> linkOf(const Scene& scene, const Node& tree, cons
         add(hash, solid, intoTree * solid.world);
     }
     GrowthSpaceLink link;
-    if (!mine.empty() || (fills && tree.params.generator.kind == TreeGenerator::Colonisation))
+    link.neighbours = neighboursOf(scene, tree, intoTree);
+    for (const NeighbourCrown& crown : link.neighbours)
+        add(hash, crown);
+    const bool hasSolids =
+        !mine.empty() || (fills && tree.params.generator.kind == TreeGenerator::Colonisation);
+    if (hasSolids || !link.neighbours.empty())
         link.hash = hash.value();
     if (link == tree.params.colonisation.space)
         return std::nullopt;
@@ -110,7 +158,7 @@ std::optional<GrowthSpaceLink> linkOf(const Scene& scene, const Node& tree, cons
     for (const Placed* solid : mine)
         moving.push_back({solid->node->name, moved(*solid->node, intoTree * solid->world),
                           solid->node->params.growthRole});
-    if (link.hash != 0) {
+    if (hasSolids) {
         link.space = std::make_shared<const GrowthSpace>(std::move(moving));
         link.top = link.space->top();
     }

@@ -1,5 +1,5 @@
 /// \file
-/// Which solids of a scene its trees fill and grow around.
+/// Which solids of a scene its trees fill and grow around, and which trees shade each other.
 #pragma once
 
 #include "core/params/growth_space.h"

@@ -4,7 +4,6 @@
 #include "core/rig/tracks/euler.h"
 #include "core/rig/tracks/keyed_track.h"
 #include <algorithm>
-#include <cmath>
 
 namespace ramure {
 namespace {

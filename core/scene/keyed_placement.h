@@ -1,10 +1,10 @@
 /// \file
-/// The placement of a node that keys move: what fields show of it at a time, and what an edit of it makes of
-/// the keys. Pure.
+/// The placement of a node that keys move: the values that fields show at a time, and the keys that follow
+/// from an edit of them. Pure.
 ///
-/// A node stands at its global track times its placement (SPEC B2). As long as nothing speaks against it the
-/// placement is taken over into the first key of the track: keys then have the values that the fields have,
-/// and the node turns about its own origin, not about its parent's.
+/// A node stands at its global track times its placement (SPEC B2). The placement is taken over into the
+/// first key of the track unless something speaks against it. Keys then have the values of the fields, and
+/// the node turns about its own origin, not about its parent's.
 #pragma once
 
 #include "core/scene/node_transform.h"
@@ -13,9 +13,9 @@ namespace ramure {
 
 enum class PlacementPart : std::uint8_t { Translation, Rotation, Scale };
 
-/// Track times placement, as translation, angles and scale. The translation is exact; angles and scale are
-/// those of the factors (no shear). \param angles false: the rotation is not asked for and takes no time, it
-/// stays that of the placement
+/// Returns track times placement, as translation, angles and scale. The translation is exact; angles and
+/// scale are the products of the factors (no shear). \param angles false: the rotation is not needed and
+/// takes no time; it stays that of the placement
 PlacementParams placementAt(const NodeTransform& values, double seconds, bool angles = true);
 /// Keys at the time in all channels of the part that have none there, with the values there are: nothing
 /// moves at this time. Turns and scales about another place than the own origin are keyed together with that

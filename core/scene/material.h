@@ -1,6 +1,6 @@
 /// \file
-/// What a surface looks like: the three parts of a tree, and every other node by its kind and its parameters.
-/// Whoever draws or writes a surface asks here and guesses nothing.
+/// The look of surfaces: the three parts of a tree, and every other node by its kind and its parameters. All
+/// code that draws or writes a surface asks here and guesses nothing.
 #pragma once
 
 #include "core/params/bark_params.h"
@@ -25,23 +25,24 @@ struct Material
     float through = 0.0f;    ///< share of the light from behind that shines through: of leaves
     float variety = 0.0f;    ///< how far the colour goes from branch to branch
     bool tones = false;      ///< the colours of triangles are its own, a little darker: it stays one material
-    BarkParams bark{};       ///< of bark: its pictures, where it has a family
-    LeafShape leaf = LeafShape::Faithful; ///< of leaves: their pictures, where they are a plant's
-    PictureParams pictures{};             ///< image files, each in the place of what else it would be
+    BarkParams bark{};       ///< for bark: its pictures, if it has a family
+    LeafShape leaf = LeafShape::Faithful; ///< for leaves: their pictures, if a plant's
+    PictureParams pictures{};             ///< image files that replace generated pictures
     bool operator==(const Material&) const = default;
 };
 
-/// Its colour is the mean of the picture that the bark has.
+/// Returns the material of bark; its colour is the mean of the bark's picture.
 Material barkMaterial(const BarkParams& bark = {}, const PictureParams& pictures = {});
-/// Those of a plant have a name of their own, leaves_birch; the colours of their mesh are tones. \param turn
-/// it is not summer: tones of the brightest colour of the year.
+/// Returns the material of leaves. Leaves of a plant have a name of their own, leaves_birch, and the colours
+/// of their mesh are tones. \param turn the season is not summer: tones refer to the brightest colour of the
+/// year.
 Material leavesMaterial(LeafShape shape = LeafShape::Faithful, bool turn = false,
                         const PictureParams& pictures = {});
 /// Fruit and flowers bring colours of their own.
 Material applesMaterial(FruitKind kind = FruitKind::Faithful, const PictureParams& pictures = {});
 /// Returns the material of wood that a cut lays open. The colours of its mesh are tones.
 Material woodMaterial();
-/// Returns the material of a node that is no tree. \param params those of the time (paramsAt).
+/// Returns the material of a node that is no tree. \param params at the time (paramsAt).
 Material nodeMaterial(const Node& node, const NodeParams& params);
 
 } // namespace ramure

@@ -7,7 +7,7 @@
 
 namespace ramure {
 
-/// All that a node's way depends on: itself and what it stands in, from the top down. Cheap to copy and to
+/// The inputs of a node's path: the node itself and its ancestors, from the top down. Cheap to copy and to
 /// compare; tracks are shared.
 struct MotionChain
 {

@@ -32,7 +32,7 @@ struct Node
     NodeParams params;
     NodeAnimation animation;
     SharedValue<TriangleMesh>
-        mesh; ///< of a Mesh, or what an Arm wears; see core/qt/document/project/project_mesh.h
+        mesh; ///< mesh of a Mesh node, or the mesh an Arm wears; see core/qt/document/project/project_mesh.h
     std::string
         extras; ///< keys of the project file that this version does not know: one JSON object, or empty
     bool operator==(const Node&) const = default;

@@ -3,20 +3,6 @@
 #include "core/scene/object_mesh.h"
 
 namespace ramure {
-namespace {
-
-/// What every mesh is asked, in about 30 ms for a million triangles.
-Expected<MeshAnalysis> shapeOf(const TriangleMesh& mesh, const Progress& progress)
-{
-    MeshAnalysis analysis;
-    analysis.hash = meshHash(mesh);
-    auto quality = measureQuality(mesh, 0, progress);
-    RAMURE_TRY(quality);
-    analysis.quality = std::move(*quality);
-    return analysis;
-}
-
-} // namespace
 
 bool isGoodSurface(const MeshReport& r)
 {
@@ -33,8 +19,8 @@ Expected<ShapeCheck> checkMesh(std::shared_ptr<const TriangleMesh> mesh, bool cr
     RAMURE_TRY(confirmWithOpenMesh(*mesh, *report, progress.part(0.3, 0.6)));
     if (report->openMeshChecked && !report->openMeshAgrees)
         report->valid = false;
-    auto analysis =
-        crossings ? analyseMesh(*mesh, 0, progress.part(0.6, 1.0)) : shapeOf(*mesh, progress.part(0.6, 1.0));
+    auto analysis = crossings ? analyseMesh(*mesh, 0, progress.part(0.6, 1.0))
+                              : analyseShape(*mesh, 0, progress.part(0.6, 1.0));
     RAMURE_TRY(analysis);
     return ShapeCheck{std::move(mesh), std::move(*report), std::move(*analysis)};
 }

@@ -14,24 +14,25 @@ namespace ramure {
 struct ShapeCheck
 {
     std::shared_ptr<const TriangleMesh> mesh; ///< the node's own space; never null, may be empty
-    MeshReport report;     ///< valid: as a closed solid, or as an open surface where it is one
-    MeshAnalysis analysis; ///< without crossings unless they were asked for
-    bool isOpen = false;   ///< a terrain or a plane: valid with a boundary
+    MeshReport report;                        ///< valid as a closed solid, or as an open surface if it is one
+    MeshAnalysis analysis;                    ///< without crossings unless they were asked for
+    bool isOpen = false;                      ///< a terrain or a plane: valid with a boundary
 };
 
-/// Closed, manifold and oriented, does OpenMesh agree; quality and hash; with \p crossings also which
-/// triangles run through each other. \param mesh not null. Errors: those of validateMesh and analyseMesh.
+/// Checks whether a mesh is closed, manifold and oriented and whether OpenMesh agrees. Adds quality and hash,
+/// and with \p crossings the triangles that run through each other. \param mesh not null. Errors: those of
+/// validateMesh and analyseMesh.
 Expected<ShapeCheck> checkMesh(std::shared_ptr<const TriangleMesh> mesh, bool crossings,
                                const Progress& progress = {});
-/// The same of what objectSolid gives, before its placement; open surfaces (isOpenSurface) may have a
-/// boundary. \param params those of the time, joints included. Errors: those of objectSolid too.
+/// Checks the result of objectSolid, before its placement; open surfaces (isOpenSurface) may have a boundary.
+/// \param params at the time, joints included. Errors: those of objectSolid too.
 Expected<ShapeCheck> checkShape(const Node& node, const NodeParams& params, bool crossings,
                                 const Progress& progress = {});
 
 /// Checks the shape as it is at 0 s, an arm before it turns.
 Expected<ShapeCheck> checkShapeAtRest(const Node& node, bool crossings, const Progress& progress = {});
 
-/// Nothing but a boundary keeps it from being valid: what an open surface has to be.
+/// True if the mesh is valid except for a boundary, which an open surface has.
 bool isGoodSurface(const MeshReport& report);
 
 } // namespace ramure

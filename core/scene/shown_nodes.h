@@ -7,8 +7,8 @@
 
 namespace ramure {
 
-/// Hides all but these nodes and what is below them; they are shown even where they were hidden. What is
-/// above them stays as a place without a shape of its own. Ids that are unknown count for nothing.
+/// Hides all nodes but these and their descendants, which are shown even if they were hidden. Their ancestors
+/// stay as places without shapes. Unknown ids are ignored.
 void showOnly(Scene& scene, std::span<const NodeId> chosen);
 /// Whether anything is shown that has a shape: a tree, an arm, a terrain, a mesh.
 bool showsAnything(const Scene& scene);

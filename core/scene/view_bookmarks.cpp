@@ -1,8 +1,6 @@
 #include "core/scene/view_bookmarks.h"
 
 #include "core/math/angle.h"
-#include <cmath>
-#include <utility>
 
 namespace ramure {
 

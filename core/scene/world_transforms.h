@@ -1,5 +1,5 @@
 /// \file
-/// Where the nodes of a scene are at a time (SPEC B2).
+/// The transforms of all nodes of a scene at a time (SPEC B2).
 #pragma once
 
 #include "core/scene/scene.h"
@@ -8,8 +8,8 @@ namespace ramure {
 
 struct NodeTransforms
 {
-    glm::dmat4 world{1.0};    ///< of the node: what its children are measured from
-    glm::dmat4 geometry{1.0}; ///< of its own geometry: world * local track * local static
+    glm::dmat4 world{1.0};    ///< transform of the node, from which its children are measured
+    glm::dmat4 geometry{1.0}; ///< transform of its own geometry: world * local track * local static
 };
 
 /// parent world * global track * static.

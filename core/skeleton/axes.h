@@ -1,6 +1,6 @@
 /// \file
-/// The axes of a skeleton: stems from their feet to their tips, as an artist sees them. What is drawn outside
-/// brackets continues an axis, what a bracket draws starts a new one.
+/// The axes of a skeleton: stems from their feet to their tips, as an artist sees them. A grammar continues
+/// an axis outside of brackets and starts a new one inside.
 #pragma once
 
 #include "core/skeleton/skeleton.h"
@@ -11,14 +11,14 @@ namespace ramure {
 
 struct Axis
 {
-    /// Hash of the parent's address, the rank of the fork and the rank within it: whatever the pieces, their
-    /// lengths and what grows above.
+    /// Hash of the parent's address, the rank of the fork and the rank within it. It does not depend on the
+    /// pieces, their lengths and the branches above.
     std::uint64_t address = 0;
     Index parent = noIndex;         ///< an axis before this one; noIndex: a root
     Index order = 0;                ///< 0: a root
     Index fork = 0;                 ///< rank of its fork along the parent, from the base
     Index mate = 0;                 ///< rank within the fork; of a root, among the roots
-    Index forks = 0;                ///< that it has itself
+    Index forks = 0;                ///< forks on the axis itself
     Index mates = 0;                ///< axes that start where it does, itself counted
     double s = 0.0;                 ///< m from the parent's foot
     double share = 0.0;             ///< the same of the parent's length
@@ -26,7 +26,7 @@ struct Axis
     double azimuth = 0.0;           ///< rad about it, in the frame carried without twist from the root
     double length = 0.0;            ///< m
     double radius = 0.0;            ///< m at the foot
-    Index firstNode = 0, nodes = 0; ///< its branches in TreeAxes::nodes
+    Index firstNode = 0, nodes = 0; ///< range of its branches in TreeAxes::nodes
 };
 
 struct TreeAxes

@@ -1,5 +1,5 @@
 /// \file
-/// Turning branches about their starts; what grows on them follows. Lengths and keys stay.
+/// Turns branches about their starts; their children follow. Lengths and keys stay.
 #pragma once
 
 #include "core/skeleton/skeleton.h"
@@ -13,8 +13,9 @@ namespace ramure {
 glm::dquat bendRotation(const glm::dvec3& bendRad);
 glm::dvec3 bendVector(const glm::dquat& rotation);
 
-/// The rotation of every branch against the unbent skeleton: those of its ancestors, then its own before
-/// them, so that a branch keeps its place on its parent when that is turned. \param bendRad one per branch.
+/// Returns the rotation of every branch against the unbent skeleton. The turns of its ancestors come after
+/// its own, so that a branch keeps its place on its parent when that is turned. \param bendRad one per
+/// branch.
 std::vector<glm::dquat> bendRotations(const Skeleton& skeleton, std::span<const glm::dvec3> bendRad);
 
 /// Turns every branch about its start. Branches without a bend, and below none, keep their bytes; all others

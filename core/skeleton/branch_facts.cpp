@@ -164,7 +164,7 @@ BranchFacts branchFacts(const Skeleton& skeleton, const ChildLists& children, co
     facts.a0 = skeleton.a0[branch];
     facts.a1 = skeleton.a1[branch];
     facts.length = skeleton.length(branch);
-    facts.level = skeleton.level[branch];
+    facts.order = skeleton.level[branch];
     facts.mass = branch < masses.size() ? masses[branch] : 0.0;
 
     const glm::dvec3 direction = unitOrZero(facts.p1 - facts.p0);

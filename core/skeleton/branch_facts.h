@@ -1,6 +1,6 @@
 /// \file
-/// What the inspector tells about one branch and its cross-sections. Tree space, metres, radians. Nothing
-/// here fails: a branch of no length and a curve of one point have facts too, and every "none" is stated.
+/// The inspector's facts about one branch and its cross-sections. Tree space, metres, radians. Nothing here
+/// fails: a branch without length and a curve of one point have facts too, and every "none" is stated.
 #pragma once
 
 #include "core/skeleton/sections.h"
@@ -27,7 +27,7 @@ struct BranchFacts
     /// in the frame of +Y: from +X towards -Z. In (-pi, pi]; 0 where the branch goes straight on or straight
     /// back.
     double azimuthRad = 0.0;
-    Index level = 0;
+    Index order = 0;
     double mass = 0.0; ///< SPEC A7, no unit
 };
 
@@ -53,7 +53,7 @@ struct SectionFacts
     /// plane, so that is 0 for frames carried from tangent to tangent, except between opposite tangents.
     double twistRad = 0.0;
     double twistRadPerMetre =
-        0.0; ///< over the piece before the section (the first: after it); 0 where it has no length
+        0.0; ///< over the piece before the section (the first: after it); 0 if it has no length
 };
 
 /// The cross-sections of one branch in their order; empty where \p sections has none for it.

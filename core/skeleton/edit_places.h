@@ -1,6 +1,6 @@
 /// \file
-/// Finds the branches that edits were made for in a tree that has changed since: by address where what grows
-/// there looks like what was edited, else by likeness, and not at all before by force.
+/// Finds the branches that edits were made for in a tree that has changed since. A branch is found by address
+/// if the branch there resembles the edited one, else by likeness. A poor match is never forced.
 #pragma once
 
 #include "core/params/node_params.h"
@@ -20,13 +20,13 @@ BranchPlace placeOf(const TreeAxes& tree, Index branch, std::uint64_t mark);
 
 struct FoundPlace
 {
-    Index branch = noIndex; ///< of the skeleton that the axes were made of; noIndex: nowhere
+    Index branch = noIndex; ///< branch of the skeleton that the axes belong to; noIndex: not found
     bool byAddress = false;
 };
-/// By place. From the roots up, axis by axis: a child at the same rank of the same fork first, where both the
-/// parent's forks and the fork's axes are as many as they were; the rest of a parent's children by the
-/// least cost of what they look like (leastCostAssignment), where it is not too high. An edit of an axis is
-/// found only on what its parent became.
+/// Finds places by likeness. From the roots up, axis by axis: a child at the same rank of the same fork comes
+/// first, if the numbers of the parent's forks and of the fork's axes are unchanged. The rest of a parent's
+/// children are matched by the least cost of their differences (leastCostAssignment), if it is not too high.
+/// An edit of an axis is found only on the axis that its parent became.
 std::vector<FoundPlace> findPlaces(const TreeAxes& tree, std::span<const BranchPlace* const> places);
 
 /// Gives the branches of \p simplified the names of the edits that find their places there (Skeleton::name).
@@ -37,8 +37,8 @@ void nameEditedBranches(const Skeleton& drawn, SimplifiedSkeleton& simplified, c
 /// \param drawn the skeleton it was made of.
 std::vector<Index> findBranches(const Skeleton& drawn, const SimplifiedSkeleton& simplified,
                                 std::span<const BranchPlace> places);
-/// What branches of one tree are in another, so that what is selected stays selected: those of the same names
-/// where the same branches grow there, otherwise by place.
+/// Finds branches of one tree in another, so that a selection survives a change. Branches are matched by name
+/// if the same branches grow there, otherwise by place.
 std::vector<Index> followBranches(const Skeleton& drawn, const SimplifiedSkeleton& simplified,
                                   std::span<const Index> branches, const Skeleton& otherDrawn,
                                   const SimplifiedSkeleton& other);

@@ -1,5 +1,5 @@
 /// \file
-/// What foresters would measure of a skeleton.
+/// Measures of a skeleton as foresters take them.
 #pragma once
 
 #include "core/presets/tree_measures.h"

@@ -2,7 +2,6 @@
 
 #include "core/math/ring.h"
 #include <algorithm>
-#include <cmath>
 
 namespace ramure {
 
@@ -41,28 +40,6 @@ glm::dvec3 sectionPoint(const CrossSection& section, int k, int radialDivisions)
 {
     const glm::dvec2 on = ringDirection(k, radialDivisions);
     return section.centre + section.radius * (on.x * section.frame.normal + on.y * section.frame.binormal);
-}
-
-std::vector<glm::vec3> sectionRings(const SectionSet& set, int radialDivisions)
-{
-    const std::vector<glm::dvec2> circle = unitCircle(radialDivisions);
-    // A few rings at a time, in the cache: the large array is written once, and not first with zeros.
-    constexpr std::size_t together = 32;
-    std::vector<glm::vec3> points, rings(together * circle.size());
-    points.reserve(set.sections.size() * circle.size());
-    for (std::size_t first = 0; first < set.sections.size(); first += together) {
-        const std::size_t count = std::min(together, set.sections.size() - first);
-        glm::vec3* to = rings.data();
-        for (std::size_t i = first; i < first + count; ++i) {
-            const CrossSection& section = set.sections[i];
-            const glm::dvec3 u = section.radius * section.frame.normal;
-            const glm::dvec3 v = section.radius * section.frame.binormal;
-            for (const glm::dvec2& on : circle)
-                *to++ = glm::vec3(section.centre + on.x * u + on.y * v);
-        }
-        points.insert(points.end(), rings.data(), to);
-    }
-    return points;
 }
 
 } // namespace ramure

@@ -46,7 +46,4 @@ SectionSet buildSections(const Skeleton& skeleton, int lengthDivisions, std::spa
 /// Point k of n on a section's circle: centre + radius * (cos(2 pi k / n) normal + sin(2 pi k / n) binormal).
 glm::dvec3 sectionPoint(const CrossSection& section, int k, int radialDivisions);
 
-/// All points of all sections: those of section s at [s * radialDivisions, (s + 1) * radialDivisions).
-std::vector<glm::vec3> sectionRings(const SectionSet& set, int radialDivisions);
-
 } // namespace ramure

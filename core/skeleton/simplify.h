@@ -17,7 +17,7 @@ struct SimplifiedSkeleton
     std::vector<std::uint64_t> matched{};
 };
 
-/// m per m, that a branch gets thinner; 0 where it has no length.
+/// m per m by which a branch gets thinner; 0 if it has no length.
 double taperOf(const Skeleton& skeleton, Index branch);
 
 /// Removes every branch that has exactly one child which turns by less than \p rotationThresholdRad against
@@ -25,7 +25,7 @@ double taperOf(const Skeleton& skeleton, Index branch);
 /// first.
 SimplifiedSkeleton simplify(const Skeleton& skeleton, double rotationThresholdRad);
 
-/// What else is not merged.
+/// Further limits to merging.
 struct OutlineLimits
 {
     /// m per m: a branch whose radius changes by so much more or less than that of the branch merged so far.

@@ -14,13 +14,13 @@ namespace ramure {
 
 enum class OrganKind : std::uint8_t { Leaf, Fruit };
 
-/// A leaf, fruit or flower that a grammar puts in one place. What it says is of the branch as it was drawn: a
-/// branch that is bent later takes its organs along.
+/// A leaf, fruit or flower that a grammar puts in one place. Its values refer to the branch as it was drawn,
+/// so a branch that is bent later takes its organs along.
 struct Organ
 {
     Index branch = noIndex;
     OrganKind kind = OrganKind::Leaf;
-    double share = 1.0;     ///< of the branch's length, from its start
+    double share = 1.0;     ///< place on the branch, from its start, in branch lengths
     glm::dvec3 offset{0.0}; ///< m, from there
     glm::dvec3 axis{0.0};   ///< unit, the branch's direction
     /// Unit: where it points, where its upper side looks. Without a heading it stands on the bark as those do
@@ -34,19 +34,19 @@ struct Organ
 /// A limb that was cut and falls when the physics plays: a tree of its own, with a root in the air.
 struct LooseLimb
 {
-    Index first = noIndex; ///< its root
+    Index first = noIndex; ///< root of the limb
     Index stump = noIndex; ///< the branch that it came off, and hangs on until then; noIndex: none is left
     double seconds = 0.0;  ///< after the beginning: when it comes off
     bool operator==(const LooseLimb&) const = default;
 };
 
-/// An edit that the generator has lived with (growth): it is in the tree already, and nobody makes it again.
+/// An edit that the generator has already made during growth, so that no step makes it again.
 struct LivedEdit
 {
     enum class State : std::uint8_t {
         Made,   ///< the tree is as it left it, and has answered
         Waits,  ///< the tree is younger than at the edit
-        Missed, ///< what it is of was not there at that age
+        Missed, ///< its target did not exist at that age
     };
     std::uint64_t edit = 0; ///< TreeEdit::id
     State state = State::Made;
@@ -67,14 +67,14 @@ struct Skeleton
         source; ///< before simplification: noIndex-free 0..n-1; after: the first branch merged into it
     /// Names other than the keys, ascending by branch: see name().
     std::vector<std::pair<Index, std::uint64_t>> renamed;
-    std::vector<Organ> organs; ///< as they were drawn
+    std::vector<Organ> organs; ///< organs as they were drawn
     /// First branches of axes with the axes' addresses, ascending, where edits were made: axes are no longer
     /// where levels say, and keep their addresses whatever happened beside them. Empty: by levels and ranks.
     std::vector<std::pair<Index, std::uint64_t>> axisStarts;
     std::vector<Index> bare;      ///< branches on which no leaf and no fruit grows by itself, ascending
     std::vector<Index> sawn;      ///< branches whose end was cut, ascending: it is flat
     std::vector<LooseLimb> loose; ///< ascending by their roots
-    std::vector<LivedEdit> lived; ///< of a tree as it has grown
+    std::vector<LivedEdit> lived; ///< edits in the life of a tree grown by years
 
     [[nodiscard]] Index size() const { return static_cast<Index>(parent.size()); }
     [[nodiscard]] bool empty() const { return parent.empty(); }
@@ -108,13 +108,13 @@ struct ChildLists
 };
 ChildLists childLists(const Skeleton& skeleton);
 
-/// What `ramure-cli info` prints and golden/skeletons.csv holds.
+/// Sums over a skeleton, for `ramure-cli info` and golden/skeletons.csv.
 struct SkeletonStats
 {
     Index branches = 0, terminals = 0, maxChildren = 0, roots = 0;
     double totalLength = 0.0, sumA1 = 0.0;
     glm::dvec3 min{0.0}, max{0.0}; ///< box of all end points
-    glm::dvec3 sumTip{0.0};        ///< of all p1
+    glm::dvec3 sumTip{0.0};        ///< sum of all p1
 };
 SkeletonStats skeletonStats(const Skeleton& skeleton);
 

@@ -6,7 +6,7 @@ in Surface
     vec4 tint;
     vec2 uv;
     float shade;
-    float age;
+    vec3 age; // of the skin of twigs, of the bark of limbs; weather: 0 .. 1
 } v;
 #ifdef WIRE
 noperspective in vec3 edgeDistance;
@@ -55,6 +55,10 @@ uniform int uImages; // 0 none; 1 uBark and uBarkNormals are pictures of any sur
 uniform sampler2D uBark;        // sRGB, occlusion
 uniform sampler2D uBarkNormals; // tangent space, roughness
 uniform vec3 uYoung;            // sRGB, of thin wood; below 0: the mean of uBark
+uniform vec3 uLimb;             // what uBark is multiplied by on limbs
+uniform float uGrey;            // of uBark on average
+
+const vec3 weatheredBark = vec3(0.70, 0.74, 0.68); // bark_maps.h
 
 // The bark's colour, its normal turned by what stands out of it. The frame of the texture comes from what both do from
 // pixel to pixel (Schueler, "Followup: normal mapping without precomputed tangents", 2013).
@@ -66,11 +70,14 @@ vec3 barkColour(inout vec3 normal)
     vec3 t = p * du.x + q * dv.x, b = p * du.y + q * dv.y;
     // Bark is as old as the branch is thick.
     vec4 old = texture(uBark, v.uv);
-    vec3 young = uYoung.r < 0.0 ? textureLod(uBark, v.uv, 20.0).rgb : uYoung;
+    vec3 bark = old.rgb * old.a * mix(uLimb, vec3(1.0), v.age.y);
+    // Skin has a grain, too: a little of what the bark will be.
+    vec3 young = uYoung.r < 0.0 ? textureLod(uBark, v.uv, 20.0).rgb
+                                : uYoung * mix(1.0, dot(old.rgb, vec3(0.3333)) * old.a / uGrey, 0.35);
     vec3 relief = texture(uBarkNormals, v.uv).xyz * 2.0 - 1.0;
     float scale = inversesqrt(max(max(dot(t, t), dot(b, b)), 1e-30));
-    normal = normalize(v.age * scale * (t * relief.x + b * relief.y) + normal * max(relief.z, 0.1));
-    return mix(young, old.rgb * old.a, v.age);
+    normal = normalize(max(v.age.x, 0.3) * scale * (t * relief.x + b * relief.y) + normal * max(relief.z, 0.1));
+    return mix(young, bark, v.age.x) * (1.0 - v.age.z * (1.0 - weatheredBark));
 }
 
 uniform vec3 uBlade; // sRGB, of the leaf whose picture uBark is where uVeins, or what pictures replace

@@ -12,7 +12,7 @@ in Surface
     vec4 tint;
     vec2 uv;
     float shade;
-    float age;
+    vec3 age;
 } vIn[];
 
 out Surface
@@ -23,7 +23,7 @@ out Surface
     vec4 tint;
     vec2 uv;
     float shade;
-    float age;
+    vec3 age;
 } v;
 noperspective out vec3 edgeDistance;
 

@@ -13,7 +13,9 @@ uniform mat4 uClip;     // item -> clip space
 uniform mat4 uRelative; // item -> world axes, relative to the eye
 uniform mat3 uNormal;   // inverse transposed
 uniform float uVariety; // how much leaves of different branches differ
-uniform vec2 uYouth;    // m: radii up to which bark is young, and from which it is old
+// m: radii up to which bark is young, and from which it is not; up to which it is that of limbs, and from which it is old
+uniform vec4 uYouth;
+uniform bool uWeathers;
 
 #ifdef FAR
 uniform vec3 uColour; // sRGB
@@ -28,8 +30,39 @@ out Surface
     vec4 tint;
     vec2 uv;
     float shade;
-    float age; // 0 the skin of twigs, 1 bark
+    vec3 age; // 0 the skin of twigs, 1 bark; 0 that of limbs, 1 of old trunks; 0 clean, 1 weathered
 } v;
+#endif
+
+#ifndef FAR
+float latticeShare(ivec3 at, uint seed)
+{
+    uint h = seed + uint(at.z) * 0x27D4EB2Fu + uint(at.x) * 0x8DA6B343u + uint(at.y) * 0xD8163841u;
+    h = (h ^ (h >> 15)) * 0x2C1B3C6Du;
+    h = (h ^ (h >> 12)) * 0x297A2D39u;
+    return float((h ^ (h >> 15)) >> 8) / 16777216.0;
+}
+
+float latticeNoise(vec3 at, uint seed)
+{
+    ivec3 base = ivec3(floor(at));
+    vec3 f = at - vec3(base), s = f * f * (3.0 - 2.0 * f);
+    vec4 low, high;
+    for (int i = 0; i < 4; ++i) {
+        ivec3 corner = base + ivec3(0, i & 1, i >> 1);
+        low[i] = latticeShare(corner, seed);
+        high[i] = latticeShare(corner + ivec3(1, 0, 0), seed);
+    }
+    vec4 across = mix(low, high, s.x);
+    return mix(mix(across.x, across.y, s.y), mix(across.z, across.w, s.y), s.z);
+}
+
+// barkWeather() of bark_maps.cpp
+float weather(vec3 place)
+{
+    vec3 at = clamp(place, -1e4, 1e4) * vec3(1.7, 0.8, 1.7);
+    return smoothstep(0.35, 0.8, 0.65 * latticeNoise(at, 1u) + 0.35 * latticeNoise(2.7 * at, 2u));
+}
 #endif
 
 void main()
@@ -59,6 +92,7 @@ void main()
     v.tint = tint;
     v.uv = aTexture;
     v.shade = shade;
-    v.age = smoothstep(log(uYouth.x), log(uYouth.y), log(max(aRadius, 1e-6)));
+    vec2 ages = smoothstep(log(uYouth.xz), log(uYouth.yw), vec2(log(max(aRadius, 1e-6))));
+    v.age = vec3(ages, uWeathers ? weather(aPosition) : 0.0);
 #endif
 }

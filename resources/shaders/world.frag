@@ -26,6 +26,8 @@ uniform float uFade;       // distance at which the ground melts into the sky, m
 uniform float uGridStep;   // 0 = no grid
 uniform float uPixelRatio;  // device pixels per logical one
 uniform float uMottle;     // size of the ground's patches, m
+uniform int uFeetCount;    // trunks that stand on roots
+uniform vec3 uFeet[16];    // x, z and how far their roots reach, m
 uniform mat4 uClip;        // eye-relative -> clip space
 uniform vec3 uPerezA, uPerezB, uPerezC, uPerezD, uPerezE, uSkyScale; // of Y, x and y
 
@@ -79,6 +81,25 @@ float gridLines(vec2 at, vec2 width, float spacing)
     return max(line.x, line.y);
 }
 
+// Patches of so many metres, 0 .. 1; those under a pixel dissolve.
+float patches(vec2 at, float size, float broad)
+{
+    return mix(noise(at / size), 0.5, smoothstep(0.2, 0.7, broad / size));
+}
+
+// Fallen leaves and bare earth between the roots of trees, out to where grass gets light and water.
+vec3 littered(vec3 albedo, vec2 at, float broad)
+{
+    float bare = 0.0;
+    for (int i = 0; i < uFeetCount; ++i)
+        bare = max(bare, 2.2 - distance(at, uFeet[i].xy) / uFeet[i].z);
+    if (bare <= 0.0)
+        return albedo;
+    float leaves = patches(at, 0.05, broad), crumbs = patches(at.yx, 0.013, broad), tufts = patches(at, 0.23, broad);
+    vec3 litter = mix(vec3(0.055, 0.038, 0.021), vec3(0.165, 0.105, 0.050), leaves) * (0.7 + 0.6 * crumbs);
+    return mix(albedo, litter, 0.9 * smoothstep(0.1, 1.0, bare + 0.8 * (tufts - 0.5) + 0.5 * (leaves - 0.5)));
+}
+
 vec3 ground(vec3 relative, vec2 at, vec2 width)
 {
     const vec3 up = vec3(0.0, 1.0, 0.0);
@@ -92,6 +113,7 @@ vec3 ground(vec3 relative, vec2 at, vec2 width)
     float fine = uMottle * 0.11;
     mottle += 0.7 * (noise(at / fine) - 0.5) * (1.0 - smoothstep(0.2, 0.7, broad / fine));
     vec3 albedo = toLinear(groundGreen) * (1.0 + 0.14 * mottle);
+    albedo = littered(albedo, at, broad);
     float sun = sunlight(relative, up, up);
     return albedo * (skyReaching() * ambient(up) + uSunLight * uSun.y * sun);
 }

@@ -1,6 +1,7 @@
 // The analysis of a finished mesh, per triangle: pairs that run through each other (one thread and two),
 // triangle quality, hash.
 #include "core/surface/check/mesh_analysis.h"
+#include "core/surface/mesher/build_branch_mesh.h"
 #include "tests/bench/bench_trees.h"
 #include <benchmark/benchmark.h>
 

@@ -3,7 +3,7 @@
 
 #include "core/base/parallel.h"
 #include "core/surface/mesh/normals.h"
-#include "core/surface/mesher/branch_mesh.h"
+#include "core/surface/mesher/build_branch_mesh.h"
 #include "core/surface/proof/validate.h"
 #include "tests/support/preset_trees.h"
 #include <benchmark/benchmark.h>

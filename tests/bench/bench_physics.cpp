@@ -2,7 +2,8 @@
 #include "core/math/random.h"
 #include "core/rig/physics/leaf_swing.h"
 #include "core/rig/physics/physics_cache.h"
-#include "core/surface/mesher/branch_mesh.h"
+#include "core/surface/foliage/place_foliage.h"
+#include "core/surface/mesher/build_branch_mesh.h"
 #include "tests/bench/bench_trees.h"
 #include <benchmark/benchmark.h>
 

@@ -1,6 +1,7 @@
 // Binding (per vertex, once per tree) and deforming (per vertex, every frame): positions alone, and with
 // normals.
 #include "core/rig/pose/skin.h"
+#include "core/surface/mesher/build_branch_mesh.h"
 #include "tests/bench/bench_trees.h"
 #include <benchmark/benchmark.h>
 #include <cmath>

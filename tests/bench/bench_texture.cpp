@@ -2,6 +2,7 @@
 /// Texture coordinates of the presets' branch meshes. Items are triangles.
 
 #include "core/surface/check/texture_report.h"
+#include "core/surface/mesher/build_branch_mesh.h"
 #include "tests/bench/bench_trees.h"
 #include <benchmark/benchmark.h>
 

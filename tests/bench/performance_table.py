@@ -91,7 +91,7 @@ FRENCH_LINES = [
         r"(\1 ns par triangle là où les limites ont été fixées), et la copie de 256 Mo (\2 là-bas).",
     ),
     (
-        r"there\)\. What waits for memory alone .*",
+        r"there\)\. Rows that only wait for memory .*",
         "Ce qui n’attend que la mémoire peut être jugé d’après le second ; le tableau dit où celui-là seul est respecté.",
     ),
     (r"The bars of OBJ and PLY .*", "Les limites d’OBJ et de PLY concernent les positions et les triangles."),
@@ -278,7 +278,7 @@ def page(data):
         "Bars hold as a ratio to two yardsticks measured in the same run: OpenMesh building a sphere of 1,001,112",
         f"triangles face by face ({REFERENCE_SPHERE:.0f} ns per triangle where the bars were set), and copying 256 MB "
         f"({REFERENCE_COPY:.0f} GB/s",
-        "there). What waits for memory alone may be judged by the second; the table says where only that one is met.",
+        "there). Rows that only wait for memory may be judged by the second; the table says where only that one is met.",
         "The bars of OBJ and PLY are about positions and triangles.",
         "",
         f"Machine: {context['num_cpus']} processors at {context['mhz_per_cpu']} MHz. Yardsticks: "

@@ -2,6 +2,7 @@
 #include "core/generators/grammar/rewrite.h"
 #include "core/generators/grammar/turtle.h"
 #include "tests/fuzz/fuzz.h"
+#include "tests/support/grammar_text.h"
 
 using namespace ramure;
 
@@ -39,7 +40,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
         return 0;
     }
     fuzz::claim(checkGrammar(*grammar).has_value(), "what was parsed passes the check");
-    const auto again = parseRules(formatRules(grammar->rules));
+    const auto again = parseRules(test::formatRules(grammar->rules));
     fuzz::claim(again && *again == grammar->rules, "rules written and parsed are the same");
     grow(*grammar, false);
     grow(*grammar, true);

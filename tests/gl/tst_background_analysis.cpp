@@ -34,11 +34,11 @@ struct Heartbeat
         });
         QObject::connect(view, &Viewport::frameDrawn, &m_pulse, [this, view] {
             ++pictures;
-            view->orbitBy(0.05, 0.0);
+            view->steer([](Camera& to) { to.orbit(0.05, 0.0); });
         });
         m_last = m_clock.nsecsElapsed();
         m_pulse.start(1);
-        view->orbitBy(0.05, 0.0);
+        view->steer([](Camera& to) { to.orbit(0.05, 0.0); });
     }
 
     double longestMs = 0.0;

@@ -81,13 +81,13 @@ private slots:
     {
         test::ViewWindow window;
         window.show({320, 240});
-        window.view->setAxisView(AxisView::Front);
+        window.view->steer([](Camera& to) { to.setAxisView(AxisView::Front); });
         QTRY_COMPARE(window.view->camera().yawRad, 0.0);
-        window.view->turnOpposite();
+        window.view->steer(std::mem_fn(&Camera::turnOpposite));
         QTRY_VERIFY(std::abs(std::abs(window.view->camera().yawRad) - 3.14159265358979) < 1e-9);
-        window.view->setAxisView(AxisView::Top);
+        window.view->steer([](Camera& to) { to.setAxisView(AxisView::Top); });
         QTRY_VERIFY(window.view->camera().pitchRad > 1.57);
-        window.view->turnOpposite();
+        window.view->steer(std::mem_fn(&Camera::turnOpposite));
         QTRY_VERIFY(window.view->camera().pitchRad < -1.57);
     }
 };

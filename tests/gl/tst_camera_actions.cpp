@@ -83,7 +83,7 @@ private slots:
         window.waitForPicture();
         QVERIFY(glm::length(window.view->camera().eye() - glm::dvec3(0, 1, 8)) < 1e-12);
 
-        window.view->orbitBy(0.3, 0.0);
+        window.view->steer([](Camera& to) { to.orbit(0.3, 0.0); });
         QCOMPARE(window.view->seenThrough(), noNode);
         QVERIFY(!through->isChecked());
         QVERIFY(glm::length(glm::dvec3(worldMatrix(window.document.scene(), 2)[3]) - glm::dvec3(0, 1, 8)) <
@@ -106,12 +106,12 @@ private slots:
         window.show({320, 240});
         window.view->lookThrough(2);
         window.waitForPicture();
-        QTRY_VERIFY(!window.view->isSettling());
+        QTRY_VERIFY(!window.view->work().settling);
         window.waitForPicture();
         const QImage sharp = window.view->grabFramebuffer();
         QVERIFY(edit::setParam(window.document, {2}, *findParam("camera.fStop"), 0.1));
         window.waitForPicture();
-        QTRY_VERIFY(!window.view->isSettling());
+        QTRY_VERIFY(!window.view->work().settling);
         // As good as it gets: the next picture is the same.
         QImage last;
         QTRY_VERIFY(std::exchange(last, window.view->grabFramebuffer()) == window.view->grabFramebuffer());
@@ -127,8 +127,8 @@ private slots:
         const glm::dvec3 nearEdge(0.5, 0.5, 0.0), farEdge(2.5, 0.5, -9.0);
         QVERIFY(contrastAt(last, farEdge) < 0.5 * contrastAt(sharp, farEdge));
         QVERIFY(contrastAt(last, nearEdge) > 0.5 * contrastAt(sharp, nearEdge));
-        window.view->orbitBy(0.2, 0.0); // left: everything is sharp
-        QTRY_VERIFY(!window.view->isSettling());
+        window.view->steer([](Camera& to) { to.orbit(0.2, 0.0); }); // left: everything is sharp
+        QTRY_VERIFY(!window.view->work().settling);
         window.waitForPicture();
     }
     void theCameraComesToTheView()

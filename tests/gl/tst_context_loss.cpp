@@ -66,7 +66,7 @@ private slots:
             return !drawn.isEmpty() || drawn.wait(20'000);
         };
         QVERIFY(draw());
-        QTRY_VERIFY_WITH_TIMEOUT(!view->isPicturePending() && !view->isSettling(),
+        QTRY_VERIFY_WITH_TIMEOUT(!view->work().picture && !view->work().settling,
                                  20'000); // bark comes later
         QVERIFY(draw());
         const QImage before = view->grabFramebuffer();
@@ -75,7 +75,7 @@ private slots:
         for (const bool floating : {true, false, true, false}) {
             dock->setFloating(floating);
             QVERIFY(draw());
-            QTRY_VERIFY_WITH_TIMEOUT(!view->isSettling(), 20'000);
+            QTRY_VERIFY_WITH_TIMEOUT(!view->work().settling, 20'000);
             QVERIFY(draw());
             losses += context != view->context() ? 1 : 0;
             context = view->context();

@@ -58,7 +58,7 @@ private:
             return {};
         QSignalSpy drawn(view(), &Viewport::frameDrawn);
         view()->update();
-        if (!QTest::qWaitFor([&] { return !drawn.isEmpty() && !view()->isPicturePending(); }, patienceMs))
+        if (!QTest::qWaitFor([&] { return !drawn.isEmpty() && !view()->work().picture; }, patienceMs))
             return {};
         return m_window->grab().toImage();
     }

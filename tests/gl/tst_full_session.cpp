@@ -191,12 +191,16 @@ private slots:
             }));
 
             // Its frames rolled by hand, then one change too many, which is undone.
-            Editor::moveMouse(view.topLeft() + QPoint(8, 8)); // what lies under it would have another tint
+            // What lies under the mouse would have another tint, and buttons their tips.
+            Editor::moveMouse(view.topLeft() + QPoint(view.width() / 6, view.height() / 10));
             const QImage unrolled = test::stillView(view);
+            const QRect otherLimbs(0, 0, view.width() * 2 / 5,
+                                   view.height()); // the line around its axis apart
             Editor::keys({QStringLiteral("shift+r")});
             Editor::type(QStringLiteral("30"));
             Editor::keys({QStringLiteral("Return")});
-            QVERIFY(eventually([&] { return test::screenPicture(view) != unrolled; }));
+            QVERIFY(eventually(
+                [&] { return test::screenPicture(view).copy(otherLimbs) != unrolled.copy(otherLimbs); }));
             Editor::keys(
                 {QStringLiteral("ctrl+f")}); // the inspector, and with it the section in the view, leaves
             QVERIFY(eventually([&] { return test::screenPicture(view) != unrolled; }));

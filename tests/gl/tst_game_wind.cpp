@@ -9,6 +9,7 @@
 #include "widgets/view/render/gl_setup.h"
 #include "widgets/view/render/passes/offscreen_renderer.h"
 #include "widgets/view/render/scene_builder.h"
+#include "widgets/view/screenshot.h"
 #include <glm/gtc/constants.hpp>
 
 namespace tst_game_wind {
@@ -212,7 +213,7 @@ private slots:
         result.tree = *TreePipeline().evaluate(*presetParams("TinyTree"));
         window.document.setResult(window.document.scene().nodes().front().id, std::move(result));
         window.show({500, 400});
-        const QImage rest = window.view->screenshot();
+        const QImage rest = screenshot(*window.view);
         ViewSettings* settings = window.host.settings();
         QSignalSpy messages(window.view, &Viewport::messageRaised);
         settings->gameWindStrength.set(1.0);
@@ -220,13 +221,13 @@ private slots:
         window.waitForPicture();
         QSignalSpy drawn(window.view, &Viewport::frameDrawn);
         QTRY_VERIFY_WITH_TIMEOUT(drawn.size() > 3, 60'000);
-        const QImage blown = window.view->screenshot();
+        const QImage blown = screenshot(*window.view);
         window.keep("game_wind");
         QVERIFY(test::differing(blown, rest) > 500);
-        QTRY_VERIFY_WITH_TIMEOUT(test::differing(window.view->screenshot(), blown) > 500, 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(test::differing(screenshot(*window.view), blown) > 500, 60'000);
         settings->gameWind.set(WindProfile::None);
         window.waitForPicture();
-        QVERIFY(window.view->screenshot() == rest);
+        QVERIFY(screenshot(*window.view) == rest);
         QVERIFY(messages.isEmpty());
     }
 

@@ -77,7 +77,7 @@ struct Window
     {
         QSignalSpy drawn(view, &Viewport::frameDrawn);
         view->update();
-        if (!QTest::qWaitFor([&] { return !drawn.isEmpty() && !view->isPicturePending(); }, 20'000))
+        if (!QTest::qWaitFor([&] { return !drawn.isEmpty() && !view->work().picture; }, 20'000))
             qWarning("no picture of now comes");
     }
     [[nodiscard]] PickView pick() const
@@ -177,11 +177,11 @@ void TestGizmo::draggingAHandleMovesInOneStep()
         const PlacementParams before = window.document.scene().find(1)->params.tree;
         const QPoint from = window.grip(yAxis);
         window.drag(from, {24, -40});
-        QVERIFY(window.view->isTransforming());
+        QVERIFY(window.view->work().transforming);
         window.waitForPicture();
         window.keep(qPrintable(QStringLiteral("dragging-%1").arg(tool)));
         window.release(from + QPoint(24, -40));
-        QVERIFY(!window.view->isTransforming());
+        QVERIFY(!window.view->work().transforming);
         QVERIFY(window.document.scene().find(1)->params.tree != before);
         QCOMPARE(window.document.undoStack()->count(), 1);
         window.document.undo();
@@ -199,7 +199,7 @@ void TestGizmo::rightClickAndEscapeTakeItBack()
     window.drag(from, {50, 10});
     QVERIFY(window.document.scene() != before);
     QTest::mousePress(window.view, Qt::RightButton, Qt::NoModifier, from);
-    QVERIFY(!window.view->isTransforming());
+    QVERIFY(!window.view->work().transforming);
     QCOMPARE(window.document.scene(), before);
     window.release(from + QPoint(50, 10));
     window.drag(from, {50, 10});
@@ -215,23 +215,23 @@ void TestGizmo::keysAloneAreEnough()
     Window window;
     const HintSource* hint = window.view->hints();
     window.view->beginTransform(TransformTool::Move);
-    QVERIFY(!window.view->isTransforming()); // nothing is selected
+    QVERIFY(!window.view->work().transforming); // nothing is selected
     window.select({1});
     window.view->beginTransform(TransformTool::Move);
-    QVERIFY(window.view->isTransforming());
+    QVERIFY(window.view->work().transforming);
     QVERIFY(hint->isGesture());
     QVERIFY2(hint->hint().startsWith(QStringLiteral("Move primitive: ")), qPrintable(hint->hint()));
     QTest::keyClicks(window.view, QStringLiteral("x-1.5"));
     window.waitForPicture();
     window.keep("typed");
     QTest::keyClick(window.view, Qt::Key_Return);
-    QVERIFY(!window.view->isTransforming());
+    QVERIFY(!window.view->work().transforming);
     QVERIFY(!hint->isGesture());
     QCOMPARE(window.origin(1), glm::dvec3(-1.5, 0.5, 0.0));
     window.view->beginTransform(TransformTool::Move);
     QTest::keyClicks(window.view, QStringLiteral("1"));
     QTest::keyClick(window.view, Qt::Key_Tab); // goes to no other widget
-    QVERIFY(window.view->isTransforming());
+    QVERIFY(window.view->work().transforming);
     QTest::keyClicks(window.view, QStringLiteral("2"));
     QTest::mouseClick(window.view, Qt::LeftButton, Qt::NoModifier, {400, 300});
     QVERIFY(glm::distance(window.origin(1), {-0.5, 2.5, 0.0}) < 1e-12);
@@ -268,11 +268,11 @@ void TestGizmo::whoeverTakesTheNodeEndsIt()
     window.view->beginTransform(TransformTool::Move);
     QTest::keyClicks(window.view, QStringLiteral("3"));
     window.document.reset(Window::boxes(), {});
-    QVERIFY(!window.view->isTransforming());
+    QVERIFY(!window.view->work().transforming);
     window.select({1});
     window.view->beginTransform(TransformTool::Move);
     QVERIFY(edit::removeNodes(window.document, {1}));
-    QVERIFY(!window.view->isTransforming());
+    QVERIFY(!window.view->work().transforming);
     QTest::keyClicks(window.view, QStringLiteral("3"));
     QCOMPARE(window.document.undoStack()->count(), 1);
 }

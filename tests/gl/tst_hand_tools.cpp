@@ -62,7 +62,7 @@ private:
     const Skeleton& skeleton() { return m_document->result(tree())->tree.simplified->skeleton; }
     bool isSettled()
     {
-        return m_document->isCurrent(tree()) && !view()->isPicturePending() && !view()->isPickPending();
+        return m_document->isCurrent(tree()) && !view()->work().picture && !view()->work().pick;
     }
     QPoint pixelOf(Index branch, double share)
     {

@@ -103,7 +103,7 @@ private:
             return false;
         QSignalSpy drawn(view(), &Viewport::frameDrawn);
         view()->update();
-        return QTest::qWaitFor([&] { return !drawn.isEmpty() && !view()->isPicturePending(); }, patienceMs);
+        return QTest::qWaitFor([&] { return !drawn.isEmpty() && !view()->work().picture; }, patienceMs);
     }
     /// The window as it is, with \p above drawn where it stands.
     void take(const char* name, QWidget* above = nullptr)
@@ -209,7 +209,7 @@ private:
             QCoreApplication::sendEvent(view(), &event);
         };
         send(QEvent::MouseButtonPress, from, Qt::LeftButton, Qt::LeftButton);
-        QTRY_VERIFY_WITH_TIMEOUT(!view()->isPickPending(), patienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!view()->work().pick, patienceMs);
         send(QEvent::MouseMove, 0.5 * (from + to), Qt::NoButton, Qt::LeftButton);
         send(QEvent::MouseMove, to, Qt::NoButton, Qt::LeftButton);
         QTRY_VERIFY_WITH_TIMEOUT(m_document->isModified(), patienceMs);

@@ -106,15 +106,15 @@ private slots:
         add("EnglishOak1995", false, 0.91);
         add("SilverBirch1995", false, 0.86);
         add("ScotsPine1995", false, 0.87);
-        add("CoconutPalm", false, 0.92);
+        add("CoconutPalmRules", false, 0.92);
         add("WeepingWillow1995", false, 0.865);
-        add("CommonAsh", false, 0.865);
+        add("CommonAsh1995", false, 0.865);
         add("OrchardApple1995", false, 0.835);
         add("FanTree", false, 0.865);
         add("EuropeanBeech1995", false, 0.87);
         add("NorwaySpruce1995", false, 0.835);
-        add("CoconutPalm", true, 0.91); // its trunk's lean is its outline
-        add("CommonAsh", true, 0.925);
+        add("CoconutPalmRules", true, 0.91); // its trunk's lean is its outline
+        add("CommonAsh1995", true, 0.925);
         add("EnglishOak1995", true, 0.945);
     }
     void neighboursAreAlikeWhereTheySwitch()

@@ -55,7 +55,7 @@ struct Session
         window->show();
         QVERIFY(QTest::qWaitForWindowExposed(window.get()));
         QVERIFY(recompute.waitForFull(patienceMs));
-        QVERIFY(QTest::qWaitFor([this] { return !view()->isPicturePending(); }, patienceMs));
+        QVERIFY(QTest::qWaitFor([this] { return !view()->work().picture; }, patienceMs));
     }
     /// Where pixels count: the camera has come to rest.
     void letCameraRest()

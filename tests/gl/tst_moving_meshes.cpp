@@ -1,6 +1,7 @@
 #include "core/rig/arm/arm_chain.h"
 #include "core/rig/arm/arm_shape.h"
 #include "core/rig/arm/arm_skin.h"
+#include "core/surface/mesher/build_branch_mesh.h"
 #include "tests/support/preset_trees.h"
 #include "tests/support/solids.h"
 #include "tests/support/suite.h"

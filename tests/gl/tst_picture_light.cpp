@@ -1,4 +1,4 @@
-#include "core/surface/foliage/foliage.h"
+#include "core/surface/foliage/place_foliage.h"
 #include "tests/support/cannot_run.h"
 #include "tests/support/preset_trees.h"
 #include "tests/support/sample_tree.h"

@@ -2,6 +2,7 @@
 // happen meanwhile.
 #include "core/pipeline/tree_pipeline.h"
 #include "core/presets/presets.h"
+#include "core/surface/foliage/place_foliage.h"
 #include "tests/support/cannot_run.h"
 #include "tests/support/preset_trees.h"
 #include "tests/support/sample_tree.h"
@@ -101,7 +102,7 @@ struct Window : test::ViewWindow
         view->setSoftware(true);
         host.settings()->quality.set(Quality::Best);
     }
-    [[nodiscard]] bool isWhole() const { return !view->isSettling() && !view->isPictureInMaking(); }
+    [[nodiscard]] bool isWhole() const { return !view->work().settling && !view->work().parts; }
     /// Of orange ink in the picture of now, below the words that say what it is.
     [[nodiscard]] int ink() const
     {
@@ -219,13 +220,13 @@ private slots:
 
         window.host.settings()->gridVisible.set(!window.host.settings()->gridVisible());
         window.waitForPicture();
-        QTRY_VERIFY(window.view->isPictureInMaking());
+        QTRY_VERIFY(window.view->work().parts);
         QVERIFY(window.view->grabFramebuffer() != whole);
         PaintedDialog dialog;
         dialog.resize(300, 200);
         dialog.show();
         QTRY_VERIFY(dialog.isPainted);
-        QVERIFY(window.view->isPictureInMaking());
+        QVERIFY(window.view->work().parts);
         dialog.close();
         QTRY_VERIFY_WITH_TIMEOUT(window.isWhole(), 120'000);
         window.host.settings()->gridVisible.set(!window.host.settings()->gridVisible());

@@ -27,6 +27,17 @@ class TestSeedsDialog : public QObject
         return int(std::ranges::count_if(dialog.choices(), [](auto* each) { return each->hasPicture(); }));
     }
 
+    /// Pixels of the tree: beside it a row is of one colour.
+    static int treePixels(const PictureButton* button)
+    {
+        const QImage image = button->picture().toImage();
+        int count = 0;
+        for (int y = 0; y < image.height(); ++y)
+            for (int x = 0; x < image.width(); ++x)
+                count += qAbs(qGray(image.pixel(x, y)) - qGray(image.pixel(0, y))) > 12 ? 1 : 0;
+        return count;
+    }
+
     /// Drawing leaves the processor to every other suite that runs.
     static constexpr int patienceMs = 280'000;
 
@@ -137,6 +148,13 @@ private slots:
         dialog.offerNew(like);
         QVERIFY(!dialog.agesBox()->isHidden());
         dialog.agesBox()->setChecked(true);
+        QTRY_VERIFY_WITH_TIMEOUT(dialog.drawn() >= 3, patienceMs);
+        const auto& row = dialog.choices(); // a young tree is small beside an old one
+        QVERIFY(row[0]->hasPicture() && row[1]->hasPicture() && row[2]->hasPicture());
+        QVERIFY2(3 * treePixels(row[0]) < treePixels(row[2]),
+                 qPrintable(QString::number(treePixels(row[0]))));
+        QVERIFY(treePixels(row[1]) > treePixels(row[0]));
+        QVERIFY(row[0]->text().contains(QString::number(ages[0])));
         QCOMPARE(dialog.seedOf(3), dialog.seedOf(5));
         QVERIFY(dialog.seedOf(2) != dialog.seedOf(3));
         dialog.choices()[5]->click();

@@ -9,8 +9,10 @@
 #include "widgets/base/defect_place.h"
 #include "widgets/view/render/gl_setup.h"
 #include "widgets/view/render/scene_builder.h"
+#include "widgets/view/screenshot.h"
 #include "widgets/view/tools/limb_finder.h"
 #include "widgets/view/tools/navigation_cube.h"
+#include "widgets/view/view_marks.h"
 #include <QApplication>
 #include <QClipboard>
 #include <QDockWidget>
@@ -77,7 +79,7 @@ struct Window : test::ViewWindow
     void click(QPoint at, Qt::KeyboardModifiers modifiers = Qt::NoModifier) const
     {
         QTest::mouseClick(view, Qt::LeftButton, modifiers, at);
-        if (!QTest::qWaitFor([this] { return !view->isPickPending(); }))
+        if (!QTest::qWaitFor([this] { return !view->work().pick; }))
             qWarning("the click has no effect");
     }
     void drag(QPoint from, QPoint to, Qt::MouseButton button,
@@ -87,7 +89,7 @@ struct Window : test::ViewWindow
         for (int i = 1; i <= 4; ++i)
             move(QPointF(from) + QPointF(to - from) * i / 4.0, button, modifiers);
         QTest::mouseRelease(view, button, modifiers, to);
-        if (!QTest::qWaitFor([this] { return !view->isPickPending(); }))
+        if (!QTest::qWaitFor([this] { return !view->work().pick; }))
             qWarning("the box has no effect");
     }
 };
@@ -306,7 +308,7 @@ private slots:
     void axisViewsAndFraming()
     {
         Window window;
-        window.view->setAxisView(AxisView::Top);
+        window.view->steer([](Camera& to) { to.setAxisView(AxisView::Top); });
         QTRY_VERIFY(glm::length(window.view->camera().backward() - glm::dvec3(0, 1, 0)) < 1e-12);
         const double far = window.view->camera().distance;
         Selection selection;
@@ -377,11 +379,11 @@ private slots:
         Window window;
         window.waitForPicture();
         const QImage plain = window.view->grabFramebuffer();
-        window.view->setInspectedSection(window.tree(0), 0, 1);
+        window.view->marks()->inspect(window.tree(0), 0, 1);
         window.waitForPicture();
         QVERIFY(window.view->grabFramebuffer() != plain);
-        window.view->setInspectedSection(window.tree(0), 9999, 1);
-        window.view->setInspectedSection(noNode, 0, 0);
+        window.view->marks()->inspect(window.tree(0), 9999, 1);
+        window.view->marks()->inspect(noNode, 0, 0);
         window.waitForPicture();
         QCOMPARE(window.view->grabFramebuffer(), plain);
 
@@ -446,16 +448,16 @@ private slots:
         Window window;
         QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("tree.png"));
-        const auto saved = window.view->saveScreenshot(path);
+        const auto saved = saveScreenshot(*window.view, path);
         QVERIFY2(saved, test::why(saved));
         QCOMPARE(QImage(path).size(), window.view->size() * window.view->devicePixelRatioF());
-        QCOMPARE(window.view->saveScreenshot(folder.filePath(QStringLiteral("tree.nothing"))).error().code,
+        QCOMPARE(saveScreenshot(*window.view, folder.filePath(QStringLiteral("tree.nothing"))).error().code,
                  ErrorCode::Unknown);
         QCOMPARE(
-            window.view->saveScreenshot(folder.filePath(QStringLiteral("no/such/tree.png"))).error().code,
+            saveScreenshot(*window.view, folder.filePath(QStringLiteral("no/such/tree.png"))).error().code,
             ErrorCode::Io);
-        QCOMPARE(window.view->saveScreenshot(QStringLiteral("tree")).error().code, ErrorCode::Unknown);
-        window.view->copyScreenshot();
+        QCOMPARE(saveScreenshot(*window.view, QStringLiteral("tree")).error().code, ErrorCode::Unknown);
+        copyScreenshot(*window.view);
         QCOMPARE(QApplication::clipboard()->image().size(), QImage(path).size());
     }
     void survivesContextLoss()
@@ -488,8 +490,8 @@ private slots:
     {
         Window window;
         const Camera before = window.view->camera();
-        window.view->zoomBy(0.0);
-        window.view->zoomBy(-1.0);
+        window.view->steer([](Camera& to) { to.zoom(0.0, to.target); });
+        window.view->steer([](Camera& to) { to.zoom(-1.0, to.target); });
         QTest::keyClick(window.view, Qt::Key_Left, Qt::ControlModifier); // not its own
         QCOMPARE(window.view->camera(), before);
     }
@@ -529,7 +531,7 @@ private slots:
         window.waitForPicture();
         QVERIFY(std::abs(window.view->camera().distance / fresh() - before) < 0.2 * before);
         const double yaw = window.view->camera().yawRad;
-        window.view->orbitBy(0.5, 0.0); // from now on it is the user's
+        window.view->steer([](Camera& to) { to.orbit(0.5, 0.0); }); // from now on it is the user's
         QTRY_VERIFY(std::abs(window.view->camera().yawRad - yaw - 0.5) < 1e-9);
         const Camera chosen = window.view->camera();
         window.host.resize(600, 300);
@@ -539,7 +541,7 @@ private slots:
     void onlyWhatIsSeenIsDrawnAgain()
     {
         Window window;
-        QTRY_VERIFY(!window.view->isSettling());
+        QTRY_VERIFY(!window.view->work().settling);
         test::letHappen(50); // the picture that follows is painted
         const quint64 before = window.view->frameTimes().frame;
         // A new shape comes with its result; a second opinion on the mesh changes no picture.
@@ -547,16 +549,16 @@ private slots:
         NodeResult same = *window.document.result(window.tree(0));
         same.tree.report = std::make_shared<MeshReport>(*same.tree.report);
         window.document.setResult(window.tree(0), same);
-        QVERIFY(!window.view->isPicturePending());
+        QVERIFY(!window.view->work().picture);
         test::letHappen(50);
         QCOMPARE(window.view->frameTimes().frame, before);
         compute(window.document);
-        QVERIFY(window.view->isPicturePending());
-        QTRY_VERIFY(!window.view->isPicturePending());
+        QVERIFY(window.view->work().picture);
+        QTRY_VERIFY(!window.view->work().picture);
         QVERIFY(window.view->frameTimes().frame > before);
         QVERIFY(
             edit::setParam(window.document, {window.tree(0)}, *findParam("tree.rotation"), glm::dvec3(1.0)));
-        QVERIFY(window.view->isPicturePending()); // where it stands needs no result
+        QVERIFY(window.view->work().picture); // where it stands needs no result
     }
     void draftsAreShown()
     {

@@ -74,7 +74,7 @@ struct Window : test::ViewWindow
     void click(QPoint at, Qt::MouseButton button = Qt::LeftButton) const
     {
         QTest::mouseClick(view, button, Qt::NoModifier, at);
-        if (!QTest::qWaitFor([this] { return !view->isPickPending(); }))
+        if (!QTest::qWaitFor([this] { return !view->work().pick; }))
             qWarning("the click has no effect");
     }
     /// Presses on the twig and drags it; the button stays down.
@@ -224,7 +224,7 @@ void TestViewportHand::copiesMoveInTheSameStep()
     const auto copy = [&] {
         QVERIFY(edit::duplicateNodes(window.document, {window.tree()}));
         window.view->beginMovingCopies();
-        QVERIFY(window.view->isTransforming());
+        QVERIFY(window.view->work().transforming);
         QTest::keyClicks(window.view, QStringLiteral("x2"));
     };
     copy();

@@ -53,8 +53,8 @@ ROWS = {
 # Presets as they are; any other may be named, too.
 SPECIES = ["QuakingAspen", "SilverBirch1995", "EnglishOak1995", "EuropeanBeech1995", "WeepingWillow1995", "SugarMaple", "LondonPlane",
            "OliveTree1995", "ScotsPine1995", "NorwaySpruce1995", "CoconutPalm", "TreeFern"]
-CLOSE_SPECIES = ["EnglishOak1995", "EuropeanBeech1995", "SilverBirch1995", "ScotsPine1995", "NorwaySpruce1995", "Hawthorn", "OrchardApple1995",
-                 "WildCherry", "LondonPlane", "OliveTree1995", "WeepingWillow1995", "CoconutPalm"]
+CLOSE_SPECIES = ["EnglishOak", "EuropeanBeech", "SilverBirch", "ScotsPine", "NorwaySpruce", "SmallLeavedLinden", "WeepingWillow",
+                 "OrchardApple", "OliveTree", "LebanonCedar", "Hawthorn", "JapaneseMaple"]
 BARE = ["--set", "foliage.leavesDensity=0", "--set", "foliage.applesProbability=0"]
 
 

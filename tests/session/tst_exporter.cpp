@@ -1,7 +1,7 @@
 #include "core/presets/presets.h"
 #include "core/qt/document/commands.h"
 #include "core/qt/session/export/exporter.h"
-#include "core/surface/foliage/foliage.h"
+#include "core/surface/foliage/place_foliage.h"
 #include "core/surface/mesh/transformed.h"
 #include "core/surface/mesher/rough_model.h"
 #include "tests/support/flat_export.h"

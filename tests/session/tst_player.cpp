@@ -1,6 +1,7 @@
 #include "core/presets/presets.h"
 #include "core/qt/document/commands.h"
 #include "core/qt/session/jobs/recompute.h"
+#include "core/qt/session/motion/motion_request.h"
 #include "core/qt/session/motion/player.h"
 #include "core/surface/proof/validate.h"
 #include "tests/support/suite.h"
@@ -42,6 +43,7 @@ private slots:
     void shakenApplesFall();
     void movedMeshesStayClosed();
     void closingWhilePlayingEndsCleanly();
+    void reshapedTreesAreSketchedFirst();
 
 private:
     NodeId addTree(const char* preset);
@@ -401,6 +403,37 @@ void TestPlayer::closingWhilePlayingEndsCleanly()
     QTRY_VERIFY(m_player->frame() > 1);
     m_player.reset();                  // joins
     QCoreApplication::processEvents(); // nothing is delivered any more
+}
+
+/// A sketch at once, then the whole tree of the same frame; one that is known comes as it is.
+void TestPlayer::reshapedTreesAreSketchedFirst()
+{
+    const NodeId tree = addTree("SmallTree");
+    Key first, last;
+    first.mode = last.mode = KeyMode::Linear;
+    first.value = 0.3;
+    last.time = 2 * ticksPerSecond;
+    last.value = 0.6;
+    const auto turn = std::make_shared<const AnyTrack>(*Track::fromKeys({first, last}));
+    const Channel theta = *channelFromKey("turtle.theta", NodeKind::Tree);
+    std::vector<std::shared_ptr<const MotionFrame>> shown;
+    connect(m_player.get(), &Player::motionChanged, this, [&] { shown.push_back(m_player->motion()); });
+    QVERIFY(edit::setTracks(*m_document, {{tree, theta, turn}}, QStringLiteral("turn")));
+    QVERIFY(m_player->waitForIdle(20000));
+    QVERIFY(shown.size() >= 2);
+    const TreeResult &draft = shown.front()->trees.at(tree), &whole = shown.back()->trees.at(tree);
+    QVERIFY(isSketch(*shown.front()) && draft.draftTubes && !draft.branches);
+    QVERIFY(!isSketch(*shown.back()) && whole.branches && whole.report->valid);
+    QCOMPARE(shown.front()->frame, shown.back()->frame);
+    QVERIFY(draft.skeleton == whole.skeleton && draft.skeleton != m_document->result(tree)->tree.skeleton);
+    seek(24);
+    QVERIFY(!isSketch(*m_player->motion()) && m_player->motion()->trees.at(tree).branches);
+    m_player->setPace(PlayPace::EveryFrame); // whatever that takes
+    shown.clear();
+    m_player->play();
+    QTRY_VERIFY(shown.size() >= 3);
+    m_player->pause();
+    QVERIFY(std::ranges::none_of(shown, [](const auto& one) { return isSketch(*one); }));
 }
 
 RAMURE_SUITE(TestPlayer)

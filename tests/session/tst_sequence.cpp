@@ -135,7 +135,7 @@ private slots:
         QTest::newRow("SilverBirch1995") << 59806432.0 << 80255800.0 << 84896912.0;
         QTest::newRow("ScotsPine1995") << 190366292.0 << 262948080.0 << 0.0;
         QTest::newRow("SmallTree") << 32410308.0 << 43303640.0 << 44629376.0;
-        QTest::newRow("CoconutPalm") << 6369796.0 << 8446404.0 << 0.0;
+        QTest::newRow("CoconutPalmRules") << 6369796.0 << 8446404.0 << 0.0;
         QTest::newRow("OrchardApple1995") << 40020216.0 << 53490072.0 << 0.0;
     }
     void sizesOfGlbAreWithinATenth()

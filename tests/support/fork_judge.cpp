@@ -1,4 +1,5 @@
 #include "tests/support/fork_judge.h"
+#include "core/surface/mesher/build_branch_mesh.h"
 
 #include "core/surface/proof/validate.h"
 #include "tests/support/mesh_checker.h"

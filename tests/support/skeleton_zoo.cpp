@@ -433,14 +433,17 @@ Specimen specimen(std::uint64_t number)
     s.options.roots = roots[random.below(roots.size())];
     s.options.rootLength = random.range(0.1, 4.0);
     s.options.rootHeight = random.range(0.1, 4.0);
+    s.options.fairing = random.below(2) == 0 ? 0.0 : random.range(0.0, 1.0);
+    s.options.ridge = random.below(2) == 0 ? 0.0 : random.range(0.0, 0.2);
     std::ostringstream name;
     name << "specimen " << number << ": " << zooName(family) << " seed " << seed << ", " << s.skeleton.size()
          << " branches, " << s.options.radialDivisions << " radial x " << s.options.lengthDivisions
          << " length, softness " << s.options.forkSoftness << " over " << s.options.forkReach << ", twins "
          << s.options.nearTwinRatio << ", least radius " << s.options.leastRadius << ", fork length "
          << s.options.forkLength << ", collar " << s.options.collar << ", " << s.options.roots << " roots "
-         << s.options.rootLength << " x " << s.options.rootHeight
-         << (s.options.clampOvershoot ? ", clamped" : "") << (s.rollRad.empty() ? "" : ", rolled");
+         << s.options.rootLength << " x " << s.options.rootHeight << ", fairing " << s.options.fairing
+         << ", ridge " << s.options.ridge << (s.options.clampOvershoot ? ", clamped" : "")
+         << (s.rollRad.empty() ? "" : ", rolled");
     s.name = name.str();
     return s;
 }

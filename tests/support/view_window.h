@@ -32,7 +32,7 @@ struct ViewWindow
     {
         QSignalSpy drawn(view, &Viewport::frameDrawn);
         view->update();
-        if (!QTest::qWaitFor([&] { return !drawn.isEmpty() && !view->isPicturePending(); }, 120'000))
+        if (!QTest::qWaitFor([&] { return !drawn.isEmpty() && !view->work().picture; }, 120'000))
             qWarning("no picture of now comes");
     }
     /// Where a point of the world is on the widget.

@@ -122,7 +122,7 @@ void TestValidationAnalysis::findingsAreListedAndShown()
     QCOMPARE(trees.document().selection().branches, (std::vector<Index>{1, 3}));
     QVERIFY(panel.findChild<QLabel*>(QStringLiteral("explanation"))
                 ->text()
-                .contains(kindText(FindingKind::Collision).print.toHtmlEscaped()));
+                .contains(KindTexts::of(FindingKind::Collision).print.toHtmlEscaped()));
     choose(FindingKind::ThinTriangle);
     QCOMPARE(activated.takeFirst()[1].value<DefectPlace>().faces.size(), std::size_t(1));
     panel.findChild<QPushButton*>(QStringLiteral("separateCollisions"))->click();
@@ -134,7 +134,7 @@ void TestValidationAnalysis::findingsAreListedAndShown()
     panel.copyReport();
     const QString text = QGuiApplication::clipboard()->text();
     QVERIFY(text.contains(QString::fromStdString(analysis.findings(tree)->hash.text())));
-    QVERIFY(text.contains(kindText(FindingKind::Collision).name));
+    QVERIFY(text.contains(KindTexts::of(FindingKind::Collision).name));
 }
 
 /// Green, amber and red are the same in the panel, in the status bar and for an export.
@@ -164,7 +164,7 @@ void TestValidationAnalysis::theVerdictIsOneEverywhere()
     QVERIFY(analysis.waitForAll(10'000));
     QCOMPARE(badge->status(), StatusBadge::Status::Good);
     QTRY_COMPARE(status.badgeState(), QStringLiteral("good"));
-    QVERIFY(text("explanation").contains(cleanText().print.toHtmlEscaped()));
+    QVERIFY(text("explanation").contains(KindTexts::clean().print.toHtmlEscaped()));
     QVERIFY(faults().isEmpty());
     crossings.counts = {0, 0, 0, 26}; // branches that collide
     QVERIFY(edit::setParam(trees.document(), {tree}, *findParam("turtle.alpha"), 0.9));
@@ -178,8 +178,8 @@ void TestValidationAnalysis::theVerdictIsOneEverywhere()
         QVERIFY2(words.contains(QStringLiteral("closed"), Qt::CaseInsensitive) &&
                      words.contains(QStringLiteral("26")),
                  qPrintable(words));
-    QVERIFY(text("explanation").contains(crossedText().meaning.toHtmlEscaped()));
-    QVERIFY(!text("explanation").contains(cleanText().print.toHtmlEscaped()));
+    QVERIFY(text("explanation").contains(KindTexts::crossed().meaning.toHtmlEscaped()));
+    QVERIFY(!text("explanation").contains(KindTexts::clean().print.toHtmlEscaped()));
     QVERIFY(faults().verdict == MeshVerdict::Crossing && !faults().mustAsk());
     NodeResult result = *trees.document().result(tree);
     auto report = std::make_shared<MeshReport>(*result.tree.report);
@@ -282,7 +282,7 @@ void TestValidationAnalysis::largeNumbersAreGrouped()
     analysis.crossings.kindsKnown = true;
     analysis.crossings.counts = {12'345, 0, 0, 67'890};
     analysis.collisions.resize(23'456);
-    const QString text = crossingsText(analysis);
+    const QString text = ReportTexts::crossings(analysis);
     for (const int number : {12'345, 67'890, 23'456})
         QVERIFY2(text.contains(QLocale().toString(number)), qPrintable(text));
 }

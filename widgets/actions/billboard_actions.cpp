@@ -158,8 +158,7 @@ void BillboardActions::draw(const BillboardWish& wish, bool selectionOnly, const
     m_renderer = rendererForJob();
     auto work = [source = std::move(source), wish, place,
                  renderer = m_renderer](const Progress& progress) -> Expected<void> {
-        if (auto begun = renderer->begin(); !begun)
-            return begun;
+        RAMURE_TRY(renderer->begin());
         auto done = drawBillboard(source, wish, place, *renderer, progress);
         renderer->end();
         return done;

@@ -1,5 +1,5 @@
 /// \file
-/// Billboards of what is seen, to files: what stands for trees far away.
+/// Writes billboards of the visible scene to files. Billboards stand for trees far away.
 #pragma once
 
 #include "core/qt/session/jobs/job.h"
@@ -24,7 +24,7 @@ public:
     BillboardActions(Document* document, ViewportHost* host, Preferences* preferences, Chooser* chooser,
                      ActionSet* set, QObject* parent);
 
-    /// That draws and writes a billboard: how far it is, and its end before time.
+    /// The job that draws and writes a billboard, for its progress and for cancelling it.
     [[nodiscard]] Job* job() { return &m_job; }
 
 signals:

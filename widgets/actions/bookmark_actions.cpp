@@ -6,7 +6,6 @@
 #include "widgets/view/viewport_host.h"
 #include <QLocale>
 #include <QMenu>
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 

@@ -28,7 +28,7 @@ public:
 
     void fillMenu(QMenu* menu);
     [[nodiscard]] QMenu* addMenu() const { return m_addMenu; } ///< after fillMenu
-    /// What a right click on a node offers.
+    /// Actions for the context menu of a node.
     [[nodiscard]] QList<QAction*> nodeActions() const;
 
     /// From where the artist looks: a new camera stands there.
@@ -37,12 +37,12 @@ public:
     void newTree();
     /// \param preset as namedTree takes it \param place world; nothing: where there is room.
     void addTree(const QString& preset, const std::optional<glm::dvec3>& place = {});
-    /// Of a preset that is let go over a node: a tree that can be changed.
+    /// True if a preset that is dropped on the node can replace it: it is a tree that can be changed.
     [[nodiscard]] bool canBecome(NodeId tree) const;
     /// \pre canBecome.
     void makeLike(NodeId tree, const QString& preset);
     void addKind(const NodeKindRow& row);
-    /// \param shape name of an item of primitive.shape, \param label what the node is called.
+    /// \param shape name of an item of primitive.shape, \param label name of the new node.
     void addPrimitive(const char* shape, const QString& label);
 
 signals:
@@ -86,7 +86,7 @@ private:
     ActionSet* m_set;
     DeletedSelection* m_deleted;
     std::function<Camera()> m_eye;
-    QList<QAction*> m_addKinds; ///< those that begin with nothing but their kind
+    QList<QAction*> m_addKinds; ///< add a node that needs no further input, one action per kind
     QMenu* m_addMenu = nullptr;
 };
 

@@ -27,9 +27,10 @@ public:
 
     /// Appends what begins a scene: presets, demos, files.
     void fillNewMenus(QMenu* menu);
-    /// What was written last, as the entry that writes it again names it; empty: there is nothing to repeat.
+    /// Sets the name of the last exported file for the menu entry that exports it again; empty: there is
+    /// nothing to repeat.
     void setLastExport(const QString& path);
-    /// What opens objects that are no projects; without it projects alone open. Not owned.
+    /// Sets the actions that open objects which are no projects. Without it only projects open. Not owned.
     void setImports(ImportActions* imports) { m_imports = imports; }
 
     /// Asks about unsaved changes where there are any. True: the document may go.
@@ -48,7 +49,7 @@ public:
     bool save(); ///< "save as" where the document has no file yet
     bool saveAs();
 
-    /// "tree.ramure", or what a document without a file is called.
+    /// Returns "tree.ramure", or the name for a document without a file.
     [[nodiscard]] QString documentName() const;
 
 signals:

@@ -18,8 +18,8 @@ HandActions::HandActions(Document* document, ViewportHost* host, QActionGroup* t
     , m_set(set)
 {
     set->add(this, {{"hand.keepSelected", Actions::tr("Keep onl&y this limb"), nullptr, noKeys,
-                     Actions::tr("All goes but the limb of the active branch, what grows on it and the way "
-                                 "down to the ground"),
+                     Actions::tr("Removes everything except the limb of the active branch, its twigs and the "
+                                 "wood down to the ground"),
                      [this] { keepSelected(); }, [this] { return hasBranch(); }},
                     {"hand.toggleLeaves", Actions::tr("Leaves of the l&imb on or off"), nullptr, noKeys,
                      Actions::tr("The leaves of the selected limbs go, or come back"),

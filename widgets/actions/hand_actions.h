@@ -1,6 +1,6 @@
 /// \file
-/// Shaping trees by hand: the tools with their buttons and keys, the Shape menu, and what is done to the
-/// selected branches without a tool.
+/// Shaping trees by hand: the tools with their buttons and keys, the Shape menu, and actions on the selected
+/// branches that need no tool.
 #pragma once
 
 #include "core/qt/document/document.h"
@@ -20,14 +20,15 @@ class HandActions : public QObject
 {
     Q_OBJECT
 public:
-    /// Nothing is owned; all must outlive the actions. \param tools one of them is chosen: those of here join
+    /// Nothing is owned; all must outlive the actions. \param tools the group of which one tool is chosen;
+    /// these tools join it
     HandActions(Document* document, ViewportHost* host, QActionGroup* tools, ActionSet* set, QObject* parent);
 
     void fillMenu(QMenu* editMenu);
     [[nodiscard]] QList<QAction*> toolActions() const { return m_tools; }
     /// The same as HandToolRow::group divides them.
     [[nodiscard]] QList<QList<QAction*>> toolGroups() const;
-    /// What the menus of a branch offer: what is done to it at once, and the menu of tools.
+    /// Actions for the menus of a branch: those that act at once, and the menu of tools.
     [[nodiscard]] QList<QAction*> branchActions() const;
 
 signals:

@@ -1,5 +1,5 @@
 /// \file
-/// What explains the program: the palette that finds everything, the handbook, the tour.
+/// Actions that explain the program: the palette that finds everything, the handbook, the tour.
 #pragma once
 
 #include <QList>
@@ -38,7 +38,7 @@ public:
     void showPalette();
     /// "page" or "page#anchor"; empty: the first page.
     void showHandbook(const QString& place);
-    /// The tour, once for each user: true where it has begun.
+    /// Starts the tour once for each user; returns true if it has begun.
     bool startTourOnce();
 
 signals:

@@ -32,8 +32,9 @@ public:
     [[nodiscard]] static bool canImport(const QString& path);
     /// Such files, as a file dialog has it.
     [[nodiscard]] static QString fileFilter();
-    /// Reads it in the background, adds it to the scene and tells what was guessed.
-    /// \param stays where the file has it, whatever stands there; else beside that (edit::moveBeside)
+    /// Reads a file in the background, adds it to the scene and reports its notes. \param stays the objects
+    /// keep the place that the file gives them, even if something stands there; else they are moved beside it
+    /// (edit::moveBeside)
     void importPath(const QString& path, bool stays = false);
     /// Reads it in the background and hands it on; the document is left alone. \p take says whether it was
     /// wanted, and gets nothing where there was an error, which has been told, or the user has cancelled.
@@ -41,7 +42,7 @@ public:
     [[nodiscard]] bool isRunning() const;
     /// Asks for a file, and imports it.
     void chooseFile();
-    void chooseToWear(); ///< for an arm, which takes it where it is
+    void chooseToWear(); ///< for an arm, which wears the mesh where it stands
 
 signals:
     void imported(ramure::NodeId top);
@@ -59,7 +60,7 @@ private:
     ImportTask* m_task;
     QWidget* m_window;
     QString m_path;
-    std::function<bool(std::optional<Scene>)> m_take; ///< of what is being opened
+    std::function<bool(std::optional<Scene>)> m_take; ///< called with the scene that is being opened
     QPointer<QProgressDialog> m_progress;
 };
 

@@ -7,8 +7,8 @@
 #include "widgets/dialogs/picture_dialog.h"
 #include "widgets/view/render/passes/offscreen_renderer.h"
 #include "widgets/view/render/passes/picture_file.h"
+#include "widgets/view/screenshot.h"
 #include "widgets/view/tools/hand_settings.h"
-#include "widgets/view/viewport.h"
 #include "widgets/view/viewport_host.h"
 #include <QDir>
 #include <QFileInfo>
@@ -36,7 +36,7 @@ PictureActions::PictureActions(ViewportHost* host, Preferences* preferences, Cho
          {"view.copyPicture", Actions::tr("&Copy the picture"), "copy", Qt::CTRL | Qt::SHIFT | Qt::Key_C,
           Actions::tr("Put the view on the clipboard as a picture"),
           [this, view] {
-              view->copyScreenshot();
+              copyScreenshot(*view);
               emit messageRaised(tr("The picture is on the clipboard"));
           },
           exists}});
@@ -81,13 +81,12 @@ void PictureActions::save(const ViewPicture& wish)
         return;
     Viewport* view = m_host->viewport();
     if (!QOpenGLContext::supportsThreadedOpenGL())
-        return taken(view->saveScreenshot(path, wish), path);
+        return taken(saveScreenshot(*view, path, wish), path);
     m_renderer = rendererForJob();
     m_job.start(
         [shot = view->shot(wish), renderer = m_renderer,
          file = QFile::encodeName(path).toStdString()](const Progress& progress) -> Expected<void> {
-            if (auto begun = renderer->begin(); !begun)
-                return begun;
+            RAMURE_TRY(renderer->begin());
             const auto image =
                 renderer->draw(*shot.scene, shot.camera, shot.pixels, shot.options, progress.part(0.0, 0.95));
             renderer->end();

@@ -26,7 +26,7 @@ public:
                    QObject* parent);
 
     [[nodiscard]] QList<QAction*> selectionActions() const { return m_selectionActions; }
-    /// That writes a picture: how far it is, and its end before time.
+    /// The job that writes a picture, for its progress and for cancelling it.
     [[nodiscard]] Job* job() { return &m_job; }
 
 signals:

@@ -1,6 +1,5 @@
 #include "widgets/actions/preset_menu.h"
 
-#include "widgets/base/texts/core_text.h"
 #include "widgets/base/texts/preset_title.h"
 #include <QCollator>
 #include <QLocale>

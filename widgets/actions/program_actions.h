@@ -1,5 +1,5 @@
 /// \file
-/// What concerns the program and not the scene: welcome page, preferences, shortcuts, About.
+/// Actions for the program rather than the scene: welcome page, preferences, shortcuts, About.
 #pragma once
 
 #include <QList>

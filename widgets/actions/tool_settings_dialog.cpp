@@ -1,5 +1,6 @@
 #include "widgets/actions/tool_settings_dialog.h"
 
+#include "widgets/base/named.h"
 #include "widgets/view/tools/gizmo_settings.h"
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
@@ -15,20 +16,14 @@ namespace ramure {
 ToolSettingsDialog::ToolSettingsDialog(GizmoSettings* settings, QWidget* parent)
     : QDialog(parent)
     , m_settings(settings)
-    , m_move(new QDoubleSpinBox(this))
-    , m_turn(new QDoubleSpinBox(this))
-    , m_scale(new QDoubleSpinBox(this))
-    , m_before(new QSpinBox(this))
-    , m_after(new QSpinBox(this))
-    , m_step(new QSpinBox(this))
+    , m_move(named(new QDoubleSpinBox(this), "moveStep"))
+    , m_turn(named(new QDoubleSpinBox(this), "turnStep"))
+    , m_scale(named(new QDoubleSpinBox(this), "scaleStep"))
+    , m_before(named(new QSpinBox(this), "ghostsBefore"))
+    , m_after(named(new QSpinBox(this), "ghostsAfter"))
+    , m_step(named(new QSpinBox(this), "ghostStep"))
 {
     setObjectName(QStringLiteral("toolSettings"));
-    m_move->setObjectName(QStringLiteral("moveStep"));
-    m_turn->setObjectName(QStringLiteral("turnStep"));
-    m_scale->setObjectName(QStringLiteral("scaleStep"));
-    m_before->setObjectName(QStringLiteral("ghostsBefore"));
-    m_after->setObjectName(QStringLiteral("ghostsAfter"));
-    m_step->setObjectName(QStringLiteral("ghostStep"));
     m_move->setDecimals(3);
     m_move->setRange(0.001, 1000.0);
     m_move->setSingleStep(0.05);

@@ -125,7 +125,7 @@ void TransformActions::addSwitches(const std::function<bool()>& exists)
                  Actions::tr("Translucent copies of the selected nodes at frames before and after this one"),
                  [s] { s->showsGhosts.set(!s->showsGhosts()); }, exists, [s] { return s->showsGhosts(); }},
                 {"tool.settings", Actions::tr("Steps and &ghosts…"), "tool-settings", noKeys,
-                 Actions::tr("What values snap to, how many ghosts there are"), [this] { showSettings(); }}});
+                 Actions::tr("Snapping steps and number of ghosts"), [this] { showSettings(); }}});
 }
 
 void TransformActions::take()

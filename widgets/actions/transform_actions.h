@@ -1,6 +1,6 @@
 /// \file
 /// Tools that move nodes in the view: their buttons, the Transform menu, the axes and steps of the strip over
-/// the view, and of the View menu the path and the ghosts. What is chosen is remembered, but for the tool.
+/// the view, and the path and ghosts of the View menu. All choices but the tool are remembered.
 #pragma once
 
 #include <QObject>
@@ -30,12 +30,12 @@ public:
     void fillMenu(QMenu* editMenu);
     /// Axes and steps.
     void fillToolBar(QToolBar* bar);
-    /// One tool of all is chosen; those that shape trees join it.
+    /// The group of which one tool is chosen; the tools that shape trees join it.
     [[nodiscard]] QActionGroup* toolGroup() const { return m_tools; }
     [[nodiscard]] QList<QAction*> toolActions() const { return m_own; }
     /// Move, rotate, scale with the mouse.
     [[nodiscard]] QList<QAction*> gestures() const { return m_gestures; }
-    /// What the gestures move is called so: "tree", "3 nodes".
+    /// Sets the words for the nodes that the gestures move: "tree", "3 nodes".
     void nameTarget(const QString& words);
 
 private:
@@ -52,7 +52,7 @@ private:
     GizmoSettings* m_settings;
     HandSettings* m_hand;
     QActionGroup* m_tools;
-    QList<QAction*> m_own; ///< of m_tools
+    QList<QAction*> m_own; ///< the actions of m_tools
     QList<QAction*> m_gestures;
     QComboBox* m_spaceBox = nullptr;
 };

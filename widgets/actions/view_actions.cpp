@@ -6,6 +6,7 @@
 #include "widgets/base/theme/language.h"
 #include "widgets/base/theme/preferences.h"
 #include "widgets/view/light_dialog.h"
+#include "widgets/view/outline_key.h"
 #include "widgets/view/viewport.h"
 #include "widgets/view/viewport_host.h"
 #include <QActionGroup>
@@ -69,7 +70,9 @@ void ViewActions::addAxes()
 {
     Viewport* view = m_host->viewport();
     const auto exists = [this] { return hasView(); };
-    const auto from = [view](AxisView side) { return [view, side] { view->setAxisView(side); }; };
+    const auto from = [view](AxisView side) {
+        return [view, side] { view->steer([side](Camera& to) { to.setAxisView(side); }); };
+    };
     using enum AxisView;
     m_axes = m_set->add(
         this, {{"view.front", Actions::tr("&Front"), nullptr, Qt::Key_1, QString(), from(Front), exists},
@@ -81,7 +84,7 @@ void ViewActions::addAxes()
                {"view.opposite", Actions::tr("O&pposite side"), nullptr, Qt::Key_9,
                 Actions::tr(
                     "Look from the other side: from the front becomes from the back, from above from below"),
-                [view] { view->turnOpposite(); }, exists}});
+                [view] { view->steer(std::mem_fn(&Camera::turnOpposite)); }, exists}});
 }
 
 /// The keys of Blender's number pad, which are also those above the letters.
@@ -90,10 +93,12 @@ void ViewActions::addMoves()
     Viewport* view = m_host->viewport();
     const auto exists = [this] { return hasView(); };
     const auto orbit = [view](double yaw, double pitch) {
-        return [=] { view->orbitBy(yaw * Viewport::orbitStepRad, pitch * Viewport::orbitStepRad); };
+        constexpr double step = Viewport::orbitStepRad;
+        return [=] { view->steer([=](Camera& to) { to.orbit(yaw * step, pitch * step); }); };
     };
     const auto zoom = [view](double steps) {
-        return [=] { view->zoomBy(std::pow(Viewport::zoomStep, -steps)); };
+        const double factor = std::pow(Viewport::zoomStep, -steps);
+        return [=] { view->steer([=](Camera& to) { to.zoom(factor, to.target); }); };
     };
     m_moves = m_set->add(
         this,
@@ -170,19 +175,19 @@ void ViewActions::addSwitches()
     add("view.apples", Actions::tr("F&ruit"), "apple", noKeys, s->applesVisible);
     add("view.grid", Actions::tr("&Grid"), "grid", Qt::SHIFT | Qt::Key_G, s->gridVisible);
     add("view.ground", Actions::tr("G&round"), nullptr, noKeys, s->groundVisible,
-        Actions::tr("Without the ground, what lies below it can be seen"));
+        Actions::tr("Hide the ground to see objects below it"));
     add("view.outline", Actions::tr("O&utline of the selection"), nullptr, Qt::SHIFT | Qt::Key_E,
         s->outlineVisible,
-        Actions::tr("An orange line around what is selected, seen through leaves and branches for a second "
-                    "after it was selected"));
+        Actions::tr("An orange outline around the selection. For a second after a selection it shows through "
+                    "leaves and branches"));
     add("view.crowns", Actions::tr("&Crown to fill"), nullptr, noKeys, s->crownsVisible,
-        Actions::tr("The envelope and the points that a selected tree grows to fill, where it grows by space "
-                    "colonisation"));
+        Actions::tr(
+            "The envelope and the points that a selected tree fills when it grows by space colonisation"));
     add("view.orthographic", Actions::tr("&Orthographic"), "orthographic", Qt::Key_5, s->orthographic);
     m_set->update(s);
     connect(s, &ViewSettings::changed, this, [this, s] { m_set->update(s); });
     if (Viewport* view = m_host->viewport())
-        view->setOutlineKey([outline = m_set->find("view.outline")] {
+        view->outlineKey()->setKey([outline = m_set->find("view.outline")] {
             return outline->shortcut().toString(QKeySequence::NativeText);
         });
 }
@@ -190,8 +195,8 @@ void ViewActions::addSwitches()
 void ViewActions::addLight()
 {
     m_set->add(this, {"view.light", Actions::tr("L&ight and backdrop…"), nullptr, noKeys,
-                      Actions::tr("Where the sun stands, and what lies behind the trees"),
-                      [this] { showLight(); }, [this] { return hasView(); }});
+                      Actions::tr("Position of the sun and background of the scene"), [this] { showLight(); },
+                      [this] { return hasView(); }});
     ViewSettings* settings = m_host->settings();
     // Light is the document's, quality the machine's: that alone is remembered.
     const QString key = QStringLiteral("quality");

@@ -1,5 +1,5 @@
 /// \file
-/// The View menu: framing, display modes, what is shown, theme, units and language.
+/// The View menu: framing, display modes, visible parts, theme, units and language.
 #pragma once
 
 #include <QList>
@@ -33,7 +33,7 @@ public:
     [[nodiscard]] QList<QAction*> switchActions() const { return m_switches; }
 
 signals:
-    /// What an action did, or why it did nothing.
+    /// Reports the result of an action, or why it did nothing.
     void messageRaised(const QString& text);
 
 private:

@@ -18,7 +18,7 @@ struct ListedAction
     QString text; ///< "View from › Front": the way below that menu
 };
 
-/// Adds the actions of the menus that have a name to the set, with those of submenus.
+/// Adds the named actions of the menus and their submenus to the set.
 void adoptMenuActions(ActionSet& set, const QList<QMenu*>& menus);
 /// Lists the actions of the set in the order of the menus.
 QList<ListedAction> listedActions(const ActionSet& set, const QList<QMenu*>& menus);

@@ -27,7 +27,7 @@ struct ActionRow
 {
     QByteArray id;              ///< "file.open"; the action's objectName
     QString text;               ///< with a mnemonic
-    const char* icon = nullptr; ///< of resources/icons, or null
+    const char* icon = nullptr; ///< name in resources/icons, or null
     QKeySequence keys = {};
     QString tip = {};                     ///< empty: the text serves
     std::function<void()> run = {};       ///< null: others connect to it
@@ -48,7 +48,7 @@ public:
     /// needs an objectName; the shortcut it has now is its default. Does nothing where the set has it
     /// already.
     void adopt(QAction* action);
-    /// Asks the rows of \p owner what is enabled and what is on.
+    /// Updates which actions of \p owner are enabled and checked.
     void update(const QObject* owner);
     /// The keys an action has without the user's changes.
     [[nodiscard]] QKeySequence defaultShortcut(const QAction* action) const;
@@ -56,8 +56,8 @@ public:
     void setShortcuts(const QMap<QString, QKeySequence>& changed);
     /// The tip of an action of the table for now: why it is off, say. Empty: the table's tip again.
     void setTip(QAction* action, const QString& tip);
-    /// What an action of the table says for now, with a mnemonic: what it would act on, say. Empty: the
-    /// table's text again.
+    /// Replaces the text of an action, with a mnemonic, for example to name its target. An empty text
+    /// restores the table's text.
     void setText(QAction* action, const QString& text);
     /// Null where there is none.
     [[nodiscard]] QAction* find(const QString& id) const;
@@ -71,7 +71,7 @@ public:
 private:
     struct Entry
     {
-        ActionRow row; ///< of adopted actions only the shortcut
+        ActionRow row; ///< for adopted actions only the shortcut is set
         QAction* action;
         const QObject* owner = nullptr;
         QString tip = {};  ///< for now; empty: the row's

@@ -1,5 +1,5 @@
 /// \file
-/// What actions ask the user. The program shows dialogs and a banner; tests pass answers.
+/// Questions that actions ask the user. The program shows dialogs and a banner; tests pass answers.
 #pragma once
 
 #include <QDateTime>
@@ -14,7 +14,7 @@ enum class Severity { Info, Warning, Error };
 struct RecoveryEntry
 {
     QString file;           ///< path of its own file; empty: it was never saved
-    QDateTime time;         ///< of the last change that was kept
+    QDateTime time;         ///< time of the last saved change
     QDateTime savedLater{}; ///< when its own file was saved after that; else invalid
 };
 
@@ -34,34 +34,22 @@ public:
     /// The path of an existing file; empty: cancelled. \p filter as QFileDialog has it.
     virtual QString openFile(const QString& title, const QString& folder, const QString& filter) = 0;
     /// The path of an existing folder; empty: cancelled.
-    virtual QString openFolder(const QString& title, const QString& folder)
-    {
-        Q_UNUSED(title);
-        Q_UNUSED(folder);
-        return {};
-    }
+    virtual QString openFolder(const QString& /*title*/, const QString& /*folder*/) { return {}; }
     /// A path to write to, whose overwriting the user has agreed to; empty: cancelled.
     /// \param suffix added where the user gave none, without its dot.
     virtual QString saveFile(const QString& title, const QString& suggestion, const QString& filter,
                              const QString& suffix) = 0;
     /// The document would be lost: what now?
     virtual Unsaved unsavedChanges(const QString& documentName) = 0;
-    /// Something else has to come first: does the user agree? \param question one short sentence. \param why
-    /// it has to. \param yes what the button that agrees says.
-    virtual bool agrees(const QString& title, const QString& question, const QString& why, const QString& yes)
+    /// Something else has to come first: does the user agree? The question is
+    /// one short sentence; \a why says the reason, \a yes is the text of the button that agrees.
+    virtual bool agrees(const QString& /*title*/, const QString& /*question*/, const QString& /*why*/,
+                        const QString& /*yes*/)
     {
-        Q_UNUSED(title);
-        Q_UNUSED(question);
-        Q_UNUSED(why);
-        Q_UNUSED(yes);
         return true;
     }
     /// Documents from before a crash are there: what now? Asked again after a Discard, while there are any.
-    virtual RecoveryAnswer recovery(const QList<RecoveryEntry>& entries)
-    {
-        Q_UNUSED(entries);
-        return {};
-    }
+    virtual RecoveryAnswer recovery(const QList<RecoveryEntry>& /*entries*/) { return {}; }
     /// Tells something without asking for an answer and without blocking.
     virtual void report(Severity severity, const QString& text) = 0;
 };

@@ -1,5 +1,5 @@
 /// \file
-/// Where a defect of a mesh is, for the viewport to frame and to draw.
+/// The place of a mesh's defect, for the viewport to frame and to draw.
 #pragma once
 
 #include "core/math/box.h"
@@ -22,8 +22,8 @@ struct DefectPlace
     std::vector<glm::dvec3> points;
     std::vector<std::array<glm::dvec3, 2>> edges;
     std::vector<std::array<glm::dvec3, 3>> faces;
-    Box box;       ///< of all of it, with room around it for the eye
-    QString label; ///< what it is called, one or two lines; may be empty
+    Box box;       ///< bounds of the whole defect, with room around it for the eye
+    QString label; ///< its name, one or two lines; may be empty
 };
 
 /// \param world from the mesh's space. Indices that the mesh does not have are left out.
@@ -32,7 +32,7 @@ DefectPlace defectPlace(const TriangleMesh& mesh, const Defect& defect, const gl
 DefectPlace facesPlace(const TriangleMesh& mesh, const std::array<Index, 2>& faces, const glm::dmat4& world);
 /// A point of the mesh's space with so much room around it, in the same space.
 DefectPlace pointPlace(const glm::dvec3& point, double room, const glm::dmat4& world);
-/// Its middle in the mesh's space; nothing where the mesh does not have it.
+/// Returns its middle in the mesh's space; nothing if the mesh does not have it.
 std::optional<glm::dvec3> defectMiddle(const TriangleMesh& mesh, const Defect& defect);
 std::optional<glm::dvec3> facesMiddle(const TriangleMesh& mesh, const std::array<Index, 2>& faces);
 /// The branch that the face's first vertex follows, or noIndex.

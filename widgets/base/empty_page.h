@@ -1,5 +1,5 @@
 /// \file
-/// What a panel shows while there is nothing to show: one calm sentence, centred at the top.
+/// The text of an empty panel: one calm sentence, centred at the top.
 #pragma once
 
 #include <QWidget>
@@ -8,7 +8,7 @@ class QLabel;
 
 namespace ramure {
 
-/// What stands in the view and in the scene panel while the document has no node: what to do first.
+/// Returns the text for the view and the scene panel while the document has no node: what to do first.
 QString emptySceneText();
 
 class EmptyPage : public QWidget

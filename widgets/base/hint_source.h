@@ -1,6 +1,6 @@
 /// \file
-/// What mouse and keys do right now over one widget: each widget that has something to say owns such a
-/// source, one line of the status bar shows the one under the cursor.
+/// Hints on mouse and keys over one widget. Each widget with hints owns such a source, and one line of the
+/// status bar shows the source under the cursor.
 #pragma once
 
 #include <QObject>

@@ -1,5 +1,6 @@
 #include "widgets/base/message_banner.h"
 
+#include "widgets/base/named.h"
 #include "widgets/base/theme/icons.h"
 #include <QEvent>
 #include <QHBoxLayout>
@@ -37,9 +38,7 @@ MessageBanner::MessageBanner(QWidget* parent)
 {
     auto* close = new QToolButton(this);
     setObjectName(QStringLiteral("banner"));
-    auto* layout = new QHBoxLayout(this);
-    layout->setContentsMargins(10, 6, 6, 6);
-    layout->setSpacing(8);
+    auto* layout = layoutOf<QHBoxLayout>(this, 8, {10, 6, 6, 6});
     m_text->setWordWrap(true);
     m_text->setTextFormat(Qt::PlainText);
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);

@@ -6,7 +6,7 @@
 
 namespace ramure {
 
-/// The branch alone, and its tree as the active node: what a second click on it in the viewport selects.
+/// Selects the branch alone, with its tree as the active node, like a second click on it in the viewport.
 inline Selection onlyBranch(NodeId node, Index branch)
 {
     return {{node}, node, {branch}, branch};

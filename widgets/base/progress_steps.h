@@ -1,10 +1,10 @@
 /// \file
-/// What progress bars have in common.
+/// Constants and functions that progress bars share.
 #pragma once
 
 namespace ramure {
 
-inline constexpr int progressSteps = 1000; ///< of a bar, from nothing to all
+inline constexpr int progressSteps = 1000; ///< full range of a bar
 inline constexpr int patienceMs = 300;     ///< before one is shown in a line of the window
 
 } // namespace ramure

@@ -40,7 +40,7 @@ public:
     /// Shows these frames, until a double click shows the range again.
     void showFrames(double from, double to);
     void scrollBy(double frames) { showFrames(m_from + frames, m_to + frames); }
-    /// \p frame stays where it is, and the frames in sight become \p factor times as many.
+    /// Zooms: \p frame keeps its place, and \p factor times as many frames become visible.
     void zoomAbout(double frame, double factor);
     void showRange() { fit(); }
     [[nodiscard]] QSize sizeHint() const override;

@@ -1,6 +1,7 @@
 #include "widgets/dialogs/about_dialog.h"
 
 #include "core/base/version.h"
+#include "widgets/base/named.h"
 #include "widgets/view/render/gl_setup.h"
 #include <QClipboard>
 #include <QDialogButtonBox>
@@ -47,9 +48,7 @@ AboutDialog::AboutDialog(QWidget* parent)
     : QDialog(parent)
 {
     setWindowTitle(tr("About Ramure"));
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(28, 24, 28, 18);
-    layout->setSpacing(10);
+    auto* layout = layoutOf<QVBoxLayout>(this, 10, {28, 24, 28, 18});
     layout->setSizeConstraint(QLayout::SetFixedSize);
     auto* title = new QLabel(QStringLiteral("<span style='font-size:18pt'>Ramure</span>"), this);
     auto* line = new QLabel(tr("An editor for trees: from a grammar to one clean mesh."), this);

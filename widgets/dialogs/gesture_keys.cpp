@@ -58,7 +58,7 @@ GestureKeys viewKeys()
           mouse(Words::tr("drag"), Qt::ControlModifier)},
          {Words::tr("Bend a limb with the trunk and the root"),
           mouse(Words::tr("drag"), Qt::ControlModifier) + QStringLiteral(", ") + held(Qt::ShiftModifier)},
-         {Words::tr("Menu of what is under the cursor"), Words::tr("right click")},
+         {Words::tr("Menu of the object under the cursor"), Words::tr("right click")},
          {Words::tr("Turn around the target"), mouse(Words::tr("drag"), Qt::AltModifier)},
          {Words::tr("Add to the selection, or take away"), mouse(Words::tr("click"), Qt::ShiftModifier)}}};
 }
@@ -67,7 +67,7 @@ GestureKeys handKeys()
 {
     return {
         Words::tr("While a tree is shaped by hand"),
-        {{Words::tr("The factor, or the angle, of what is held"), QStringLiteral("0 … 9  .  ,  −")},
+        {{Words::tr("Factor or angle of the current gesture"), QStringLiteral("0 … 9  .  ,  −")},
          {Words::tr("The same in steps"), mouse(Words::tr("drag"), Qt::ControlModifier)},
          {Words::tr("Copy another limb, with the graft tool"), mouse(Words::tr("click"), Qt::ShiftModifier)},
          {Words::tr("Done"), named({Qt::Key_Return})},

@@ -1,5 +1,6 @@
 #include "widgets/dialogs/picture_dialog.h"
 
+#include "widgets/base/named.h"
 #include "widgets/dialogs/picture_form.h"
 #include "widgets/view/viewport.h"
 #include <QCheckBox>
@@ -16,9 +17,7 @@ PictureDialog::PictureDialog(QSize view, const QVariantMap& kept, QWidget* paren
 {
     setObjectName(QStringLiteral("pictureDialog"));
     m_grid->setObjectName(QStringLiteral("pictureGrid"));
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(18, 18, 18, 14);
-    layout->setSpacing(6);
+    auto* layout = layoutOf<QVBoxLayout>(this, 6, {18, 18, 18, 14});
     layout->setSizeConstraint(QLayout::SetMinimumSize);
     layout->addWidget(m_form);
     layout->addWidget(m_grid);

@@ -1,5 +1,5 @@
 /// \file
-/// Asks how large a picture of the view is to be, and what is on it.
+/// Asks for the size of a picture of the view, and for its contents.
 #pragma once
 
 #include <QDialog>
@@ -17,7 +17,7 @@ class PictureDialog : public QDialog
 {
     Q_OBJECT
 public:
-    /// \param view pixels \param kept settings() of the last time; what is missing there is as usual
+    /// \param view pixels \param kept settings() of the last time; missing ones get their defaults
     PictureDialog(QSize view, const QVariantMap& kept, QWidget* parent = nullptr);
 
     [[nodiscard]] PictureForm* form() const { return m_form; }

@@ -1,5 +1,6 @@
 #include "widgets/dialogs/picture_form.h"
 
+#include "widgets/base/named.h"
 #include <QCheckBox>
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -14,16 +15,13 @@ static constexpr QSize usualSizes[] = {{1280, 720}, {1920, 1080}, {2560, 1440}, 
 
 PictureForm::PictureForm(QWidget* parent)
     : QWidget(parent)
-    , m_width(new QSpinBox(this))
-    , m_height(new QSpinBox(this))
+    , m_width(named(new QSpinBox(this), "pictureWidth"))
+    , m_height(named(new QSpinBox(this), "pictureHeight"))
     , m_sizes(new QComboBox(this))
-    , m_locked(new QCheckBox(tr("Keep the view's ratio"), this))
-    , m_transparent(new QCheckBox(tr("Transparent background"), this))
+    , m_locked(named(new QCheckBox(tr("Keep the view's ratio"), this), "pictureLocked"))
+    , m_transparent(named(new QCheckBox(tr("Transparent background"), this), "pictureTransparent"))
 {
     auto* times = new QLabel(QStringLiteral("×"), this);
-    m_width->setObjectName(QStringLiteral("pictureWidth"));
-    m_height->setObjectName(QStringLiteral("pictureHeight"));
-    m_transparent->setObjectName(QStringLiteral("pictureTransparent"));
     for (QSpinBox* box : {m_width, m_height}) {
         box->setRange(leastSide, mostSide);
         connect(box, &QSpinBox::valueChanged, this, [this, box] {
@@ -44,13 +42,10 @@ PictureForm::PictureForm(QWidget* parent)
     row->addSpacing(8);
     row->addWidget(m_sizes);
     row->addStretch(1);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(6);
+    auto* column = layoutOf<QVBoxLayout>(this, 6);
     column->addLayout(row);
     column->addWidget(m_locked);
     column->addWidget(m_transparent);
-    m_locked->setObjectName(QStringLiteral("pictureLocked"));
     m_locked->hide();
     connect(m_locked, &QCheckBox::toggled, this, [this] { keepRatio(m_width); });
     connect(m_sizes, &QComboBox::activated, this, [this](int index) {
@@ -67,9 +62,9 @@ PictureForm::PictureForm(QWidget* parent)
     m_height->setAccessibleName(tr("Height"));
     m_sizes->setToolTip(tr("Common sizes"));
     m_sizes->setAccessibleName(tr("Common sizes"));
-    m_locked->setToolTip(tr("One side follows the other, so that the picture shows what the view shows; "
-                            "else it shows more or less at its sides"));
-    m_transparent->setToolTip(tr("Without sky and ground, to put the trees in front of something else"));
+    m_locked->setToolTip(tr("Keeps the ratio of the view, so that the picture shows the same part of the "
+                            "scene. If off, it shows more or less at its sides"));
+    m_transparent->setToolTip(tr("Leaves out sky and ground, to put the trees in front of another picture"));
     emit changed();
 }
 

@@ -18,9 +18,9 @@ class PictureForm : public QWidget
 public:
     explicit PictureForm(QWidget* parent = nullptr);
 
-    /// That size is among the common ones, and its ratio can be kept.
+    /// Adds the view's size to the common ones, so that its ratio can be kept.
     void setViewSize(QSize pixels);
-    [[nodiscard]] bool isLikeView() const; ///< as large
+    [[nodiscard]] bool isLikeView() const; ///< the picture is as large as the view
     void setPictureSize(QSize pixels);
     [[nodiscard]] QSize pictureSize() const;
     [[nodiscard]] bool isTransparent() const;

@@ -1,5 +1,6 @@
 #include "widgets/dialogs/preferences_dialog.h"
 
+#include "widgets/base/named.h"
 #include "widgets/base/theme/language.h"
 #include <QCheckBox>
 #include <QComboBox>
@@ -17,8 +18,7 @@ constexpr int hintWidth = 320;
 
 QLabel* hint(const QString& text, QWidget* parent)
 {
-    auto* label = new QLabel(text, parent);
-    label->setObjectName(QStringLiteral("hint"));
+    auto* label = named(new QLabel(text, parent), "hint");
     label->setWordWrap(true);
     label->setMinimumWidth(hintWidth);
     return label;
@@ -43,20 +43,18 @@ PreferencesDialog::PreferencesDialog(Preferences* preferences, QWidget* parent)
     , m_times(choice("times", {tr("Frames"), tr("Seconds"), tr("Timecode")}, this))
     , m_navigation(choice("navigation", {tr("Like Blender"), tr("Like Maya")}, this))
     , m_navigationHint(hint({}, this))
-    , m_autosave(new QSpinBox(this))
-    , m_memory(new QSpinBox(this))
-    , m_welcome(new QCheckBox(tr("Show the &welcome page at the start"), this))
+    , m_autosave(named(new QSpinBox(this), "autosave"))
+    , m_memory(named(new QSpinBox(this), "motionMemory"))
+    , m_welcome(named(new QCheckBox(tr("Show the &welcome page at the start"), this), "welcome"))
 {
     setWindowTitle(tr("Preferences"));
     m_language->setItemData(0, QString());
     // Languages are called by their own names in every language.
     for (const auto& [code, name] : Language::available())
         m_language->addItem(name, code);
-    m_autosave->setObjectName(QStringLiteral("autosave"));
     m_autosave->setRange(0, Preferences::maxAutosaveMinutes);
     m_autosave->setSuffix(tr(" min"));
     m_autosave->setSpecialValueText(tr("Off"));
-    m_memory->setObjectName(QStringLiteral("motionMemory"));
     m_memory->setRange(Preferences::leastMotionMb, Preferences::mostMotionMb);
     m_memory->setSingleStep(256);
     m_memory->setGroupSeparatorShown(true);
@@ -65,16 +63,13 @@ PreferencesDialog::PreferencesDialog(Preferences* preferences, QWidget* parent)
     m_memory->setToolTip(tr("Megabytes for computed frames, of all trees together: %L1 to %L2")
                              .arg(Preferences::leastMotionMb)
                              .arg(Preferences::mostMotionMb));
-    m_welcome->setObjectName(QStringLiteral("welcome"));
     build();
     connectFields();
 }
 
 void PreferencesDialog::build()
 {
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(24, 20, 24, 16);
-    layout->setSpacing(16);
+    auto* layout = layoutOf<QVBoxLayout>(this, 16, {24, 20, 24, 16});
     layout->setSizeConstraint(QLayout::SetFixedSize);
     auto* form = new QFormLayout;
     form->setHorizontalSpacing(16);
@@ -98,8 +93,8 @@ void PreferencesDialog::build()
                 "written only when you save it."),
              this));
     add(tr("&Memory for motion:"), m_memory,
-        hint(tr("With less, fewer moments of a long run are kept: a jump within it computes "
-                "a few steps more."),
+        hint(tr("With less memory, fewer moments of a long run are kept, and a jump within it computes a few "
+                "more steps."),
              this));
     form->addRow(QString(), m_welcome);
     layout->addLayout(form);

@@ -1,5 +1,5 @@
 /// \file
-/// Keeps unsaved changes aside while the program runs, and offers what a crash left behind.
+/// Saves unsaved changes aside while the program runs, and offers the changes that a crash left behind.
 #pragma once
 
 #include "core/qt/session/jobs/autosave.h"
@@ -20,8 +20,8 @@ public:
     Recovery(Document* document, Preferences* preferences, Chooser* chooser,
              const QString& folder = Autosave::defaultFolder(), QObject* parent = nullptr);
 
-    /// Asks about what was left behind, if anything. True: a document has been recovered; it replaced what
-    /// was open, belongs to the file it came from, and is not saved.
+    /// Asks about changes left behind, if any. Returns true if a document was recovered: it replaces the open
+    /// document, belongs to its original file, and is not saved.
     bool offer();
     [[nodiscard]] Autosave* autosave() { return &m_autosave; }
 

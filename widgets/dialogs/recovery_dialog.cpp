@@ -1,5 +1,6 @@
 #include "widgets/dialogs/recovery_dialog.h"
 
+#include "widgets/base/named.h"
 #include "widgets/base/theme/icons.h"
 #include <QDialogButtonBox>
 #include <QDir>
@@ -51,9 +52,7 @@ RecoveryDialog::RecoveryDialog(const QList<RecoveryEntry>& entries, QWidget* par
     top->setSpacing(14);
     top->addWidget(picture, 0, Qt::AlignTop);
     top->addWidget(text, 1);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(20, 18, 20, 16);
-    layout->setSpacing(12);
+    auto* layout = layoutOf<QVBoxLayout>(this, 12, {20, 18, 20, 16});
     layout->addLayout(top);
     layout->addWidget(m_list, 1);
     layout->addWidget(hint);
@@ -88,9 +87,8 @@ void RecoveryDialog::addEntries(const QList<RecoveryEntry>& entries)
         item->setText(2, shown(entry.time));
         if (entry.savedLater.isValid()) {
             item->setText(3, shown(entry.savedLater));
-            item->setToolTip(3,
-                             tr("The file was saved after this change was kept. What “Recover” opens may be "
-                                "older than the file; compare the two before you save."));
+            item->setToolTip(3, tr("The file was saved after this change was kept. “Recover” may open an "
+                                   "older state than the file; compare the two before you save."));
             isOld = true;
         }
         item->setToolTip(1, QDir::toNativeSeparators(entry.file));

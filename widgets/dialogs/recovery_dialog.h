@@ -17,7 +17,7 @@ public:
     /// \param entries at least one; the first is selected.
     explicit RecoveryDialog(const QList<RecoveryEntry>& entries, QWidget* parent = nullptr);
 
-    /// What was chosen; Later where the dialog was just closed.
+    /// Returns the choice; Later if the dialog was just closed.
     [[nodiscard]] RecoveryAnswer answer() const { return m_answer; }
 
 private:

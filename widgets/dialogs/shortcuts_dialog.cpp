@@ -1,6 +1,7 @@
 #include "widgets/dialogs/shortcuts_dialog.h"
 
 #include "widgets/base/action_set.h"
+#include "widgets/base/named.h"
 #include "widgets/base/silence.h"
 #include "widgets/base/theme/icons.h"
 #include "widgets/base/theme/preferences.h"
@@ -81,9 +82,7 @@ ShortcutsDialog::~ShortcutsDialog()
 
 void ShortcutsDialog::build()
 {
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(16, 16, 16, 16);
-    layout->setSpacing(10);
+    auto* layout = layoutOf<QVBoxLayout>(this, 10, {16, 16, 16, 16});
     m_search->setClearButtonEnabled(true);
     m_search->addAction(icon("search"), QLineEdit::LeadingPosition);
     m_tree->setObjectName(QStringLiteral("shortcutList"));

@@ -31,7 +31,7 @@ public:
     bool assign(const QKeySequence& keys);
     void resetSelected();
     void resetAll();
-    /// What is shown about the keys being typed: who has them already. Empty: they are free.
+    /// Returns the text about a conflict of the typed keys with another action. Empty: they are free.
     [[nodiscard]] QString conflict() const;
 
 protected:

@@ -2,6 +2,7 @@
 
 #include "core/params/tree_edit_table.h"
 #include "core/qt/document/commands.h"
+#include "widgets/base/named.h"
 #include "widgets/base/texts/core_text.h"
 #include "widgets/base/texts/fact_text.h"
 #include <QDialogButtonBox>
@@ -102,9 +103,7 @@ UnplacedDialog::UnplacedDialog(Document* document, AngleUnit unit, QWidget* pare
     for (QPushButton* remover : {m_delete, all})
         remover->setAutoDefault(false);
     buttons->button(QDialogButtonBox::Close)->setDefault(true);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(20, 18, 20, 16);
-    layout->setSpacing(12);
+    auto* layout = layoutOf<QVBoxLayout>(this, 12, {20, 18, 20, 16});
     layout->addWidget(text);
     layout->addWidget(m_list, 1);
     layout->addWidget(buttons);

@@ -1,5 +1,5 @@
 /// \file
-/// Edits made by hand on branches that have gone: what they are, where they were, and a way to delete them.
+/// Lists hand edits on branches that have gone, with their former places, and lets the user delete them.
 #pragma once
 
 #include "core/qt/session/jobs/unplaced_edits.h"
@@ -23,7 +23,7 @@ protected:
 
 private:
     void follow();
-    /// \param all even where it is not selected.
+    /// \param all also edits that are not selected
     void remove(bool all);
 
     Document* m_document;

@@ -1,5 +1,6 @@
 #include "widgets/help/handbook_window.h"
 
+#include "widgets/base/named.h"
 #include "widgets/base/texts/search_text.h"
 #include "widgets/base/theme/icons.h"
 #include "widgets/help/page_browser.h"
@@ -59,8 +60,7 @@ HandbookWindow::HandbookWindow()
 
 void HandbookWindow::build()
 {
-    auto* bar = new QHBoxLayout;
-    bar->setContentsMargins(8, 6, 8, 6);
+    auto* bar = layoutOf<QHBoxLayout>(nullptr, -1, {8, 6, 8, 6});
     const std::tuple<QToolButton*, const char*, QString> buttons[] = {
         {m_back, "back", tr("Back (Alt+Left)")},
         {m_forward, "forward", tr("Forward (Alt+Right)")},
@@ -95,9 +95,7 @@ void HandbookWindow::build()
     parts->addWidget(m_browser);
     parts->setStretchFactor(1, 1);
     parts->setSizes({contentsWidth, startSize.width() - contentsWidth});
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
+    auto* layout = layoutOf<QVBoxLayout>(this, 0);
     layout->addLayout(bar);
     layout->addWidget(parts, 1);
 }

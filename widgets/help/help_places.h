@@ -1,5 +1,5 @@
 /// \file
-/// Where the handbook speaks of a part of the window: what F1 opens.
+/// The places of the handbook that describe parts of the window: F1 opens them.
 #pragma once
 
 #include <QList>
@@ -9,12 +9,13 @@ class QWidget;
 
 namespace ramure {
 
-/// Of a widget that says itself where help about it is.
+/// Property of a widget that names its own place in the handbook.
 inline constexpr const char* helpPlaceProperty = "helpPlace";
 
 /// The place ("page#anchor") of the widget or of the nearest one around it that has one; empty: none has.
 QString helpPlace(const QWidget* widget);
-/// Of the parameter under the mouse, else of what has the focus, else of what is under the mouse.
+/// Returns the place for the parameter under the mouse, else for the widget with the focus, else for the
+/// widget under the mouse.
 QString helpPlaceHere();
 /// Every place that a widget leads to which does not say it itself.
 QList<QString> helpPlaces();

@@ -1,5 +1,5 @@
 /// \file
-/// The tour of the first start: five boxes that point at what an hour with the program begins with.
+/// The tour of the first start: five boxes that point at the places where a first hour begins.
 #pragma once
 
 #include <QObject>
@@ -46,7 +46,7 @@ private:
     Document* m_document;
     Callout* m_callout = nullptr; ///< while it runs
     int m_step = 0;
-    std::vector<QMetaObject::Connection> m_watched; ///< what tells that the step has been done
+    std::vector<QMetaObject::Connection> m_watched; ///< connections that notice when the step has been done
 };
 
 } // namespace ramure

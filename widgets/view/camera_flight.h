@@ -14,12 +14,12 @@ public:
     explicit CameraFlight(QObject* parent = nullptr);
 
     [[nodiscard]] const Camera& camera() const { return m_camera; }
-    /// Where it goes to; where it is while it stands.
+    /// Returns the camera at the end of the flight, or the present one if it stands.
     [[nodiscard]] const Camera& goal() const { return isFlying() ? m_to : m_camera; }
     [[nodiscard]] bool isFlying() const { return m_animation.state() == QAbstractAnimation::Running; }
     void setCamera(const Camera& camera); ///< at once; a flight ends
     void flyTo(const Camera& camera);
-    void stop() { m_animation.stop(); } ///< where it is
+    void stop() { m_animation.stop(); } ///< stops at the present camera
     void setOrthographic(bool on);      ///< a flight goes on
 
 signals:

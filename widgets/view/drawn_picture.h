@@ -1,6 +1,6 @@
 /// \file
-/// A widget that shows a picture of a scene, drawn in the background by a context of its own. What is drawn,
-/// and what the mouse and the keys do to it, is said by those that are made of it.
+/// A widget that shows a picture of a scene, drawn in the background by a context of its own. Subclasses say
+/// what is drawn and how mouse and keys change it.
 #pragma once
 
 #include "core/qt/session/jobs/job.h"
@@ -13,7 +13,7 @@
 namespace ramure {
 
 inline constexpr int mostPicturePixels = 2000; ///< a side
-/// How far a hand turns what is shown: rad, a pixel of the mouse and an arrow key.
+/// Turn of the scene per pixel of the mouse and per arrow key, rad.
 inline constexpr double turnPerPixel = 0.01, turnPerKey = 0.15;
 
 class DrawnPicture : public QWidget
@@ -33,8 +33,8 @@ protected:
     /// \param finer pixels drawn a side for one shown \param shown the picture is there, or the reason why
     /// not
     void start(Draw draw, int finer, std::function<void()> shown);
-    /// No picture any more, and no reason. \param forget on the thread of the job, behind what it draws: lets
-    /// go of what was drawn
+    /// Removes the picture and the reason. \param forget runs on the thread of the job, after its drawing,
+    /// and releases the drawn data
     void clear(std::function<void()> forget);
     [[nodiscard]] bool isDrawing() const { return m_job.isRunning(); }
     /// \pre a mouse button was pressed before. \return by how much the mouse has moved since it was last
@@ -42,7 +42,7 @@ protected:
     QPointF movedBy(const QMouseEvent& event);
 
     virtual void redraw() = 0; ///< it has another size, or is seen
-    /// What stands over the picture: the reason why there is none, or what is waited for.
+    /// Returns the text over the picture: the reason why there is none, or what it waits for.
     [[nodiscard]] virtual QString waitText() const = 0;
     virtual void paintOver(QPainter& /*painter*/) {}
 
@@ -55,7 +55,7 @@ private:
     struct Context;
 
     std::shared_ptr<Context> m_context; ///< only the job's thread draws with it; null: nothing was drawn yet
-    QPointF m_last;                     ///< of the mouse
+    QPointF m_last;                     ///< last place of the mouse
     QImage m_picture;
     QString m_problem;
     Job m_job;

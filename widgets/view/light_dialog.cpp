@@ -1,5 +1,6 @@
 #include "widgets/view/light_dialog.h"
 
+#include "widgets/base/named.h"
 #include "widgets/view/render/light/sky.h"
 #include "widgets/view/view_settings.h"
 #include <QComboBox>
@@ -81,35 +82,25 @@ QFormLayout* spaced(QFormLayout* form)
 LightDialog::LightDialog(ViewSettings* settings, QWidget* parent)
     : QDialog(parent)
     , m_settings(settings)
-    , m_backdrop(new QComboBox(this))
+    , m_backdrop(named(new QComboBox(this), "backdrop"))
     , m_directionSlider(new QSlider(Qt::Horizontal, this))
-    , m_direction(new QSpinBox(this))
+    , m_direction(named(new QSpinBox(this), "sunDirection"))
     , m_heightSlider(new QSlider(Qt::Horizontal, this))
-    , m_height(new QSpinBox(this))
+    , m_height(named(new QSpinBox(this), "sunHeight"))
     , m_hazeSlider(new QSlider(Qt::Horizontal, this))
-    , m_haze(new QDoubleSpinBox(this))
+    , m_haze(named(new QDoubleSpinBox(this), "haze"))
     , m_exposureSlider(new QSlider(Qt::Horizontal, this))
-    , m_exposure(new QDoubleSpinBox(this))
+    , m_exposure(named(new QDoubleSpinBox(this), "exposure"))
     , m_moment(new QGroupBox(tr("The sun of a day and a place"), this))
-    , m_time(new QDateTimeEdit(QDateTime(QDate::currentDate(), QTime(15, 0)), this))
-    , m_latitude(new QDoubleSpinBox(this))
-    , m_longitude(new QDoubleSpinBox(this))
-    , m_momentText(new QLabel(this))
+    , m_time(named(new QDateTimeEdit(QDateTime(QDate::currentDate(), QTime(15, 0)), this), "sunTime"))
+    , m_latitude(named(new QDoubleSpinBox(this), "latitude"))
+    , m_longitude(named(new QDoubleSpinBox(this), "longitude"))
+    , m_momentText(named(new QLabel(this), "momentText"))
 {
     setObjectName(QStringLiteral("lightDialog"));
-    m_backdrop->setObjectName(QStringLiteral("backdrop"));
-    m_direction->setObjectName(QStringLiteral("sunDirection"));
-    m_height->setObjectName(QStringLiteral("sunHeight"));
-    m_haze->setObjectName(QStringLiteral("haze"));
-    m_exposure->setObjectName(QStringLiteral("exposure"));
-    m_time->setObjectName(QStringLiteral("sunTime"));
-    m_latitude->setObjectName(QStringLiteral("latitude"));
-    m_longitude->setObjectName(QStringLiteral("longitude"));
-    m_momentText->setObjectName(QStringLiteral("momentText"));
     m_backdrop->addItems({tr("Landscape"), tr("Natural sky"), tr("Light studio"), tr("Dark studio")});
-    m_backdrop->setToolTip(
-        tr("What lies behind and below the trees: sky and meadow, the sky and the light of "
-           "a clear day as the sun's height makes them, or one colour that takes shadows"));
+    m_backdrop->setToolTip(tr("Background of the trees: sky and meadow, the physical sky and light of a "
+                              "clear day for the sun's height, or one colour that takes shadows"));
     m_direction->setRange(0, 359);
     m_direction->setWrapping(true);
     m_height->setRange(int(SceneLight::leastHeightDeg), 90);
@@ -143,7 +134,7 @@ void LightDialog::build()
     setUp(m_haze, m_hazeSlider, Sky::leastTurbidity, Sky::mostTurbidity);
     setUp(m_exposure, m_exposureSlider, -SceneLight::mostStops, SceneLight::mostStops);
     addRow(form, tr("Sun &from"), m_directionSlider, m_direction,
-           tr("Where the sun stands, in degrees clockwise from the north (−Z): 90 is the east (X)"));
+           tr("Direction of the sun, in degrees clockwise from the north (−Z): 90 is the east (X)"));
     addRow(form, tr("Sun &height"), m_heightSlider, m_height,
            tr("Height of the sun over the horizon, 2 to 90 degrees: a low one is warm"));
     addRow(form, tr("Ha&ze"), m_hazeSlider, m_haze,
@@ -173,9 +164,8 @@ void LightDialog::buildMoment()
     addRow(form, tr("&Day and time"), m_time);
     addRow(form, tr("&Latitude"), m_latitude);
     addRow(form, tr("L&ongitude"), m_longitude);
-    m_takeMoment = new QPushButton(tr("&Put the sun there"), this);
+    m_takeMoment = named(new QPushButton(tr("&Put the sun there"), this), "takeMoment");
     m_takeMoment->setAutoDefault(false);
-    m_takeMoment->setObjectName(QStringLiteral("takeMoment"));
     m_momentText->setWordWrap(true);
     form->addRow(m_momentText);
     form->addRow(m_takeMoment);

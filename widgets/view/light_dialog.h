@@ -1,5 +1,5 @@
 /// \file
-/// Where the sun stands and what lies behind the trees. Applies at once.
+/// Chooses the position of the sun and the background of the trees. Applies at once.
 #pragma once
 
 #include "widgets/view/render/light/sun_position.h"
@@ -32,7 +32,7 @@ private:
     void buildButtons();
     void take();
     void apply();
-    /// Where the sun stands at the moment and the place of the fields.
+    /// Returns the sun's position for the moment and the place of the fields.
     [[nodiscard]] SunPosition momentsSun() const;
     void tellMoment();
     void takeMoment();

@@ -53,7 +53,7 @@ QStringList linesOf(DisplayMode mode, const TextureSummary& texture)
     if (mode == DisplayMode::Checker)
         return {QCoreApplication::translate("TextureLegend", "One square: a tile, %1 on the thickest wood")
                     .arg(tileText(texture.tileSize)),
-                QCoreApplication::translate("TextureLegend", "Where too small to see: 2, 4, 8 … tiles")};
+                QCoreApplication::translate("TextureLegend", "Tiles too small to see are joined: 2, 4, 8 …")};
     const double good = 100.0 * (1.0 - double(texture.stretched) / double(texture.triangles));
     return {QCoreApplication::translate("TextureLegend", "Stretch of the texture"),
             QCoreApplication::translate("TextureLegend", "Under 1.25: %1 % of the triangles")

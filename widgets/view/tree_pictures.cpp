@@ -44,7 +44,8 @@ struct TreePictures::Drawer
     std::atomic<bool> isOver = false; ///< no picture is wanted any more
     TreePipeline pipeline;
 
-    Expected<QImage> draw(const NodeParams& params, QSize size, const Progress& progress)
+    Expected<TreePicture> draw(const NodeParams& params, QSize size, const std::optional<Camera>& as,
+                               const Progress& progress)
     {
         if (!hasBegun)
             RAMURE_TRY(renderer.begin());
@@ -53,9 +54,12 @@ struct TreePictures::Drawer
         RAMURE_TRY(scene);
         if (progress.cancelled())
             return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
-        Camera camera;
-        camera.frame(scene->framePoints(), double(size.width()) / double(size.height()));
-        return renderer.draw(*scene, camera, size);
+        Camera camera = as.value_or(Camera());
+        if (!as)
+            camera.frame(scene->framePoints(), double(size.width()) / double(size.height()));
+        auto image = renderer.draw(*scene, camera, size);
+        RAMURE_TRY(image);
+        return TreePicture{std::move(*image), camera};
     }
     /// The context ends on the thread that it was made on.
     void end()
@@ -95,16 +99,16 @@ TreePictures::~TreePictures()
     m_job.wait(Job::patience);
 }
 
-void TreePictures::draw(const NodeParams& params, QSize size, Take take)
+void TreePictures::draw(const NodeParams& params, QSize size, Take take, const std::optional<Camera>& camera)
 {
     m_job.start(
-        [drawer = m_drawer, params, size](const Progress& progress) {
-            auto made = drawer->draw(params, size, progress);
+        [drawer = m_drawer, params, size, camera](const Progress& progress) {
+            auto made = drawer->draw(params, size, camera, progress);
             if (drawer->isOver)
                 drawer->end();
             return made;
         },
-        [take = std::move(take)](Expected<QImage>&& made) { take(std::move(made)); });
+        [take = std::move(take)](Expected<TreePicture>&& made) { take(std::move(made)); });
 }
 
 void TreePictures::stop()

@@ -25,8 +25,8 @@ public:
     [[nodiscard]] GizmoSettings* gizmo() const { return m_gizmo; }
     /// Tools that shape trees: likewise. Only one tool of both is chosen.
     [[nodiscard]] HandSettings* hand() const { return m_hand; }
-    /// Gives light, wind of a game, tools and their options their defaults: the next document must not
-    /// inherit what was set for the last one. How the view is drawn (modes, quality, what is visible) stays.
+    /// Resets light, wind of a game, tools and their options to their defaults, so that the next document
+    /// does not inherit them. The settings of the drawing itself (modes, quality, visible parts) stay.
     void beginDocument();
 
     Option<DisplayMode> displayMode{this, DisplayMode::Mesh};
@@ -40,8 +40,8 @@ public:
     Option<bool> groundVisible{this, true};
     Option<bool> orthographic{this, false};
     Option<bool> windVisible{this, false};
-    Option<bool> outlineVisible{this, true}; ///< around what is selected
-    Option<bool> crownsVisible{this, true};  ///< of selected trees that grow to fill one
+    Option<bool> outlineVisible{this, true}; ///< around the selection
+    Option<bool> crownsVisible{this, true};  ///< envelopes that selected trees grow to fill
     Option<SceneLight> light{this, {}};
     Option<WindProfile> gameWind{this, WindProfile::None}; ///< in which trees at rest move; None: none blows
     Option<double> gameWindStrength{this, 0.6};            ///< 1: a strong wind

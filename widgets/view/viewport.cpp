@@ -10,7 +10,6 @@
 #include "widgets/view/viewport_private.h"
 #include <QOpenGLContext>
 #include <QPainter>
-#include <numbers>
 #include <numeric>
 #include <utility>
 
@@ -19,7 +18,6 @@ namespace {
 
 constexpr int settleMs = 300; ///< without a move, until pictures are as good as was chosen
 constexpr int hoverRestMs = 25;
-constexpr int outlineStepMs = 50; ///< while it fades
 
 /// The box of the selected branches, else of the selected nodes' trees; world.
 Box selectionBox(const Document& document, const RenderScene& scene, double timeSeconds)
@@ -63,7 +61,7 @@ RenderOptions Viewport::Private::options(double pixelRatio) const
     options.hurried = software && (settling.isActive() || isWindy());
     options.grid = settings->gridVisible();
     options.ground = settings->groundVisible();
-    options.outlineOpacity = float(outlineOpacity());
+    options.outlineOpacity = float(outline.opacity());
     options.outline = settings->outlineVisible() && options.outlineOpacity > 0.0f;
     options.light = settings->light();
     options.pixelRatio = pixelRatio;
@@ -90,7 +88,7 @@ Viewport::Viewport(Document* document, ViewSettings* settings, QWidget* parent)
     connect(document, &Document::changed, this, &Viewport::onDocumentChanged);
     settings->windVisible.follow(this, [this] { explainWind(); });
     settings->gameWind.follow(this, [this] { beginGameWind(); });
-    settings->outlineVisible.follow(this, [this] { d->showOutline(); });
+    settings->outlineVisible.follow(this, [this] { d->outline.show(); });
     connect(settings, &ViewSettings::changed, this, &Viewport::onSettingsChanged);
     connect(&d->tools.picks(), &PendingPick::missed, this, &Viewport::clearDefect);
     connect(&d->tools.picks(), &PendingPick::menuWanted, this, [this](QPointF at, NodeId node, Index branch) {
@@ -101,7 +99,7 @@ Viewport::Viewport(Document* document, ViewSettings* settings, QWidget* parent)
     const auto complain = [this](const Error& error) { emit messageRaised(errorText(error)); };
     connect(&d->builder, &BackgroundBuilder::failed, this, complain);
     connect(&d->picker, &BackgroundPicker::failed, this, complain);
-    connect(&d->uploading, &QTimer::timeout, this, &Viewport::uploadScene);
+    connect(&d->upload.turns, &QTimer::timeout, this, &Viewport::uploadScene);
     connect(&d->picker, &BackgroundPicker::readyChanged, this, [this] {
         d->tools.sceneReady();
         if (underMouse())
@@ -109,7 +107,7 @@ Viewport::Viewport(Document* document, ViewSettings* settings, QWidget* parent)
     });
     connect(&d->barks, &BarkWaiter::ready, this, &Viewport::wishScene);
     connect(d->barks.job(), &Job::runningChanged, this, &Viewport::barkMissing);
-    connect(&d->drawing, &QTimer::timeout, this, &Viewport::drawOn);
+    connect(&d->fine.turns, &QTimer::timeout, this, &Viewport::drawOn);
     d->settling.setInterval(settleMs);
     connect(&d->settling, &QTimer::timeout, this, qOverload<>(&QWidget::update));
     connect(&d->flight, &CameraFlight::moved, this, [this] {
@@ -128,10 +126,10 @@ Viewport::Viewport(Document* document, ViewSettings* settings, QWidget* parent)
         update();
     });
     connect(&d->trail, &GizmoTrail::changed, this, qOverload<>(&QWidget::update));
-    connect(&d->outline.fades, &QTimer::timeout, this, [this] {
-        d->outline.fades.setInterval(outlineStepMs);
-        if (d->outlineOpacity() <= 0.0)
-            d->outline.fades.stop();
+    connect(&d->outline, &OutlineKey::changed, this, qOverload<>(&QWidget::update));
+    connect(&d->marks, &ViewMarks::sceneChanged, this, &Viewport::wishScene);
+    connect(&d->marks, &ViewMarks::highlightsChanged, this, [this] {
+        d->highlightsStale = true;
         update();
     });
     wishScene();
@@ -156,11 +154,6 @@ void Viewport::releaseRenderer()
 const Camera& Viewport::camera() const
 {
     return d->camera();
-}
-
-bool Viewport::isPickPending() const
-{
-    return d->tools.picks().isPending();
 }
 
 FrameTimes Viewport::frameTimes() const
@@ -204,6 +197,8 @@ void Viewport::resizeGL(int, int)
         return;
     Camera to = d->camera();
     to.frame(framingPoints(d->document->scene(), *d->scene), d->view().aspect());
+    if (d->frame.followed == d->camera())
+        d->frame.followed = to;
     d->flight.setCamera(to);
 }
 
@@ -224,7 +219,7 @@ void Viewport::paintGL()
     const RenderStats stats = d->renderer->stats();
     for (auto& block : d->renderer->takeReleased())
         d->builder.dispose(std::move(block));
-    d->times.uploadMs = stats.uploadMs + (d->sceneIsNew ? d->uploadedMs : 0.0);
+    d->times.uploadMs = stats.uploadMs + (d->sceneIsNew ? d->upload.pastMs : 0.0);
     d->times.drawMs = stats.drawMs;
     d->times.drawCpuMs = stats.drawCpuMs;
     d->times.rebuilt = std::exchange(d->sceneIsNew, false);
@@ -243,7 +238,8 @@ void Viewport::paintOverlay()
     d->defect.paintLabel(painter, view);
     painter.setRenderHint(QPainter::Antialiasing);
     paintLabels(painter);
-    d->paintOutlineKey(painter);
+    if (d->settings->outlineVisible() && !d->document->selection().nodes.empty())
+        d->outline.paint(painter);
     d->trail.paintPlayhead(painter, view, d->context.seconds());
     d->tools.paint(painter, view);
     if (d->context.keys && d->context.keys->isOn()) {
@@ -326,42 +322,38 @@ void Viewport::frameSelection()
         frameBox(box);
 }
 
-void Viewport::setAxisView(AxisView view)
-{
-    Camera to = d->flight.goal();
-    to.setAxisView(view);
-    moveCamera(to);
-}
-
-void Viewport::turnOpposite()
-{
-    Camera to = d->flight.goal();
-    // Straight above and straight below, left stays left.
-    const bool straight = std::abs(to.pitchRad) > 0.5 * std::numbers::pi - 1e-6;
-    to.orbit(straight ? 0.0 : std::numbers::pi, -2.0 * to.pitchRad);
-    moveCamera(to);
-}
-
 void Viewport::flyTo(const Camera& camera)
 {
     d->settings->orthographic.set(camera.orthographic);
     moveCamera(camera);
 }
 
-void Viewport::orbitBy(double yawRad, double pitchRad)
+void Viewport::steer(const std::function<void(Camera&)>& change)
 {
     Camera to = d->flight.goal();
-    to.orbit(yawRad, pitchRad);
+    change(to);
     moveCamera(to);
 }
 
-void Viewport::zoomBy(double factor)
+void Viewport::showDefect(NodeId node, const DefectPlace& place)
 {
-    if (!(factor > 0.0))
-        return;
-    Camera to = d->flight.goal();
-    to.zoom(factor, to.target);
-    moveCamera(to);
+    d->defect.show(place);
+    Box box; // of the node, world
+    for (const MeshItem& item : d->scene->meshes)
+        if (item.node == node)
+            box.add(item.box.transformed(item.world));
+    const TreeResult* tree = d->resultOf(node);
+    const double reach = defectReach(place, tree ? tree->simplified.get() : nullptr,
+                                     EvaluatedScene(d->document->scene()).transforms(node).geometry, box);
+    moveCamera(defectView(*d->scene, place, reach, d->camera(), double(width()) / std::max(1, height()),
+                          d->settings->groundVisible()));
+    update();
+}
+
+void Viewport::clearDefect()
+{
+    if (d->defect.clear())
+        update();
 }
 
 void Viewport::clearSelection()

@@ -10,14 +10,12 @@
 /// menu.
 #pragma once
 
-#include "core/base/error.h"
 #include "core/base/index.h"
 #include "core/scene/scene.h"
 #include "widgets/view/render/camera.h"
 #include "widgets/view/render/renderer_options.h"
 #include "widgets/view/tools/gizmo_settings.h"
 #include "widgets/view/view_settings.h"
-#include <QImage>
 #include <QOpenGLWidget>
 #include <functional>
 #include <memory>
@@ -29,7 +27,9 @@ class ArmReach;
 class AutoKey;
 class Document;
 class HintSource;
+class OutlineKey;
 class Player;
+class ViewMarks;
 struct PickHit;
 struct Change;
 struct DefectPlace;
@@ -43,14 +43,30 @@ struct FrameTimes
     double drawCpuMs = 0.0; ///< the same, as the thread's own time
     bool rebuilt = false;   ///< the scene is another one than in the picture before
     quint64 frame = 0;      ///< counts pictures
-    quint64 revision = 0;   ///< of the document, of the oldest result that is shown
+    quint64 revision = 0;   ///< document revision of the oldest result that is shown
 };
 
-/// How a picture of the view differs from what the view shows.
+/// What goes on in a view.
+struct ViewWork
+{
+    /// The picture is of an older state: the scene of now is being made in the background, or will be drawn
+    /// in a moment.
+    bool picture = false;
+    /// Something moved just now; in a moment the picture is drawn once more, as good as was chosen.
+    bool settling = false;
+    /// Nothing moves, and the picture that is as good as was chosen is being made in parts; a quick one is
+    /// shown.
+    bool parts = false;
+    /// A click on a large tree takes effect when the structure to pick in is ready.
+    bool pick = false;
+    bool transforming = false; ///< nodes are being moved, by the mouse or by keys
+};
+
+/// Differences between a picture and the view.
 struct ViewPicture
 {
-    QSize size{};             ///< pixels; empty: those of the view
-    bool transparent = false; ///< nothing behind what is in the scene
+    QSize size{};             ///< pixels; empty: the view's size
+    bool transparent = false; ///< no background behind the scene
     std::optional<bool> grid; ///< with its axes; nothing: as the view has it
 };
 
@@ -69,8 +85,8 @@ class Viewport : public QOpenGLWidget
 {
     Q_OBJECT
 public:
-    static constexpr double orbitStepRad = 0.2617993877991494; ///< of one key: 15 degrees
-    static constexpr double zoomStep = 1.25;                   ///< of one key
+    static constexpr double orbitStepRad = 0.2617993877991494; ///< turn of one key press: 15 degrees
+    static constexpr double zoomStep = 1.25;                   ///< factor of one key press
 
     /// Neither is owned; both must outlive the viewport.
     Viewport(Document* document, ViewSettings* settings, QWidget* parent = nullptr);
@@ -78,16 +94,16 @@ public:
     /// Trees are shown as the player moves them; while it plays, a drag on a branch pulls it and a double
     /// click on an apple lets it fall. Not owned; must outlive the viewport.
     void setPlayer(Player* player);
-    /// Edits by hand become keys where it takes them. Not owned; may be null.
+    /// Edits by hand become keys where it takes them. Not owned; must outlive the viewport.
     void setKeys(AutoKey* keys);
-    /// What the keys of beginTransform are called, for the hint: "G R S".
+    /// Sets the names of the keys of beginTransform, for the hint: "G R S".
     void setGestureKeys(std::function<QString()> keys);
-    /// What the key of the line around the selection is called, for the words beside it: "Shift+E".
-    void setOutlineKey(std::function<QString()> key);
-    /// What mouse and keys do right now.
+    /// Describes the present use of mouse and keys.
     [[nodiscard]] HintSource* hints() const;
-    /// Nodes are being moved, by the mouse or by keys.
-    [[nodiscard]] bool isTransforming() const;
+    /// What panels point at in the view.
+    [[nodiscard]] ViewMarks* marks() const;
+    /// The words beside the line around the selection.
+    [[nodiscard]] OutlineKey* outlineKey() const;
 
     [[nodiscard]] const Camera& camera() const;
     [[nodiscard]] FrameTimes frameTimes() const;
@@ -95,33 +111,20 @@ public:
     /// Before the widget is shown: the processor draws, so cheaper anti-aliasing is used.
     void setSoftware(bool software);
 
-    /// The picture is of an older state: the scene of now is being made in the background, or will be drawn
-    /// in a moment.
-    [[nodiscard]] bool isPicturePending() const;
-    /// Something moved just now; in a moment the picture is drawn once more, as good as was chosen.
-    [[nodiscard]] bool isSettling() const;
-    /// Nothing moves, and the picture that is as good as was chosen is being made in parts; a quick one is
-    /// shown.
-    [[nodiscard]] bool isPictureInMaking() const;
-    /// A click on a large tree takes effect when the structure to pick in is ready; true until then.
-    [[nodiscard]] bool isPickPending() const;
+    [[nodiscard]] ViewWork work() const;
 
     /// The scene as it is seen now.
     [[nodiscard]] ViewShot shot(const ViewPicture& wish = {});
-    /// A picture of the scene as it is seen, without cube and overlays. Null image where there is no context.
-    [[nodiscard]] QImage screenshot(const ViewPicture& wish = {});
-    /// The picture as a file (PNG by the ending). Errors: Io, Unknown (ending).
-    Expected<void> saveScreenshot(const QString& path, const ViewPicture& wish = {});
     [[nodiscard]] QSize pixelSize() const; ///< device pixels
 
     /// The camera node that the view is that of, as time goes on; noNode: none, the view is the artist's.
     [[nodiscard]] NodeId seenThrough() const;
     [[nodiscard]] double shownSeconds() const; ///< the time of the picture
 
-    /// What the cursor at \p position points at on the ground; nothing where that is far away, or the sky.
+    /// Returns the point on the ground under \p position; nothing if it is far away, or sky.
     [[nodiscard]] std::optional<glm::dvec3> groundAt(QPointF position) const;
 
-    /// What is seen at \p position; noNode: nothing, or it is not yet known.
+    /// Returns the node under \p position; noNode if there is none, or if it is not yet known.
     [[nodiscard]] NodeId nodeAt(QPointF position) const;
 
     /// The arm that is on its way to a target while nothing plays.
@@ -131,29 +134,19 @@ public slots:
     void setCamera(const ramure::Camera& camera); ///< at once, without animation
     void frameAll();                              ///< Home: with all places that keys move it to
     void frameSelection();                        ///< F: branches, else nodes, else all, as they stand now
-    void setAxisView(ramure::AxisView view);
-    void turnOpposite();                      ///< to the other side, from above to below
-    void flyTo(const ramure::Camera& camera); ///< as setCamera, on the way there
-    /// The view becomes that of a camera node, until it is moved; noNode leaves it where it is.
+    void flyTo(const ramure::Camera& camera);     ///< like setCamera, with an animation
+    /// Flies to where \p change takes the camera; a flight is changed at its goal.
+    void steer(const std::function<void(ramure::Camera&)>& change);
+    /// Follows a camera node until the view is moved; noNode stops following it.
     void lookThrough(ramure::NodeId camera);
-    /// For keys: steps of the camera without the mouse.
-    void orbitBy(double yawRad, double pitchRad);
-    void zoomBy(double factor);
     void clearSelection();
-    void selectAllBranches(); ///< of the active tree
+    void selectAllBranches(); ///< branches of the active tree
     /// Moves, turns or scales the selected nodes with mouse and keys until Enter or a click; Esc takes it
     /// back.
     void beginTransform(ramure::TransformTool tool);
     /// Moves the selected nodes, which are copies just made: one step of undo together with making them. Esc
     /// leaves them where their originals are.
     void beginMovingCopies();
-    void copyScreenshot();
-    /// The section's plane, circle and frame are shown, until noNode is given.
-    void setInspectedSection(ramure::NodeId node, ramure::Index branch, ramure::Index section);
-    /// Of this tree only these branches are shown, until noNode or no branch is given.
-    void setIsolated(ramure::NodeId node, const std::vector<ramure::Index>& branches);
-    /// Shown as if the mouse were over them, until noNode is given: of a row that it is over elsewhere.
-    void pointAt(ramure::NodeId node, const std::vector<ramure::Index>& branches);
     /// Frames the place and marks it until cleared.
     void showDefect(ramure::NodeId node, const ramure::DefectPlace& place);
     void clearDefect();
@@ -163,10 +156,10 @@ signals:
     void seenThroughChanged();
     /// noNode, noIndex where nothing is under the cursor.
     void hovered(ramure::NodeId node, ramure::Index branch);
-    /// A right click, or the menu key: on a branch, a node (noIndex), or nothing (noNode). What was clicked
+    /// A right click, or the menu key, on a branch, a node (noIndex), or nothing (noNode). The clicked object
     /// is selected.
     void menuRequested(const QPoint& globalPosition, ramure::NodeId node, ramure::Index branch);
-    /// What the hand wanted and could not have, and why.
+    /// Says why the hand could not do what it tried.
     void messageRaised(const QString& text);
     /// The picture of a bark is being made, or no longer.
     void barkMissing(bool missing);

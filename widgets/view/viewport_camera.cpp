@@ -6,6 +6,7 @@
 #include "widgets/view/viewport_private.h"
 #include <QPainter>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace ramure {
@@ -51,6 +52,30 @@ void Viewport::Private::followCamera()
         flight.setCamera(seen->camera);
 }
 
+/// Where a tree was wholly in the picture and has outgrown it, the camera moves back; it returns with the
+/// tree, to the last bit, as long as nobody moves it.
+Camera Viewport::Private::Frame::follow(const Camera& now, double aspect, bool isDraft,
+                                        const std::vector<glm::dvec3>& before,
+                                        const std::vector<glm::dvec3>& points)
+{
+    const auto isSeen = [aspect](const Camera& from, const std::vector<glm::dvec3>& all) {
+        return std::ranges::all_of(all, [&](const glm::dvec3& point) {
+            const auto at = from.project(point, aspect);
+            return at && std::max(std::abs(at->x), std::abs(at->y)) <= 1.0;
+        });
+    };
+    if (followed != now) {
+        if (!isSeen(now, before))
+            return now;
+        own = now;
+    }
+    Camera to = isDraft ? now : own; // drafts come and go too fast to return for
+    if (!isSeen(to, points))
+        to.frame(points, aspect);
+    followed = to;
+    return to;
+}
+
 void Viewport::Private::leaveCamera()
 {
     if (std::exchange(through, noNode) == noNode)
@@ -80,8 +105,8 @@ QRectF paintLabel(QPainter& painter, const QString& text, double width, QPointF 
 
 } // namespace
 
-/// Above the picture: the camera whose view it is, which moving the view leaves, and the game whose wind
-/// blows. In the middle: what to do while there is nothing to see.
+/// Above the picture: the camera whose view it is, which moving the view leaves, the game whose wind blows,
+/// and that it is out of date. In the middle: what to do while there is nothing to see.
 void Viewport::paintLabels(QPainter& painter) const
 {
     constexpr double margin = 10.0, broadest = 420.0;
@@ -90,6 +115,8 @@ void Viewport::paintLabels(QPainter& painter) const
         texts += tr("Through “%1”").arg(QString::fromStdString(node->name));
     if (d->isWindy())
         texts += tr("Wind: %1").arg(coreText(factsOf(d->settings->gameWind()).choice));
+    if (!accessibleDescription().isEmpty())
+        texts += accessibleDescription();
     const double room = width() - 4.0 * margin, lineHeight = painter.fontMetrics().height();
     double top = margin;
     for (const QString& text : texts)

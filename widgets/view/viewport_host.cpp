@@ -1,5 +1,6 @@
 #include "widgets/view/viewport_host.h"
 
+#include "widgets/base/named.h"
 #include "widgets/view/render/gl_setup.h"
 #include "widgets/view/viewport.h"
 #include <QLabel>
@@ -11,8 +12,7 @@ ViewportHost::ViewportHost(Document* document, QWidget* parent)
     : QWidget(parent)
     , m_settings(new ViewSettings(this))
 {
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
+    auto* layout = layoutOf<QVBoxLayout>(this);
     const OpenGlProbe probe = probeOpenGl();
     if (probe.available) {
         m_viewport = new Viewport(document, m_settings, this);
@@ -21,11 +21,11 @@ ViewportHost::ViewportHost(Document* document, QWidget* parent)
         setFocusProxy(m_viewport);
         return;
     }
-    auto* placeholder = new QLabel(
-        tr("<h3>No 3D view</h3><p>%1</p><p>Everything else works: parameters, undo, saving and export.</p>")
-            .arg(probe.reason.toHtmlEscaped()),
-        this);
-    placeholder->setObjectName(QStringLiteral("viewportPlaceholder"));
+    auto* placeholder = named(new QLabel(tr("<h3>No 3D view</h3><p>%1</p><p>Everything else works: "
+                                            "parameters, undo, saving and export.</p>")
+                                             .arg(probe.reason.toHtmlEscaped()),
+                                         this),
+                              "viewportPlaceholder");
     placeholder->setAlignment(Qt::AlignCenter);
     placeholder->setWordWrap(true);
     placeholder->setMargin(24);

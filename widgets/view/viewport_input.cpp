@@ -74,17 +74,6 @@ bool Viewport::Private::pickBox(QPointF cornerA, QPointF cornerB,
     return picker.pickBox(view(), {cornerA.x(), cornerA.y()}, {cornerB.x(), cornerB.y()}, std::move(done));
 }
 
-void Viewport::Private::markBranches(NodeId node, std::vector<Index> branches, bool go)
-{
-    const bool any = node != noNode && !branches.empty();
-    Branches wanted = any ? Branches{node, std::move(branches), go} : Branches();
-    if (wanted == marked)
-        return;
-    marked = std::move(wanted);
-    highlightsStale = true;
-    widget->update();
-}
-
 void Viewport::Private::updateHint()
 {
     hints.say(tools.hint(pointAt(pointer.at)));
@@ -96,15 +85,20 @@ HintSource* Viewport::hints() const
     return &d->hints;
 }
 
+ViewMarks* Viewport::marks() const
+{
+    return &d->marks;
+}
+
+OutlineKey* Viewport::outlineKey() const
+{
+    return &d->outline;
+}
+
 void Viewport::setGestureKeys(std::function<QString()> keys)
 {
     d->context.gestureKeys = std::move(keys);
     d->updateHint();
-}
-
-bool Viewport::isTransforming() const
-{
-    return d->tools.tool<GizmoTool>().isBusy();
 }
 
 void Viewport::beginTransform(TransformTool tool)
@@ -124,7 +118,7 @@ void Viewport::beginTransform(TransformTool tool)
 void Viewport::beginMovingCopies()
 {
     beginTransform(TransformTool::Move);
-    if (isTransforming())
+    if (d->tools.tool<GizmoTool>().isBusy())
         d->document->history().joinToLast(d->tools.tool<GizmoTool>().gesture());
 }
 
@@ -229,7 +223,7 @@ void Viewport::keyPressEvent(QKeyEvent* event)
     const double pitch = isKey(Qt::Key_Up) - isKey(Qt::Key_Down);
     const bool plain = !(event->modifiers() & ~(Qt::KeypadModifier | Qt::ShiftModifier));
     if (plain && (yaw != 0.0 || pitch != 0.0))
-        return orbitBy(yaw * orbitStepRad, pitch * orbitStepRad);
+        return steer([=](Camera& to) { to.orbit(yaw * orbitStepRad, pitch * orbitStepRad); });
     QOpenGLWidget::keyPressEvent(event);
 }
 

@@ -36,11 +36,14 @@ void Viewport::setPlayer(Player* player)
             d->wishedMotion = motion;
             wishScene();
         }
+        d->noteAge();
         update();
     });
+    connect(player, &Player::busyChanged, this, [this] { d->noteAge(); });
     connect(player, &Player::frameChanged, this, [this, player] {
         if (!player->isPlaying())
             updateTrail();
+        d->noteAge();
         update();
     });
     connect(player, &Player::playingChanged, this, [this](bool playing) {

@@ -1,10 +1,5 @@
-// Pictures on the screen, and screenshots.
-#include "widgets/view/render/passes/offscreen_renderer.h"
-#include "widgets/view/render/passes/picture_file.h"
+// Pictures on the screen, and what screenshots are drawn from.
 #include "widgets/view/viewport_private.h"
-#include <QClipboard>
-#include <QFile>
-#include <QGuiApplication>
 #include <limits>
 
 namespace ramure {
@@ -21,65 +16,67 @@ void Viewport::Private::draw(QSize pixels, const RenderOptions& options)
         forgetPicture();
         return renderer->draw(shownScene(), camera(), pixels, target, options);
     }
-    Pictured now{shown.scene() ? shown.scene() : scene, camera(), pixels, options};
+    Fine::Subject now{shown.scene() ? shown.scene() : scene, camera(), pixels, options};
     now.options.outline = false; // it fades, and lies over the picture, which need not be made again for it
     now.options.outlineOpacity = 1.0f;
     now.options.lens = through != noNode ? lens : Lens();
     now.options.hurried = false;
-    const bool isNew = !(now == pictured);
+    const bool isNew = !(now == fine.of);
     if (isNew) {
         forgetPicture();
-        pictured = std::move(now);
+        fine.of = std::move(now);
     }
     const int wanted = blurs ? lensSamples : options.hurried ? 0 : 1;
     if (inParts && isNew) {
-        RenderOptions quick = pictured.options;
+        RenderOptions quick = fine.of.options;
         quick.hurried = true;
-        renderer->draw(*pictured.scene, camera(), pixels, target, quick);
+        renderer->draw(*fine.of.scene, camera(), pixels, target, quick);
     } else {
-        if (!inParts && pictures < wanted)
+        if (!inParts && fine.whole < wanted)
             drawPart();
         renderer->show(pixels, target);
     }
     if (options.outline)
-        renderer->outline(*pictured.scene, camera(), pixels, target, options);
-    if (pictures < wanted)
-        drawing.start();
+        renderer->outline(*fine.of.scene, camera(), pixels, target, options);
+    if (fine.whole < wanted)
+        fine.turns.start();
 }
 
 /// All of it at once, unless it is made in parts.
 void Viewport::Private::drawPart()
 {
     constexpr double partMs = 20.0;
-    const double ms = isMadeInParts(pictured.options) ? partMs : std::numeric_limits<double>::infinity();
-    if (renderer->drawPart(*pictured.scene, pictured.camera, pictured.size, pictured.options, pictures, ms))
-        ++pictures;
+    const double ms = isMadeInParts(fine.of.options) ? partMs : std::numeric_limits<double>::infinity();
+    if (renderer->drawPart(*fine.of.scene, fine.of.camera, fine.of.size, fine.of.options, fine.whole, ms))
+        ++fine.whole;
 }
 
 void Viewport::Private::forgetPicture()
 {
-    drawing.stop();
-    pictured = {};
-    pictures = 0;
+    fine.turns.stop();
+    fine.of = {};
+    fine.whole = 0;
     if (renderer)
         renderer->restartParts();
 }
 
 void Viewport::drawOn()
 {
-    if (!d->renderer || !d->isMadeInParts(d->pictured.options))
+    if (!d->renderer || !d->isMadeInParts(d->fine.of.options))
         return update();
-    const int before = d->pictures;
+    const int before = d->fine.whole;
     makeCurrent();
     d->drawPart();
     doneCurrent();
-    d->pictures > before ? update() : d->drawing.start();
+    d->fine.whole > before ? update() : d->fine.turns.start();
 }
 
-bool Viewport::isPictureInMaking() const
+ViewWork Viewport::work() const
 {
     const RenderOptions now = d->options(devicePixelRatioF());
-    return d->renderer && d->isMadeInParts(now) && !now.hurried && d->pictures == 0;
+    return {d->isStale() || d->sceneIsNew || d->highlightsStale || d->barks.isBusy(), d->settling.isActive(),
+            d->renderer && d->isMadeInParts(now) && !now.hurried && d->fine.whole == 0,
+            d->tools.picks().isPending(), d->tools.tool<GizmoTool>().isBusy()};
 }
 
 QSize Viewport::pixelSize() const
@@ -102,31 +99,6 @@ ViewShot Viewport::shot(const ViewPicture& wish)
     shot.scene = std::make_shared<const RenderScene>(d->shownScene()); // of shared blocks: quickly copied
     shot.camera = d->camera();
     return shot;
-}
-
-QImage Viewport::screenshot(const ViewPicture& wish)
-{
-    const ViewShot shot = this->shot(wish);
-    auto image = renderImage(*shot.scene, shot.camera, shot.pixels, shot.options);
-    return image ? *image : QImage();
-}
-
-Expected<void> Viewport::saveScreenshot(const QString& path, const ViewPicture& wish)
-{
-    const QImage image = screenshot(wish);
-    if (image.isNull()) {
-        Error error = fail(ErrorCode::Unknown, RAMURE_NOOP("The graphics driver gave no picture")).value();
-        error.file = path.toStdString();
-        return fail(std::move(error));
-    }
-    return savePicture(image, QFile::encodeName(path).toStdString());
-}
-
-void Viewport::copyScreenshot()
-{
-    const QImage image = screenshot();
-    if (!image.isNull())
-        QGuiApplication::clipboard()->setImage(image);
 }
 
 } // namespace ramure

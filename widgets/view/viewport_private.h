@@ -11,10 +11,12 @@
 #include "widgets/view/background_picker.h"
 #include "widgets/view/bark_waiter.h"
 #include "widgets/view/camera_flight.h"
+#include "widgets/view/outline_key.h"
 #include "widgets/view/render/passes/renderer.h"
 #include "widgets/view/shown_scene.h"
 #include "widgets/view/tools/gizmo/gizmo_tool.h"
 #include "widgets/view/tools/tool_manager.h"
+#include "widgets/view/view_marks.h"
 #include "widgets/view/viewport.h"
 #include <QElapsedTimer>
 #include <QTimer>
@@ -28,8 +30,12 @@ struct Viewport::Private final : ToolHost
         , document(ofDocument)
         , settings(ofView)
     {
-        for (QTimer* timer : {&uploading, &drawing, &settling, &hoverRest})
+        for (QTimer* timer : {&upload.turns, &fine.turns, &settling, &hoverRest, &upload.late})
             timer->setSingleShot(true);
+        QObject::connect(&upload.late, &QTimer::timeout, viewport, [this] {
+            widget->setAccessibleDescription(Viewport::tr("This picture is out of date"));
+            widget->update();
+        });
     }
     Viewport* widget;
     Document* document;
@@ -38,18 +44,22 @@ struct Viewport::Private final : ToolHost
     CameraFlight flight;
     NodeId through = noNode; ///< the camera node that the view follows
     Lens lens;               ///< its
-    /// What a picture is of, that is at rest as good as was chosen.
-    struct Pictured
+    /// The picture at rest that is as good as was chosen.
+    struct Fine
     {
-        std::shared_ptr<const RenderScene> scene;
-        Camera camera;
-        QSize size;
-        RenderOptions options;
-        bool operator==(const Pictured&) const = default;
-    };
-    Pictured pictured;
-    int pictures = 0; ///< whole ones of it: with a lens many, of which the mean is shown
-    QTimer drawing;   ///< runs while one is made in parts
+        /// What it is of.
+        struct Subject
+        {
+            std::shared_ptr<const RenderScene> scene;
+            Camera camera;
+            QSize size;
+            RenderOptions options;
+            bool operator==(const Subject&) const = default;
+        };
+        Subject of;
+        int whole = 0; ///< pictures of it: with a lens many, of which the mean is shown
+        QTimer turns;  ///< runs while one is made in parts
+    } fine;
     /// What the camera shows of the scene.
     struct Frame
     {
@@ -63,42 +73,37 @@ struct Viewport::Private final : ToolHost
         quint64 after = 0;  ///< serial number of a wish: scenes up to it are of another document
         /// From where the last document was looked at means nothing for this one.
         bool isOfLast = false;
+        Camera own;                     ///< that of the artist, before it followed trees that grow
+        std::optional<Camera> followed; ///< where that has brought it; another one is the artist's again
+
+        /// The camera for a tree that has grown: see viewport_camera.cpp.
+        [[nodiscard]] Camera follow(const Camera& now, double aspect, bool isDraft,
+                                    const std::vector<glm::dvec3>& before,
+                                    const std::vector<glm::dvec3>& points);
     } frame;
 
     BackgroundBuilder builder;
     BarkWaiter barks;
     quint64 wishes = 0;
     std::vector<const void*> wishedBlocks; ///< identities of what the last wish was made from
-    std::optional<BuiltScene> next;        ///< on its way to the graphics card
-    QTimer uploading;
-    QElapsedTimer windClock; ///< runs while trees stand in the wind of a game
-    /// The line around what is selected.
-    struct Outline
+    /// A scene on its way to the graphics card.
+    struct Upload
     {
-        QElapsedTimer since; ///< something else is selected, or the line was switched on
-        QTimer fades;
-        bool isNew = false; ///< something else is selected than the scene shows
-        std::function<QString()> key;
-    } outline;
-    QTimer settling;         ///< runs while something moves: software rasterisers then do less for a picture
-    double uploadedMs = 0.0; ///< of next
+        std::optional<BuiltScene> next;
+        QTimer turns;
+        double pastMs = 0.0; ///< spent on it so far
+        QTimer late;         ///< runs while the picture is out of date, and that is not said yet
+    } upload;
+    QElapsedTimer windClock; ///< runs while trees stand in the wind of a game
+    OutlineKey outline;
+    bool outlineIsNew = false; ///< something else is selected than the scene shows
+    QTimer settling; ///< runs while something moves: software rasterisers then do less for a picture
     std::shared_ptr<const RenderScene> scene = std::make_shared<const RenderScene>();
     std::map<NodeId, TreeResult> trees; ///< in the scene
     bool sceneIsNew = false;            ///< not drawn yet
     bool highlightsStale = false;
 
-    /// Branches of one node; noNode: nothing.
-    struct Branches
-    {
-        NodeId node = noNode;
-        std::vector<Index> branches;
-        bool go = false; ///< they would be taken away
-        bool operator==(const Branches&) const = default;
-    };
-    InspectedSection inspected;
-    Branches isolated;
-    Branches pointed; ///< by a row of the scene panel
-    Branches marked;  ///< by a tool: what it would change
+    ViewMarks marks;
     DefectMark defect;
 
     std::unique_ptr<Renderer> renderer;
@@ -141,15 +146,12 @@ struct Viewport::Private final : ToolHost
     }
     void drawPart();
     void forgetPicture();
-    void showOutline();
-    [[nodiscard]] double outlineOpacity() const;
-    void paintOutlineKey(QPainter& painter) const;
     void leaveCamera();
     [[nodiscard]] std::shared_ptr<const MotionFrame> motionOfNow();
     [[nodiscard]] SceneView sceneView() const;
     [[nodiscard]] SceneWish wish();
     [[nodiscard]] bool showsBranchesOf(NodeId node) const;
-    [[nodiscard]] bool isAllGrown() const;
+    void noteAge();
     [[nodiscard]] bool isPosedDraft(const Change& change) const;
     [[nodiscard]] RenderOptions options(double pixelRatio) const;
 
@@ -157,7 +159,10 @@ struct Viewport::Private final : ToolHost
     [[nodiscard]] PickView view() const override;
     void setCamera(const Camera& moved) override;
     void stopFlight() override { flight.stop(); }
-    void flyToSide(AxisView side) override { widget->setAxisView(side); }
+    void flyToSide(AxisView side) override
+    {
+        widget->steer([side](Camera& to) { to.setAxisView(side); });
+    }
     [[nodiscard]] NavigationStyle navigationStyle() const override { return settings->navigationStyle(); }
     [[nodiscard]] bool isWindVisible() const override { return settings->windVisible(); }
     [[nodiscard]] const RenderScene& shownScene() const override
@@ -165,7 +170,7 @@ struct Viewport::Private final : ToolHost
         return shown.scene() ? *shown.scene() : *scene;
     }
     [[nodiscard]] const RenderScene& sceneAtRest() const override { return *scene; }
-    [[nodiscard]] bool isStale() const override { return builder.isBusy() || next; }
+    [[nodiscard]] bool isStale() const override { return builder.isBusy() || upload.next; }
     [[nodiscard]] const TreeResult* shownTree(NodeId node) const override;
     [[nodiscard]] std::shared_ptr<const PickScene> pickScene(std::chrono::milliseconds patience) override;
     [[nodiscard]] std::shared_ptr<const PickScene> latestPickScene() const override
@@ -175,7 +180,10 @@ struct Viewport::Private final : ToolHost
     bool pickBox(QPointF cornerA, QPointF cornerB,
                  std::function<void(const std::vector<PickedBranches>&)> done) override;
     void dispose(std::shared_ptr<const void> block) override { builder.dispose(std::move(block)); }
-    void markBranches(NodeId node, std::vector<Index> branches, bool go) override;
+    void markBranches(NodeId node, std::vector<Index> branches, bool go) override
+    {
+        marks.mark(node, std::move(branches), go);
+    }
     void repaint() override { widget->update(); }
     void updateHint() override;
     void showOrgans(EditOrgan kind) override

@@ -33,13 +33,27 @@ std::vector<const void*> blocksOf(const Document& document)
     return blocks;
 }
 
-std::vector<NodeId> withAllBelow(const Scene& scene, NodeId top)
+/// A tree of both has another shape.
+bool haveGrown(const std::map<NodeId, TreeResult>& before, const std::map<NodeId, TreeResult>& now)
 {
-    std::vector<NodeId> nodes;
-    for (const Node& node : scene.nodes())
-        if (node.id == top || scene.isAncestor(top, node.id))
-            nodes.push_back(node.id);
-    return nodes;
+    return std::ranges::any_of(now, [&before](const auto& tree) {
+        const auto found = before.find(tree.first);
+        return found != before.end() && (found->second.skeleton != tree.second.skeleton ||
+                                         found->second.branches != tree.second.branches);
+    });
+}
+
+bool haveDrafts(const std::map<NodeId, TreeResult>& trees)
+{
+    return std::ranges::any_of(trees, [](const auto& tree) { return tree.second.draftTubes != nullptr; });
+}
+
+/// Every tree has a result, or a reason why there is none.
+bool isAllGrown(const Document& document)
+{
+    return std::ranges::all_of(document.scene().nodes(), [&document](const Node& node) {
+        return node.kind != NodeKind::Tree || document.isCurrent(node.id);
+    });
 }
 
 } // namespace
@@ -60,21 +74,11 @@ SceneView Viewport::Private::sceneView() const
     view.branchNode = selection.branchNode;
     view.branches = selection.branches;
     view.activeBranch = selection.activeBranch;
-    // What is pointed at elsewhere goes before what the mouse left behind here.
-    const Branches& shownAs = pointed.node != noNode ? pointed : marked;
-    view.hoverNode = shownAs.node != noNode ? shownAs.node : context.hoverNode;
-    if (shownAs.node != noNode)
-        view.hoverBranches = shownAs.branches;
-    else if (context.hoverBranch != noIndex)
-        view.hoverBranches = {context.hoverBranch};
-    view.hoverGoes = shownAs.go;
-    view.hoverThrough = shownAs.node != noNode && !shownAs.branches.empty();
-    if (pointed.node != noNode && pointed.branches.empty())
-        view.hoverNodes = withAllBelow(document->scene(), pointed.node);
-    view.inspected = inspected;
-    view.isolatedNode = isolated.node;
-    view.isolatedBranches = isolated.branches;
     view.timeSeconds = context.seconds();
+    view.hoverNode = context.hoverNode;
+    if (context.hoverBranch != noIndex)
+        view.hoverBranches = {context.hoverBranch};
+    marks.addTo(view, document->scene());
     return view;
 }
 
@@ -94,12 +98,30 @@ bool Viewport::Private::showsBranchesOf(NodeId node) const
     return node == noNode || (now && seen && now->simplified == seen->simplified);
 }
 
-/// Of every tree there is a result, or a reason.
-bool Viewport::Private::isAllGrown() const
+/// To be called when the picture may have become one of other parameters than those of now, or of another
+/// moment, or is so no more. For eyes and for screen readers; what lasts for a moment needs no words.
+void Viewport::Private::noteAge()
 {
-    return std::ranges::all_of(document->scene().nodes(), [this](const Node& node) {
-        return node.kind != NodeKind::Tree || document->isCurrent(node.id);
-    });
+    constexpr int momentMs = 400;
+    const Player* player = context.player;
+    const auto isOld = [this](const Node& node) {
+        const NodeResult* result = document->result(node.id);
+        return node.kind == NodeKind::Tree && result && !result->error &&
+               result->revision < document->shapeRevision(node.id);
+    };
+    const bool isLate = isStale() || std::ranges::any_of(document->scene().nodes(), isOld) ||
+                        (player && player->isBusy() && player->motion()->frame != player->frame());
+    const bool isSaid = !widget->accessibleDescription().isEmpty();
+    // What plays is seen to be late.
+    if (!isLate || scene->box.empty() || (player && player->isPlaying())) {
+        upload.late.stop();
+        if (isSaid) {
+            widget->setAccessibleDescription({});
+            widget->update();
+        }
+    } else if (!isSaid && !upload.late.isActive()) {
+        upload.late.start(momentMs);
+    }
 }
 
 /// The draft of a bent tree is worse than its pose.
@@ -140,7 +162,7 @@ void Viewport::onDocumentChanged(const Change& change)
         d->trail.forgetSkeletons();
     if (change.has(changeSelection | changeStructure | changeReset))
         d->updateHint();
-    d->outline.isNew = d->outline.isNew || change.has(changeSelection | changeReset);
+    d->outlineIsNew = d->outlineIsNew || change.has(changeSelection | changeReset);
     // The tint goes where the selection goes at once: another scene comes late while trees move or grow.
     if (change.has(changeSelection) && d->showsBranchesOf(d->document->selection().branchNode)) {
         d->highlightsStale = true;
@@ -156,8 +178,7 @@ void Viewport::onDocumentChanged(const Change& change)
         d->frame.wanted = Private::Frame::Wish::None;
         d->context.hoverNode = noNode;
         d->context.hoverBranch = noIndex;
-        d->pointed = d->marked = {};
-        d->inspected = {};
+        d->marks.beginDocument();
         clearDefect();
     }
     // A new shape comes with its result: before it, the same picture would be drawn again.
@@ -167,6 +188,7 @@ void Viewport::onDocumentChanged(const Change& change)
     });
     const bool waitsForResult = trees && change.firstStale < Stage::Placement &&
                                 !change.has(~quint32(changeFile | changeParams | changeBranches));
+    d->noteAge();
     if (change.kinds == changeFile || waitsForResult || d->isPosedDraft(change))
         return;
     // A second opinion on a mesh changes no picture.
@@ -184,16 +206,6 @@ void Viewport::onSettingsChanged()
     update();
 }
 
-bool Viewport::isPicturePending() const
-{
-    return d->isStale() || d->sceneIsNew || d->highlightsStale || d->barks.isBusy();
-}
-
-bool Viewport::isSettling() const
-{
-    return d->settling.isActive();
-}
-
 void Viewport::wishScene()
 {
     d->settling.start();
@@ -205,27 +217,27 @@ void Viewport::wishScene()
 /// One scene after the other: each that was begun is shown, however fast new ones come.
 void Viewport::takeScene()
 {
-    if (d->next)
+    if (d->upload.next)
         return;
-    d->next = d->builder.take();
-    if (!d->next)
+    d->upload.next = d->builder.take();
+    if (!d->upload.next)
         return;
-    d->uploadedMs = 0.0;
+    d->upload.pastMs = 0.0;
     uploadScene();
 }
 
 void Viewport::uploadScene()
 {
-    if (!d->next)
+    if (!d->upload.next)
         return;
     if (d->renderer) {
         const Stopwatch watch;
         makeCurrent();
-        const bool ready = d->renderer->prepare(*d->next->scene, bytesPerTurn);
+        const bool ready = d->renderer->prepare(*d->upload.next->scene, bytesPerTurn);
         doneCurrent();
-        d->uploadedMs += watch.elapsed().wallMs;
+        d->upload.pastMs += watch.elapsed().wallMs;
         if (!ready) {
-            d->uploading.start(0);
+            d->upload.turns.start(0);
             return;
         }
     }
@@ -238,22 +250,22 @@ void Viewport::finishScene()
 {
     d->barks.wait();
     if (auto built = d->builder.finish())
-        d->next = std::move(built);
-    d->uploading.stop();
+        d->upload.next = std::move(built);
+    d->upload.turns.stop();
     showScene();
 }
 
 void Viewport::showScene()
 {
-    if (!d->next)
+    if (!d->upload.next)
         return;
-    BuiltScene built = *std::exchange(d->next, std::nullopt);
+    BuiltScene built = *std::exchange(d->upload.next, std::nullopt);
     const SceneView now = d->sceneView();
     d->highlightsStale = now.hoverNode != built.view.hoverNode ||
                          now.hoverBranches != built.view.hoverBranches ||
                          now.hoverGoes != built.view.hoverGoes || now.hoverNodes != built.view.hoverNodes;
-    d->builder.dispose(std::exchange(d->scene, std::move(built.scene)));
-    d->builder.dispose(std::make_shared<decltype(d->trees)>(std::exchange(d->trees, std::move(built.trees))));
+    auto before = std::exchange(d->scene, std::move(built.scene));
+    auto treesBefore = std::make_shared<decltype(d->trees)>(std::exchange(d->trees, std::move(built.trees)));
     d->sceneIsNew = true;
     d->times.buildMs = built.buildMs;
     d->times.revision = built.revision;
@@ -274,13 +286,22 @@ void Viewport::showScene()
         Camera camera = d->camera();
         camera.frame(framingPoints(d->document->scene(), *d->scene), d->view().aspect());
         d->flight.setCamera(camera);
+    } else if (d->through == noNode && d->settings->hand()->tool() == HandTool::None && !d->tools.current() &&
+               haveGrown(*treesBefore, d->trees)) { // what hands make is no growth
+        const Camera to = d->frame.follow(d->flight.goal(), d->view().aspect(), haveDrafts(d->trees),
+                                          framingPoints(d->document->scene(), *before),
+                                          framingPoints(d->document->scene(), *d->scene));
+        if (to != d->flight.goal())
+            d->flight.setCamera(to);
     }
+    d->builder.dispose(std::move(before));
+    d->builder.dispose(std::move(treesBefore));
     if (!d->isStale()) {
-        if (std::exchange(d->outline.isNew, false))
-            d->showOutline();
+        if (std::exchange(d->outlineIsNew, false))
+            d->outline.show();
         if (d->frame.again && d->frame.isAll)
             d->frame.wanted = Private::Frame::Wish::All;
-        d->frame.again = d->frame.again && d->frame.isAll && !d->isAllGrown();
+        d->frame.again = d->frame.again && d->frame.isAll && !isAllGrown(*d->document);
         const auto framing = std::exchange(d->frame.wanted, Private::Frame::Wish::None);
         if (framing == Private::Frame::Wish::All)
             frameAll();
@@ -288,6 +309,7 @@ void Viewport::showScene()
             frameSelection();
         d->tools.sceneReady();
     }
+    d->noteAge();
     update();
 }
 

@@ -1,6 +1,7 @@
 #include "widgets/window/job_panel.h"
 
 #include "core/qt/session/jobs/job.h"
+#include "widgets/base/named.h"
 #include "widgets/base/progress_steps.h"
 #include "widgets/base/theme/icons.h"
 #include <QHBoxLayout>
@@ -20,9 +21,7 @@ JobPanel::JobPanel(Job* job, const QString& name, QWidget* parent)
     , m_patience(new QTimer(this))
 {
     setObjectName(name);
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(8, 3, 8, 3);
-    row->setSpacing(8);
+    auto* row = layoutOf<QHBoxLayout>(this, 8, {8, 3, 8, 3});
     m_progress->setRange(0, progressSteps);
     m_progress->setTextVisible(false);
     m_progress->setFixedWidth(120);

@@ -1,4 +1,4 @@
-#include "widgets/window/main_window.h"
+#include "widgets/window/main_window_export.h"
 
 #include "core/params/param_relevance.h"
 #include "core/qt/session/arm/arm_reach.h"
@@ -21,7 +21,6 @@
 #include "widgets/base/targets.h"
 #include "widgets/base/texts/core_text.h"
 #include "widgets/base/theme/preferences.h"
-#include "widgets/dialogs/export/sequence_task.h"
 #include "widgets/panels/animation/key_actions.h"
 #include "widgets/panels/animation/key_commands.h"
 #include "widgets/panels/arm/arm_panel.h"
@@ -39,10 +38,12 @@
 #include "widgets/panels/timeline/timeline_panel.h"
 #include "widgets/panels/validation/separate_dialog.h"
 #include "widgets/panels/validation/validation_panel.h"
+#include "widgets/view/view_marks.h"
 #include "widgets/view/viewport.h"
 #include "widgets/view/viewport_host.h"
 #include "widgets/window/field_leaver.h"
 #include "widgets/window/hint_line.h"
+#include "widgets/window/menu_search.h"
 #include "widgets/window/problem_button.h"
 #include "widgets/window/view_menu.h"
 #include "widgets/window/welcome_panel.h"
@@ -126,7 +127,6 @@ void MainWindow::connectPanels()
     const auto say = [this](const QString& text) { statusBar()->showMessage(text, messageMs); };
     connect(m_pictures, &PictureActions::messageRaised, this, say);
     connect(m_billboards, &BillboardActions::messageRaised, this, say);
-    connect(m_billboards, &BillboardActions::exported, this, &MainWindow::tellExported);
     connect(m_welcome, &WelcomePanel::closed, this, [this] { m_host->setFocus(); });
     connect(m_scene, &ScenePanel::messageRaised, this, say);
     connect(m_scene, &ScenePanel::frameRequested, m_actions->find("view.frameSelection"), &QAction::trigger);
@@ -142,6 +142,7 @@ void MainWindow::connectPanels()
     auto* recipe = findChild<RecipePanel*>();
     connect(recipe, &RecipePanel::messageRaised, this, say);
     connect(recipe, &RecipePanel::stepChosen, m_properties->stepForm(), &StepForm::setStep);
+    new MenuSearch(m_recipes->menu());
     recipe->setAddMenu(m_recipes->menu());
     connect(recipe, &RecipePanel::saveRequested, m_recipes, &RecipeActions::save);
     connect(m_recipes, &RecipeActions::messageRaised, this, say);
@@ -152,13 +153,13 @@ void MainWindow::connectPanels()
     connect(m_validation, &ValidationPanel::messageRaised, this, say);
     auto* levels = findChild<LevelsPanel*>();
     connect(levels, &LevelsPanel::messageRaised, this, say);
-    connect(levels, &LevelsPanel::exportRequested, this, &MainWindow::showLevelExport);
     connect(dockOf(levels), &QDockWidget::visibilityChanged, levels, &LevelsPanel::setSeen);
     connect(m_timeline, &TimelinePanel::messageRaised, this, say);
     connect(m_bakes, &BakeActions::messageRaised, this, say);
     connect(m_arm, &ArmPanel::messageRaised, this, say);
     connect(findChild<KeyCommands*>(), &KeyCommands::messageRaised, this, say);
     connect(m_keyActions->autoAction(), &QAction::toggled, m_autoKey, &AutoKey::setOn);
+    connect(m_properties, &PropertiesPanel::messageRaised, this, say);
     connect(m_player, &Player::failed, this, [say](const Error& error) { say(errorTextWithPlace(error)); });
     connect(m_validation, &ValidationPanel::separateRequested, this, &MainWindow::showSeparateDialog);
     connect(m_problem, &ProblemButton::paramRequested, this, &MainWindow::showParam);
@@ -210,13 +211,13 @@ void MainWindow::connectViewport(Viewport* view)
     m_timeline->setReach(view->armReach());
     m_properties->setOwnEdit(*findParam("arm.target"),
                              std::bind_front(&ArmReach::editTarget, view->armReach()));
-    connect(m_isolation, &Isolation::changed, view,
-            [this, view] { view->setIsolated(m_isolation->node(), m_isolation->branches()); });
-    connect(m_scene, &ScenePanel::pointedAt, view, &Viewport::pointAt);
+    ViewMarks* marks = view->marks();
+    connect(m_isolation, &Isolation::changed, marks,
+            [this, marks] { marks->isolate(m_isolation->node(), m_isolation->branches()); });
+    connect(m_scene, &ScenePanel::pointedAt, marks, &ViewMarks::pointAt);
     connect(view, &Viewport::hovered, m_scene, &ScenePanel::showPointed);
-    connect(m_inspector, &BranchInspector::sectionInspected, view, &Viewport::setInspectedSection);
-    connect(m_inspector, &BranchInspector::sectionLeft, view,
-            [view] { view->setInspectedSection(noNode, 0, 0); });
+    connect(m_inspector, &BranchInspector::sectionInspected, marks, &ViewMarks::inspect);
+    connect(m_inspector, &BranchInspector::sectionLeft, marks, [marks] { marks->inspect(noNode, 0, 0); });
     connect(m_validation, &ValidationPanel::defectActivated, view, &Viewport::showDefect);
     connect(m_validation, &ValidationPanel::defectLeft, view, &Viewport::clearDefect);
 }

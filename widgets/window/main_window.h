@@ -4,7 +4,7 @@
 
 #include "core/qt/document/document.h"
 #include <QMainWindow>
-#include <QVariantMap>
+#include <memory>
 
 class QVBoxLayout;
 
@@ -19,7 +19,6 @@ class BillboardActions;
 class BranchInspector;
 class Chooser;
 class EditActions;
-class ExportDialog;
 class FileActions;
 class HandActions;
 class RecipeActions;
@@ -41,7 +40,6 @@ class ProblemButton;
 class PropertiesPanel;
 class Recompute;
 class ScenePanel;
-class SequenceTask;
 class SelectActions;
 class StatusPanel;
 class TimelinePanel;
@@ -51,7 +49,6 @@ class ViewActions;
 class Viewport;
 class ViewportHost;
 class WelcomePanel;
-struct LevelOptions;
 struct PanelRow;
 
 class MainWindow : public QMainWindow
@@ -83,14 +80,7 @@ public:
     [[nodiscard]] Analysis* analysis() const { return m_analysis; }
 
     void showWelcome();
-    // main_window_export.cpp
-    void showExportDialog();
-    void repeatExport();
-    void showLevelExport(const LevelOptions& levels);
-    [[nodiscard]] ExportDialog* newExportDialog();
-    void tellExported(const QString& path);
-    void showInFolder(const QString& path);
-    /// Of this tree; without one, of the tree that is active, or of the first.
+    /// Opens the dialog for this tree, else for the active tree, else for the first one.
     void showSeparateDialog(NodeId tree = noNode);
     void resetLayout();
     /// Shows the properties with this parameter in focus, of a node that has it.
@@ -103,19 +93,20 @@ protected:
     void dropEvent(QDropEvent* event) override;
 
 private:
+    class Exports; // main_window_export.h
     static constexpr int messageMs = 6000, dropMessageMs = 1500;
     static constexpr int layoutVersion = 5; ///< of saveState; another one means another set of docks
 
-    /// Where a tree of the gallery is let go.
+    /// The place where a tree of the gallery is dropped.
     struct DropPlace
     {
         NodeId tree = noNode;            ///< that it would change
-        std::optional<glm::dvec3> place; ///< else where it is planted; nothing: where there is room
+        std::optional<glm::dvec3> place; ///< else the place where it is planted; unset: a free place
     };
     [[nodiscard]] DropPlace dropPlace(QPointF at) const;
 
     void addPanel(const PanelRow& row, QWidget* content);
-    /// Of a panel of the table.
+    /// Returns the dock of a panel of the table.
     [[nodiscard]] static QDockWidget* dockOf(const QWidget* panel);
     static void showPanel(const QWidget* panel);
     void buildDocks();
@@ -131,7 +122,6 @@ private:
     void connectPanels();
     void connectViewport(Viewport* view);
     void connectTimeline();
-    void buildSequences();
     void showInspector();
     void showViewMenu(const QPoint& at, NodeId node, Index branch);
     void follow(const Change& change);
@@ -154,12 +144,6 @@ private:
     ValidationPanel* m_validation = nullptr;
     TimelinePanel* m_timeline = nullptr;
     BakeActions* m_bakes = nullptr;
-    SequenceTask* m_sequences = nullptr;
-    struct
-    {
-        QVariantMap settings; ///< ExportDialog::settings
-        QString path;
-    } m_lastExport;
     KeyModel* m_keyModel = nullptr;
     KeyActions* m_keyActions = nullptr;
     AutoKey* m_autoKey = nullptr;
@@ -181,6 +165,7 @@ private:
     WelcomePanel* m_welcome = nullptr;
     QToolBar* m_toolBar = nullptr;
     ArmPanel* m_arm = nullptr;
+    std::unique_ptr<Exports> m_exports;
     QList<QDockWidget*> m_docks; ///< one for each row of panels()
 };
 

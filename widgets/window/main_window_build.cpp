@@ -1,4 +1,5 @@
-#include "widgets/window/main_window.h"
+#include "widgets/base/named.h"
+#include "widgets/window/main_window_export.h"
 
 #include "core/qt/session/motion/auto_key.h"
 #include "widgets/actions/billboard_actions.h"
@@ -18,8 +19,6 @@
 #include "widgets/base/texts/core_text.h"
 #include "widgets/base/theme/preferences.h"
 #include "widgets/base/timeline_ruler.h"
-#include "widgets/dialogs/export/export_dialog.h"
-#include "widgets/dialogs/export/sequence_task.h"
 #include "widgets/dialogs/variations/seeds_dialog.h"
 #include "widgets/dialogs/variations/variations_dialog.h"
 #include "widgets/help/help_places.h"
@@ -54,9 +53,7 @@
 #include "widgets/window/tool_strip.h"
 #include "widgets/window/unplaced_button.h"
 #include "widgets/window/welcome_panel.h"
-#include <QDir>
 #include <QDockWidget>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QMenuBar>
 #include <QScreen>
@@ -210,8 +207,6 @@ void MainWindow::buildActions()
     m_welcome = new WelcomePanel(m_files, m_actions, m_preferences, this);
     connect(m_actions->find("file.welcome"), &QAction::triggered, this, &MainWindow::showWelcome);
     connect(m_files, &FileActions::succeeded, m_banner, &QWidget::hide);
-    connect(m_files, &FileActions::exportRequested, this, &MainWindow::showExportDialog);
-    connect(m_files, &FileActions::exportAgainRequested, this, &MainWindow::repeatExport);
     connect(m_document, &Document::changed, m_files, [this](const Change& change) {
         if (!(change.kinds & changeReset))
             return;
@@ -319,8 +314,7 @@ void MainWindow::buildMenus()
 
 void MainWindow::buildToolBar()
 {
-    m_toolBar = addToolBar(tr("Toolbar"));
-    m_toolBar->setObjectName(QStringLiteral("mainToolBar"));
+    m_toolBar = named(addToolBar(tr("Toolbar")), "mainToolBar");
     m_toolBar->setMovable(false);
     m_toolBar->setIconSize({18, 18});
     m_actions->fill(m_toolBar, {"file.open", "file.save", "file.export", nullptr, "edit.undo", "edit.redo",
@@ -336,14 +330,12 @@ void MainWindow::buildHandBar(QVBoxLayout* column)
 {
     QWidget* centre = centralWidget();
     const QList<QAction*> tools = m_transforms->toolActions() + m_hands->toolActions();
-    auto* handBar = new ToolBox(centre);
-    handBar->setObjectName(QStringLiteral("handBar"));
+    auto* handBar = named(new ToolBox(centre), "handBar");
     handBar->setAccessibleName(tr("Tools"));
     handBar->addGroup(m_transforms->toolActions());
     for (const QList<QAction*>& group : m_hands->toolGroups())
         handBar->addGroup(group);
-    auto* transforms = new QToolBar(centre);
-    transforms->setObjectName(QStringLiteral("transformBar"));
+    auto* transforms = named(new QToolBar(centre), "transformBar");
     transforms->setIconSize({18, 18});
     m_transforms->fillToolBar(transforms);
     column->addWidget(new ToolStrip(m_host->settings(), tools, transforms, centre));
@@ -357,8 +349,7 @@ void MainWindow::buildHandBar(QVBoxLayout* column)
 /// Seen while every edit becomes a key, whatever panel is in front; a click turns that off.
 static QToolButton* newAutoKeyMark(QAction* action, QWidget* parent)
 {
-    auto* mark = new QToolButton(parent);
-    mark->setObjectName(QStringLiteral("autoKeyMark"));
+    auto* mark = named(new QToolButton(parent), "autoKeyMark");
     mark->setDefaultAction(action);
     mark->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     mark->setIconSize({14, 14});
@@ -394,39 +385,12 @@ void MainWindow::buildStatusBar()
     addJob(m_arm->meshRow()->job(), "wearProgress")->setText(tr("Putting the mesh on the arm"));
     addJob(m_pictures->job(), "pictureProgress")->setText(tr("Drawing a picture"));
     addJob(m_billboards->job(), "billboardProgress")->setText(tr("Drawing a billboard"));
-    buildSequences();
+    m_exports = std::make_unique<Exports>(this);
     m_status->follow(m_player);
     if (Viewport* view = m_host->viewport())
         connect(view, &Viewport::barkMissing, m_status, &StatusPanel::setMakesBark);
     connect(m_status, &StatusPanel::reportRequested, this, [this] { showPanel(m_validation); });
     statusBar()->addPermanentWidget(m_status);
-}
-
-/// Sequences are written while the work goes on.
-void MainWindow::buildSequences()
-{
-    m_sequences = new SequenceTask(this);
-    JobPanel* progress = addJob(m_sequences, "sequenceProgress");
-    connect(m_sequences, &Job::runningChanged, this, [this, progress](bool running) {
-        if (running)
-            progress->setText(tr("Writing %Ln file(s)", nullptr, int(m_sequences->fileCount())));
-    });
-    connect(m_sequences, &Job::finished, this, [this](const std::optional<Error>& error) {
-        const QString folder = QDir::toNativeSeparators(QFileInfo(m_sequences->path()).absolutePath());
-        if (error && error->code == ErrorCode::Cancelled)
-            statusBar()->showMessage(tr("The export was cancelled; the files written so far are whole"),
-                                     messageMs);
-        else if (error)
-            m_chooser->report(Severity::Error, QStringLiteral("%1\n%2").arg(
-                                                   tr("The export has ended with an error; the files written "
-                                                      "before it are whole."),
-                                                   errorTextWithPlace(*error)));
-        else
-            m_banner->showMessage(
-                Severity::Info,
-                tr("%Ln file(s) written to %1", nullptr, int(m_sequences->fileCount())).arg(folder),
-                tr("Show in folder"), [this, path = m_sequences->path()] { showInFolder(path); });
-    });
 }
 
 } // namespace ramure

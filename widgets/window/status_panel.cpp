@@ -4,6 +4,7 @@
 #include "core/qt/session/jobs/recompute.h"
 #include "core/qt/session/motion/player.h"
 #include "core/scene/kinds/node_kinds.h"
+#include "widgets/base/named.h"
 #include "widgets/base/progress_steps.h"
 #include "widgets/base/texts/core_text.h"
 #include "widgets/base/theme/icons.h"
@@ -93,17 +94,15 @@ StatusPanel::StatusPanel(Document* document, Recompute* recompute, Analysis* ana
     , m_analysis(analysis)
     , m_progress(new QProgressBar(this))
     , m_cancel(new QToolButton(this))
-    , m_bark(new QLabel(tr("Making the bark…"), this))
+    , m_bark(named(new QLabel(tr("Making the bark…"), this), "barkMissing"))
     , m_counts(new QLabel(this))
-    , m_time(new QLabel(this))
-    , m_hash(new QLabel(this))
-    , m_badge(new QLabel(this))
+    , m_time(named(new QLabel(this), "dim"))
+    , m_hash(named(new QLabel(this), "dim"))
+    , m_badge(named(new QLabel(this), "badge"))
     , m_patience(new QTimer(this))
     , m_barkPatience(new QTimer(this))
 {
-    auto* layout = new QHBoxLayout(this);
-    layout->setContentsMargins(8, 3, 8, 3);
-    layout->setSpacing(12);
+    auto* layout = layoutOf<QHBoxLayout>(this, 12, {8, 3, 8, 3});
     m_progress->setRange(0, progressSteps);
     m_progress->setTextVisible(false);
     m_progress->setFixedWidth(120);
@@ -116,16 +115,12 @@ StatusPanel::StatusPanel(Document* document, Recompute* recompute, Analysis* ana
     QSizePolicy kept = m_cancel->sizePolicy();
     kept.setRetainSizeWhenHidden(true);
     m_cancel->setSizePolicy(kept);
-    m_time->setObjectName(QStringLiteral("dim"));
-    m_hash->setObjectName(QStringLiteral("dim"));
     m_hash->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    m_badge->setObjectName(QStringLiteral("badge"));
     m_badge->setAlignment(Qt::AlignCenter);
     m_badge->setCursor(Qt::PointingHandCursor);
     m_badge->installEventFilter(this);
     m_counts->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_time->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    m_bark->setObjectName(QStringLiteral("barkMissing"));
     for (QWidget* widget : {static_cast<QWidget*>(m_progress), static_cast<QWidget*>(m_cancel),
                             static_cast<QWidget*>(m_bark)}) {
         layout->addWidget(widget);
@@ -355,7 +350,9 @@ QString StatusPanel::countsTip(const SceneCounts& counts)
             rows += line(name, locale.toString(qulonglong(count.vertices)),
                          locale.toString(qulonglong(count.faces)));
     return QStringLiteral("<p>%1</p><table>%2</table>")
-        .arg(tr("What is visible, as an export writes it. Branches are counted after simplification."), rows);
+        .arg(tr("Counts of the visible nodes, as an export writes them. Branches are counted after "
+                "simplification."),
+             rows);
 }
 
 void StatusPanel::showBadge(const SceneTotals& totals)

@@ -1,6 +1,7 @@
 #include "widgets/window/tool_strip.h"
 
 #include "widgets/base/fields/number_field.h"
+#include "widgets/base/named.h"
 #include "widgets/base/theme/icons.h"
 #include "widgets/view/tools/hand_settings.h"
 #include "widgets/view/view_settings.h"
@@ -51,14 +52,12 @@ ToolStrip::ToolStrip(ViewSettings* settings, QList<QAction*> tools, QToolBar* tr
     , m_tools(std::move(tools))
     , m_transforms(transforms)
     , m_icon(new QLabel(this))
-    , m_name(new QLabel(this))
-    , m_tip(new QLabel(this))
+    , m_name(named(new QLabel(this), "partTitle"))
+    , m_tip(named(new QLabel(this), "dim"))
 {
     setObjectName(QStringLiteral("toolStrip"));
     setAttribute(Qt::WA_StyledBackground);
     setFixedHeight(stripHeight);
-    m_name->setObjectName(QStringLiteral("partTitle"));
-    m_tip->setObjectName(QStringLiteral("dim"));
     m_tip->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_tip->setTextFormat(Qt::PlainText);
     // The strip asks for no width: the window keeps its own.
@@ -86,8 +85,7 @@ ToolStrip::ToolStrip(ViewSettings* settings, QList<QAction*> tools, QToolBar* tr
     scroll->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->viewport()->setAutoFillBackground(false);
     content->setAutoFillBackground(false);
-    auto* whole = new QHBoxLayout(this);
-    whole->setContentsMargins(0, 0, 0, 0);
+    auto* whole = layoutOf<QHBoxLayout>(this);
     whole->addWidget(scroll);
     for (const QAction* tool : m_tools) {
         connect(tool, &QAction::toggled, this, &ToolStrip::follow);
@@ -182,8 +180,7 @@ void ToolStrip::addChoices()
 
 void ToolStrip::addMore()
 {
-    m_more = new QToolButton(this);
-    m_more->setObjectName(QStringLiteral("moreOptions"));
+    m_more = named(new QToolButton(this), "moreOptions");
     m_more->setIcon(icon("more"));
     m_more->setIconSize({stripIcon, stripIcon});
     m_more->setAutoRaise(true);
@@ -191,10 +188,8 @@ void ToolStrip::addMore()
     m_more->setToolTip(tr("More options"));
     m_more->setAccessibleName(m_more->toolTip());
     m_more->hide();
-    m_rest = new QFrame(this, Qt::Popup);
-    m_rest->setObjectName(QStringLiteral("restOfOptions"));
-    m_restGrid = new QGridLayout(m_rest);
-    m_restGrid->setContentsMargins(12, 10, 12, 10);
+    m_rest = named(new QFrame(this, Qt::Popup), "restOfOptions");
+    m_restGrid = layoutOf<QGridLayout>(m_rest, -1, {12, 10, 12, 10});
     connect(m_more, &QToolButton::clicked, this, [this] {
         m_rest->adjustSize();
         const QPoint corner = m_more->mapToGlobal(m_more->rect().bottomRight());

@@ -4,6 +4,7 @@
 #include "widgets/actions/file_actions.h"
 #include "widgets/base/action_list.h"
 #include "widgets/base/action_set.h"
+#include "widgets/base/named.h"
 #include "widgets/base/theme/icons.h"
 #include "widgets/base/theme/preferences.h"
 #include "widgets/panels/presets/picture_button.h"
@@ -68,18 +69,17 @@ WelcomePanel::WelcomePanel(FileActions* files, ActionSet* set, Preferences* pref
 
 QLabel* WelcomePanel::heading(const QString& text)
 {
-    auto* label = new QLabel(text, m_page);
-    label->setObjectName(QStringLiteral("panelTitle"));
+    auto* label = named(new QLabel(text, m_page), "panelTitle");
     return label;
 }
 
 void WelcomePanel::build()
 {
-    auto* title = new QLabel(tr("Welcome to Ramure"), m_page);
-    title->setObjectName(QStringLiteral("welcomeTitle"));
-    auto* intro = new QLabel(
-        tr("From a grammar to one clean mesh. The tree beside this page is ready to be changed."), m_page);
-    intro->setObjectName(QStringLiteral("dim"));
+    auto* title = named(new QLabel(tr("Welcome to Ramure"), m_page), "welcomeTitle");
+    auto* intro = named(
+        new QLabel(tr("From a grammar to one clean mesh. The tree beside this page is ready to be changed."),
+                   m_page),
+        "dim");
     intro->setWordWrap(true);
     m_close->setAutoRaise(true);
     m_close->setIcon(icon("close"));
@@ -90,9 +90,7 @@ void WelcomePanel::build()
     m_open->setAutoDefault(false);
     m_open->setObjectName(QStringLiteral("welcomeOpen"));
     m_atStart->setObjectName(QStringLiteral("welcomeAtStart"));
-    auto* page = new QVBoxLayout(m_page);
-    page->setContentsMargins(sideMargin, 14, sideMargin, 10);
-    page->setSpacing(6);
+    auto* page = layoutOf<QVBoxLayout>(m_page, 6, {sideMargin, 14, sideMargin, 10});
     auto* top = new QHBoxLayout;
     top->addWidget(title, 1);
     top->addWidget(m_close, 0, Qt::AlignTop);
@@ -118,12 +116,9 @@ void WelcomePanel::build()
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setFocusPolicy(Qt::NoFocus);
     scroll->setWidget(m_page);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
+    auto* layout = layoutOf<QVBoxLayout>(this, 0);
     layout->addWidget(scroll, 1);
-    auto* foot = new QHBoxLayout;
-    foot->setContentsMargins(sideMargin, 8, sideMargin, 8);
+    auto* foot = layoutOf<QHBoxLayout>(nullptr, -1, {sideMargin, 8, sideMargin, 8});
     foot->addWidget(m_atStart);
     layout->addLayout(foot);
 }
@@ -154,8 +149,7 @@ void WelcomePanel::fillRecent()
     }
     m_shownRecent = m_preferences->recentFiles().mid(0, shownFiles);
     for (const QString& path : m_shownRecent) {
-        auto* button = new QToolButton(m_page);
-        button->setObjectName(QStringLiteral("welcomeFile"));
+        auto* button = named(new QToolButton(m_page), "welcomeFile");
         button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
         button->setIcon(icon("tree"));
         button->setAutoRaise(true);
@@ -168,8 +162,7 @@ void WelcomePanel::fillRecent()
         m_recent->addWidget(button, 0, Qt::AlignLeft);
     }
     if (m_shownRecent.isEmpty()) {
-        auto* none = new QLabel(tr("No files yet"), m_page);
-        none->setObjectName(QStringLiteral("dim"));
+        auto* none = named(new QLabel(tr("No files yet"), m_page), "dim");
         m_recent->addWidget(none);
     }
 }
@@ -185,8 +178,8 @@ void WelcomePanel::fillHints()
         const QAction* action = m_set->find(QLatin1String(id));
         if (!action || action->shortcut().isEmpty())
             continue;
-        auto* keys = new QLabel(action->shortcut().toString(QKeySequence::NativeText), m_page);
-        keys->setObjectName(QStringLiteral("keyCap"));
+        auto* keys =
+            named(new QLabel(action->shortcut().toString(QKeySequence::NativeText), m_page), "keyCap");
         auto* text = new QLabel(plainText(action->text()), m_page);
         m_hints->addWidget(keys, row, 0, Qt::AlignLeft);
         m_hints->addWidget(text, row++, 1);

@@ -33,7 +33,7 @@ public:
 
 signals:
     void closed();
-    /// Of a preset that is to stand beside what is there. \param preset as namedTree takes it
+    /// A preset shall stand beside what is there. \param preset as namedTree takes it
     void addRequested(const QString& preset);
 
 protected:

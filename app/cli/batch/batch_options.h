@@ -11,7 +11,7 @@ namespace ramure::cli {
 
 /// Reads a size like "1280x800". Error: Invalid.
 Expected<QSize> pictureSizeFrom(const QString& value);
-/// Adds --file, --size and those of the table of export options that a batch has.
+/// Adds --file, --size and the options of the export table that a batch has.
 void addFileOptions(CommandLine& line);
 /// Reads the table that the line names and plans its rows. Errors: those of readPlan and of the options.
 Expected<BatchPlan> planOf(const CommandLine& line, const Shard& shard);

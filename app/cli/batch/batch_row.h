@@ -32,7 +32,7 @@ inline constexpr const char* disk = "disk";     ///< the disk is full: no other 
 /// applySettings; Invalid (the seed of a mesh).
 Expected<Input> inputOf(const BatchRow& row);
 
-/// Makes rows, one after the other. What they share (a context of OpenGL) stays.
+/// Makes rows, one after the other. Parts that they share (an OpenGL context) are kept.
 class RowMaker
 {
 public:
@@ -55,10 +55,10 @@ private:
 
     const BatchPlan& m_plan;
     std::unique_ptr<Painter> m_painter;
-    std::optional<ExportScene> m_levels; ///< of the row, where they are all it writes
+    std::optional<ExportScene> m_levels; ///< levels of the row, if it writes nothing else
 };
 
-/// What kind of row_error it is.
+/// Returns the kind of row_error for an error.
 const char* rowErrorOf(const Error& error);
 /// The line of a row that could not be done. \param kind of row_error
 QJsonObject failedLine(const BatchPlan& plan, const BatchRow& row, const char* kind, const QString& text);
@@ -68,15 +68,16 @@ QString stagingFolder(const BatchPlan& plan, const BatchRow& row);
 /// Removes what rows of the plan that were stopped have left there.
 void clearStaging(const BatchPlan& plan);
 void clearStaging(const BatchPlan& plan, const BatchRow& row);
-/// Puts what was made in its place; only then the row is done. Error: Io; some files may be in their places.
+/// Moves the finished files to their places; only then the row is done. Error: Io; some files may be in their
+/// places.
 Expected<void> placeFiles(const BatchPlan& plan, const BatchRow& row, const QJsonObject& line);
 /// The names of a line's files: all that writing the row gave.
 QStringList filesOf(const QJsonObject& line);
-/// Removes the files of rows that have failed: those that stand in the places of the row's own ones, those
-/// that earlier lines of the row name, and folders that are empty then. What another row has stays: a picture
-/// that the lines of now name, or one in a folder into which rows of other shards write.
+/// Removes the files of rows that have failed: files at the row's own places, files that earlier lines of the
+/// row name, and folders that are empty then. Files of other rows stay: a picture that the lines of now name,
+/// or one in a folder into which rows of other shards write.
 void removeStale(const BatchPlan& plan, const ManifestLines& before, const ManifestLines& now);
-/// Are the row's values those of the line, and its files there, byte for byte?
+/// True if the line has the row's values, and its files are there, byte for byte.
 bool isDone(const BatchPlan& plan, const BatchRow& row, const QJsonObject& line);
 
 } // namespace ramure::cli

@@ -14,10 +14,10 @@ namespace ramure::cli {
 struct JobRequest
 {
     QString table;       ///< from the folder of the trees
-    QStringList options; ///< of `batch`, beside the table, -o, --shard, --resume and --progress
+    QStringList options; ///< options of `batch` besides the table, -o, --shard, --resume and --progress
     std::size_t rows = 0, shards = 0;
-    std::size_t memoryBytes = 0; ///< that a task may take; 0: not said
-    int processes = 1;           ///< of a task
+    std::size_t memoryBytes = 0; ///< memory that a task may take; 0: not specified
+    int processes = 1;           ///< processes of a task
 };
 
 /// One that hands work out.
@@ -31,7 +31,7 @@ struct JobKind
 
 extern const JobKind jobKinds[4];
 
-/// One word of a shell, in quotes where it has to be.
+/// Returns one word of a shell, in quotes if needed.
 QString shellWord(const QString& text);
 
 } // namespace ramure::cli

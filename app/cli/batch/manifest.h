@@ -24,16 +24,16 @@ Expected<ManifestLines> readManifest(const QString& path);
 class ManifestWriter
 {
 public:
-    /// \param resume keeps what earlier runs wrote, those that were killed too; else it is forgotten.
-    /// Error: Io.
+    /// \param resume keeps the lines of earlier runs, including killed ones; else they are forgotten. Error:
+    /// Io.
     static Expected<ManifestWriter> open(const QString& path, bool resume);
     ManifestWriter(ManifestWriter&& other) noexcept;
     ManifestWriter& operator=(ManifestWriter&&) = delete;
     ~ManifestWriter(); ///< leaves the journal for the next run
 
-    /// What earlier runs wrote, also where that is not gone on with.
+    /// All lines that earlier runs wrote, even if this run starts anew.
     [[nodiscard]] const ManifestLines& before() const { return m_before; }
-    /// What earlier runs wrote and is gone on with, and what was added.
+    /// The lines that this run continues, and those it added.
     [[nodiscard]] const ManifestLines& lines() const { return m_lines; }
     /// Error: Io.
     Expected<void> add(const QJsonObject& line);

@@ -12,7 +12,7 @@ namespace ramure::cli {
 /// A number by which rows can be told apart. A card shows them in the order of sheetFigures.
 struct SheetFigure
 {
-    const char* key;  ///< of "counts" or "measures"
+    const char* key;  ///< key inside "counts" or "measures"
     const char* unit; ///< empty: a number of things
 };
 inline constexpr SheetFigure sheetFigures[] = {{"faces", ""},   {"branches", ""},    {"leaves", ""},

@@ -10,12 +10,12 @@
 #include "core/qt/document/project/mesh_report_json.h"
 #include "core/qt/session/export/exporter.h"
 #include "core/surface/mesh/transformed.h"
+#include "core/surface/mesher/build_branch_mesh.h"
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <algorithm>
 #include <cstdio>
-#include <iterator>
 #include <set>
 
 namespace ramure::cli {

@@ -11,6 +11,7 @@
 #include "core/scene/object_mesh.h"
 #include "core/skeleton/edit_places.h"
 #include "core/skeleton/measures.h"
+#include "core/surface/foliage/place_foliage.h"
 #include "widgets/view/render/surface_images.h"
 #include <QJsonArray>
 #include <QJsonObject>

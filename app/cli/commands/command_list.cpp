@@ -1,6 +1,7 @@
 #include "app/cli/commands/commands.h"
 #include "app/cli/json_measures.h"
 #include "app/cli/work.h"
+#include "core/base/parallel.h"
 #include "core/generators/variety.h"
 #include "core/params/recipe.h"
 #include "core/params/tree_edit_table.h"
@@ -10,7 +11,8 @@
 #include "core/skeleton/measures.h"
 #include <QJsonArray>
 #include <QJsonObject>
-#include <cmath>
+#include <span>
+#include <vector>
 
 namespace ramure::cli {
 
@@ -113,13 +115,13 @@ QJsonValue jsonValue(const ParamValue& value)
     return QJsonArray{vector.x, vector.y, vector.z};
 }
 
-/// Mean of the trees of all named seeds; where there are none, of the tree as it ships. Errors: those of the
-/// tree; Cancelled.
+/// Mean of the trees of all named seeds; of a tree that grows by years, which takes longer, the typical one.
+/// Errors: those of the tree; Cancelled.
 Expected<TreeMeasures> meanMeasures(TreePipeline& pipeline, const Preset& preset, const Progress& progress)
 {
-    const auto* named = namedSeeds(preset.name);
-    const std::vector<std::int64_t> seeds = named ? std::vector<std::int64_t>(named->begin(), named->end())
-                                                  : std::vector{preset.params.grammar.seed};
+    std::span<const std::int64_t> seeds = *namedSeeds(preset.name);
+    if (preset.ages.front() > 0)
+        seeds = seeds.first(1);
     TreeMeasures sum;
     for (const std::int64_t seed : seeds) {
         const auto tree = pipeline.evaluate(reseeded(preset.params, seed), Stage::Skeleton, progress);
@@ -133,31 +135,41 @@ Expected<TreeMeasures> meanMeasures(TreePipeline& pipeline, const Preset& preset
     return sum;
 }
 
-/// What is known of a species. Errors: those of meanMeasures.
-Expected<void> addSpecies(QJsonObject& entry, TreePipeline& pipeline, const Preset& preset,
-                          const Progress& progress)
+/// Returns the means of all presets, and nothing for those without named seeds. They grow side by side.
+std::vector<Expected<TreeMeasures>> allMeasures(const Progress& progress)
+{
+    std::vector<Expected<TreeMeasures>> all(presets().size(), TreeMeasures());
+    parallelFor(all.size(), 1, [&](std::size_t i, std::size_t) {
+        TreePipeline pipeline;
+        if (const Preset& preset = presets()[i]; namedSeeds(preset.name))
+            all[i] = meanMeasures(pipeline, preset, {progress.stop, {}});
+    });
+    return all;
+}
+
+/// Adds what is known of a species.
+void addSpecies(QJsonObject& entry, const Preset& preset, const TreeMeasures& ours)
 {
     QJsonObject seeds;
-    for (std::size_t i = 0; i < namedSeedCount && namedSeeds(preset.name); ++i)
+    for (std::size_t i = 0; i < namedSeedCount; ++i)
         seeds.insert(QLatin1String(seedNames[i]), qint64((*namedSeeds(preset.name))[i]));
-    const auto ours = meanMeasures(pipeline, preset, progress);
-    RAMURE_TRY(ours);
     entry.insert(QStringLiteral("seeds"), seeds);
-    entry.insert(QStringLiteral("ours"), jsonMeasures(*ours));
+    entry.insert(QStringLiteral("ours"), jsonMeasures(ours));
     const PublishedMeasures* published = publishedMeasures(preset.latin);
     entry.insert(QStringLiteral("published"),
                  published ? QJsonValue(jsonMeasures(published->mean)) : QJsonValue());
     entry.insert(QStringLiteral("source"),
                  published ? QJsonValue(QLatin1String(published->source)) : QJsonValue());
-    return {};
 }
 
 Expected<QJsonArray> presetsJson()
 {
     const Work work("list");
-    TreePipeline pipeline;
+    const auto measures = allMeasures(work.progress());
     QJsonArray out;
-    for (const Preset& preset : presets()) {
+    for (std::size_t i = 0; i < presets().size(); ++i) {
+        RAMURE_TRY(measures[i]);
+        const Preset& preset = presets()[i];
         QJsonObject entry{{QStringLiteral("name"), QString::fromUtf8(preset.name)},
                           {QStringLiteral("latin"), QString::fromUtf8(preset.latin)},
                           {QStringLiteral("group"), QString::fromUtf8(preset.group)},
@@ -172,8 +184,8 @@ Expected<QJsonArray> presetsJson()
             entry.insert(QStringLiteral("ages"), QJsonObject{{QStringLiteral("young"), preset.ages[0]},
                                                              {QStringLiteral("mature"), preset.ages[1]},
                                                              {QStringLiteral("old"), preset.ages[2]}});
-        if (namedSeeds(preset.name) || grows)
-            RAMURE_TRY(addSpecies(entry, pipeline, preset, work.progress()));
+        if (namedSeeds(preset.name))
+            addSpecies(entry, preset, *measures[i]);
         out.append(entry);
     }
     return out;

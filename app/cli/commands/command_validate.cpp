@@ -2,6 +2,7 @@
 #include "app/cli/mesh_check.h"
 #include "app/cli/moments.h"
 #include "app/cli/work.h"
+#include "core/surface/mesher/build_branch_mesh.h"
 #include <numbers>
 
 namespace ramure::cli {

@@ -1,12 +1,12 @@
 /// \file
-/// What ramure-cli says of itself and of the editor. All of it comes from the tables of commands and options.
+/// The reference of ramure-cli and the editor. All of it comes from the tables of commands and options.
 #pragma once
 
 #include <QString>
 
 namespace ramure::cli {
 
-/// What `ramure-cli --help` shows.
+/// Returns the text of `ramure-cli --help`.
 QString helpText();
 /// The manual pages, in the macros of man(7).
 QString manualText();

@@ -5,7 +5,6 @@
 #include "core/generators/grammar/branch_keys.h"
 #include "core/math/reproducible.h"
 #include <algorithm>
-#include <cmath>
 
 namespace ramure {
 namespace {

@@ -1,5 +1,6 @@
 /// \file
-/// What a crown fills: a solid of revolution about the trunk or solids of the scene, and the points in it.
+/// The crown to be filled (a solid of revolution about the trunk, or solids of the scene) and the points in
+/// it.
 #pragma once
 
 #include "core/base/error.h"
@@ -16,11 +17,11 @@ namespace ramure {
 
 inline constexpr std::size_t maxProfilePairs = 64;
 
-/// Pairs of height and radius, both as shares in [0, 1], in the order of the text. Errors: Syntax with the
-/// column of what is wrong; heights must grow, some radius must be over 0, and 2 to 64 pairs are needed.
+/// Parses pairs of height and radius, both as shares in [0, 1], in the order of the text. Errors: Syntax with
+/// the column of the fault; heights must grow, some radius must be over 0, and 2 to 64 pairs are needed.
 Expected<std::vector<glm::dvec2>> parseProfile(std::string_view text);
 
-/// As parseProfile() reads it.
+/// Writes pairs as a text that parseProfile() reads.
 std::string profileText(const std::vector<glm::dvec2>& pairs);
 
 /// Radius by height, both as shares of the crown.
@@ -35,7 +36,7 @@ public:
     /// 0 outside of [0, 1]. A profile's curve goes through its pairs and never beyond two neighbours:
     /// Fritsch, Carlson: "Monotone piecewise cubic interpolation" (SIAM J. Numer. Anal. 17, 1980).
     [[nodiscard]] double radiusAt(double height) const;
-    /// Of all radii.
+    /// The largest of all radii.
     [[nodiscard]] double widest() const;
 
 private:
@@ -44,9 +45,9 @@ private:
     std::vector<double> m_slopes;
 };
 
-/// \return the points of the crown in tree space, m; number i depends on \p seed and i alone. Those inside
-/// obstacles are left out. Errors: those of CrownOutline and of GrowthSpace; Invalid (obstacles leave none),
-/// Cancelled.
+/// Returns the points of the crown in tree space, m. Point number i depends on \p seed and i alone. Points
+/// inside obstacles are left out. Errors: those of CrownOutline and of GrowthSpace; Invalid (obstacles leave
+/// none), Cancelled.
 Expected<std::vector<glm::dvec3>> crownPoints(const ColonisationParams& params, std::uint64_t seed,
                                               const Progress& progress = {});
 

@@ -1,6 +1,5 @@
 #include "core/generators/grammar/grammar.h"
 
-#include "core/base/number_text.h"
 #include "core/generators/grammar/lookalikes.h"
 #include <algorithm>
 #include <array>
@@ -489,21 +488,6 @@ Expected<void> checkRule(const Rule& rule, int line)
     return checkText(rule.defaultText, line);
 }
 
-void appendSymbol(std::string& out, char symbol, std::string_view special)
-{
-    if (isBlank(symbol) || symbol == escapeSign || special.find(symbol) != std::string_view::npos)
-        out += escapeSign;
-    out += symbol;
-}
-
-void appendText(std::string& out, const std::string& text)
-{
-    if (!text.empty())
-        out += ' ';
-    for (const char symbol : text)
-        appendSymbol(out, symbol, "|:");
-}
-
 } // namespace
 
 Expected<std::vector<Rule>> parseRules(std::string_view text)
@@ -554,28 +538,6 @@ Expected<void> checkGrammar(const Grammar& grammar)
             return withPath(std::move(ok.error()), rulesPath);
     }
     return {};
-}
-
-std::string formatRules(const std::vector<Rule>& rules)
-{
-    std::string out;
-    for (const Rule& rule : rules) {
-        appendSymbol(out, rule.symbol, "#");
-        out += " ->";
-        for (std::size_t i = 0; i < rule.probabilities.size(); ++i) {
-            out += i == 0 ? " " : " | ";
-            out += numberText(rule.probabilities[i]);
-            out += ':';
-            appendText(out, rule.replacements[i]);
-        }
-        const bool hasChoices = !rule.probabilities.empty();
-        if (hasChoices && rule.defaultText != rule.replacements.front())
-            out += " | default:";
-        if (!hasChoices || rule.defaultText != rule.replacements.front())
-            appendText(out, rule.defaultText);
-        out += '\n';
-    }
-    return out;
 }
 
 } // namespace ramure

@@ -29,7 +29,7 @@ struct Rule
 {
     char symbol = 0;
     std::string defaultText;
-    std::vector<double> probabilities;     ///< as written, not normalised; empty = none
+    std::vector<double> probabilities;     ///< as written, not normalised; empty = none given
     std::vector<std::string> replacements; ///< same length
     bool operator==(const Rule&) const = default;
 };
@@ -57,7 +57,5 @@ Expected<Grammar> parseGrammar(std::string_view axiom, std::string_view rules, G
 /// The same for a grammar built in code, and lists of different length. Here line = number of the rule (none
 /// for the axiom) and column = position in the text concerned.
 Expected<void> checkGrammar(const Grammar& grammar);
-/// The text form of rules; parseRules(formatRules(r)) gives r back for all r that checkGrammar accepts.
-std::string formatRules(const std::vector<Rule>& rules);
 
 } // namespace ramure

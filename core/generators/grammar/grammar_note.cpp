@@ -1,7 +1,6 @@
 #include "core/generators/grammar/grammar_note.h"
 
 #include "core/generators/grammar/lookalikes.h"
-#include <algorithm>
 
 namespace ramure {
 

@@ -13,13 +13,13 @@ namespace ramure {
 struct Lookalike
 {
     std::size_t size = 0; ///< bytes that the character takes
-    std::string plain;    ///< what it looks like, in ASCII; a blank, or empty where nothing is seen
+    std::string plain;    ///< the ASCII text it looks like: a blank, or empty if it is invisible
     /// A mathematical sign or a blank that means the same as its plain form wherever it stands in a formula.
     bool isNotation = false;
 };
 
-/// The character of \p text that begins at byte \p at; nothing where it is ASCII, not valid UTF-8, or looks
-/// like nothing in the language.
+/// Returns the character of \p text that begins at byte \p at; nothing if it is ASCII, not valid UTF-8, or
+/// resembles no character of the language.
 std::optional<Lookalike> lookalikeAt(std::string_view text, std::size_t at);
 
 /// Bytes of the UTF-8 character that begins there; 1 where the bytes are no valid UTF-8.

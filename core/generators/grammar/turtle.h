@@ -16,7 +16,7 @@ inline constexpr std::size_t maxBranches = 16'000'000;
 /// Deepest nesting of brackets.
 inline constexpr std::size_t maxBracketDepth = 1'000'000;
 
-/// What chance does to a tree: how far its branches vary, by which seed.
+/// Random variation of a tree: how far its branches vary, and the seed.
 struct TurtleChance
 {
     VariationParams variation;
@@ -28,10 +28,10 @@ struct TurtleChance
 /// branch at all), Limit (more than maxBranches), Cancelled.
 Expected<Skeleton> runTurtle(std::string_view symbols, const TurtleParams& params,
                              const Progress& progress = {});
-/// Likewise, and each turn, length and taper lies anywhere within its share around what \p params say. What a
-/// branch draws depends on the seed and on its key alone, not on what else there is. Radii stay continuous
-/// and never grow along a branch, unless the taper is above 1. Without any variation the skeleton is the same
-/// to the bit as above. Errors: those of checkPart.
+/// Runs the turtle with random variation: each turn, length and taper lies within its share around the value
+/// of \p params. The draws of a branch depend on the seed and on its key alone, not on the rest of the tree.
+/// Radii stay continuous and never grow along a branch, unless the taper is above 1. With no variation the
+/// skeleton is the same to the bit as above. Errors: those of checkPart.
 Expected<Skeleton> runTurtle(std::string_view symbols, const TurtleParams& params, const TurtleChance& chance,
                              const Progress& progress = {});
 

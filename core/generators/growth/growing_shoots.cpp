@@ -43,7 +43,9 @@ void GrowingTree::growShoots(const YearFactors& factors)
             const auto [sine, cosine] = maths::sincos(turn);
             const double lean = m_params.stems > 1 ? 0.25 + 0.2 * chance(address, 3) : 0.0;
             const glm::dvec3 side(cosine, 0.0, sine);
-            grow({noIndex, axis, glm::dvec3(0.0), unit(up + lean * side, up), side, true}, 1, 1.0, factors);
+            const auto [down, upright] = maths::sincos(m_params.lean);
+            const glm::dvec3 stem = upright * up + down * m_site.downhill;
+            grow({noIndex, axis, glm::dvec3(0.0), unit(stem + lean * side, up), side, true}, 1, 1.0, factors);
         }
         return;
     }
@@ -184,7 +186,8 @@ Index GrowingTree::newAxis(Index parent, unsigned bud, unsigned order, bool upri
     m_axes.push_back({});
     m_axes.back().upright = upright;
     if (parent != noIndex)
-        m_axes.back().foot = order > 1 ? m_axes[m_nodes[parent].axis].foot : float(m_poses[parent].at.y);
+        m_axes.back().foot =
+            order > 1 ? m_axes[m_nodes[parent].axis].foot : float(m_site.above(m_poses[parent].at));
     return axis;
 }
 
@@ -202,6 +205,13 @@ std::uint8_t GrowingTree::budsOf(unsigned order, int rank, int nodes, std::uint6
     return std::uint8_t((1u << buds) - 1u);
 }
 
+/// How wind and light from one side turn a shoot: the more, the higher it grows.
+glm::dvec3 GrowingTree::blown(const glm::dvec3& at) const
+{
+    const double up = std::clamp(m_site.above(at) / (0.5 * m_params.height), 0.2, 1.0);
+    return 0.9 * up * m_site.wind + 0.3 * m_site.light;
+}
+
 /// Where an internode grows: on, to the light, up or down, and by chance.
 /// \param strength of its shoot, 0 to 1: weak limbs hang as twigs do
 glm::dvec3 GrowingTree::turned(const ShootStart& start, const glm::dvec3& light, double strength,
@@ -217,6 +227,7 @@ glm::dvec3 GrowingTree::turned(const ShootStart& start, const glm::dvec3& light,
     const double rise = erect ? 0.25 : p.upright - p.weeping * (order > 1 ? 0.5 : 0.12 + 0.38 * weak * weak);
     sum += share * rise * up;
     sum += share * (erect ? 0.35 : 1.0) * p.light * light;
+    sum += share * (erect ? 0.35 : 1.0) * blown(start.at);
     glm::dvec3 direction = unit(sum, start.direction);
     if (!erect && p.plagiotropy > 0.0) {
         direction.y *= 1.0 - 0.35 * p.plagiotropy;
@@ -224,9 +235,12 @@ glm::dvec3 GrowingTree::turned(const ShootStart& start, const glm::dvec3& light,
     }
     // Nothing grows into the ground.
     const double low = 0.02 * p.height;
-    if (start.at.y < 3.0 * low && direction.y < 0.0)
+    const double above = m_site.above(start.at);
+    const double sinks = direction.y + m_site.grade * glm::dot(direction, m_site.downhill);
+    if (above < 3.0 * low && sinks < 0.0)
         direction =
-            unit({direction.x, direction.y * std::max(0.0, (start.at.y - low) / (2.0 * low)), direction.z},
+            unit({direction.x, direction.y - sinks + sinks * std::max(0.0, (above - low) / (2.0 * low)),
+                  direction.z},
                  start.direction);
     return direction;
 }
@@ -241,8 +255,12 @@ glm::dvec3 GrowingTree::lightAt(const ShootStart& start, const YearFactors& fact
         if (m_room && start.from < m_towards.size() && m_towards[start.from] != glm::dvec3(0.0))
             light = m_towards[start.from];
     }
-    if (glm::dvec3 open; m_params.space.space != nullptr && openSky(start.at, open) < 1.0)
+    if (glm::dvec3 open; m_params.space.space != nullptr && openSky(m_params, start.at, open) < 1.0)
         light += open;
+    if (glm::dvec3 away; !m_neighbours.empty()) {
+        (void)m_neighbours.lightAt(start.at, away);
+        light += away;
+    }
     return light;
 }
 
@@ -321,7 +339,7 @@ Index GrowingTree::addMetamer(const ShootStart& start, const glm::dvec3& directi
     node.side = glm::vec3(back * start.side);
     node.outline = float(outline(pose.at));
     if (glm::dvec3 open; m_params.space.space != nullptr)
-        node.sky = float(openSky(pose.at, open));
+        node.sky = float(openSky(m_params, pose.at, open));
     m_nodes.push_back(node);
     m_poses.push_back(pose);
     ++m_year.born;

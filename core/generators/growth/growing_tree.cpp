@@ -17,12 +17,60 @@ constexpr std::uint64_t golden = 0x9E3779B97F4A7C15ull;
 constexpr int leafWeight = 16, woodWeight = 3; // in the shadows
 constexpr int leafYears = 2;
 constexpr double profileStep = 1.2 / 240.0;
+constexpr double gale = 14.0; ///< m/s, mean: more forms a tree no further
+
+/// \param turnRad about the vertical axis: 0 along X, a quarter turn against Z
+glm::dvec3 levelWay(double turnRad)
+{
+    const auto [sine, cosine] = maths::sincos(turnRad);
+    return {cosine, 0.0, -sine};
+}
 
 } // namespace
+
+Site::Site(const GrowthParams& params)
+    : downhill(levelWay(params.slopeDirection))
+    , grade(params.slope > 0.0 ? maths::tan(params.slope) : 0.0)
+{
+    wind = std::min(1.0, params.wind / gale) * levelWay(params.windDirection);
+    light = params.sideLight * levelWay(params.lightDirection) + 0.5 * maths::sin(params.slope) * downhill;
+    light /= std::max(1.0, glm::length(light));
+}
+
+double Site::aside(const glm::dvec3& at, double up, double wide) const
+{
+    constexpr double moved = 0.3, lee = 0.3, windward = 0.85;
+    const glm::dvec3 pull = wind + 0.7 * light;
+    const glm::dvec3 away = at - moved * wide * std::clamp(up, 0.0, 1.0) * pull;
+    const double distance = std::sqrt(away.x * away.x + away.z * away.z);
+    const double along = distance > 0.0 ? glm::dot(away, pull) / distance : 0.0; // the cosine times the pull
+    return distance / std::max(0.2, 1.0 + (along < 0.0 ? windward : lee) * along);
+}
+
+double openSky(const GrowthParams& params, const glm::dvec3& at, glm::dvec3& towards)
+{
+    constexpr double half = 0.70710678118654752;
+    constexpr double across[] = {1.0, half, 0.0, -half, -1.0, -half, 0.0, half};
+    const double reach = 2.0 * params.height;
+    const GrowthSpace& space = *params.space.space;
+    towards = glm::dvec3(0.0);
+    double open = space.blocks(at, at + glm::dvec3(0.0, reach, 0.0)) ? 0.0 : 1.0;
+    for (unsigned k = 0; k < 8; ++k) {
+        const glm::dvec3 level(across[k], 0.0, across[(k + 6) % 8]);
+        if (space.blocks(at, at + reach * half * (level + glm::dvec3(0.0, 1.0, 0.0))))
+            continue;
+        open += 1.0;
+        towards += level;
+    }
+    towards /= 4.0;
+    return open / 9.0;
+}
 
 GrowingTree::GrowingTree(GrowthHistory& history, std::uint64_t seed)
     : m_history(history)
     , m_params(history.params)
+    , m_site(history.params)
+    , m_neighbours(history.params.space.neighbours)
     , m_seed(mixBits(seed * golden + 0x47726F777468ull))
 {
     drawProfile();
@@ -45,27 +93,6 @@ GrowingTree::GrowingTree(GrowthHistory& history, std::uint64_t seed)
 double GrowingTree::chance(std::uint64_t address, std::uint64_t purpose) const
 {
     return double(mixBits(mixBits(address + purpose * golden) ^ m_seed) >> 11) * 0x1.0p-53;
-}
-
-/// The share of nine directions that no obstacle of the scene blocks.
-/// \param towards becomes their mean, level
-double GrowingTree::openSky(const glm::dvec3& at, glm::dvec3& towards) const
-{
-    constexpr double half = 0.70710678118654752;
-    constexpr double across[] = {1.0, half, 0.0, -half, -1.0, -half, 0.0, half};
-    const double reach = 2.0 * m_params.height;
-    const GrowthSpace& space = *m_params.space.space;
-    towards = glm::dvec3(0.0);
-    double open = space.blocks(at, at + glm::dvec3(0.0, reach, 0.0)) ? 0.0 : 1.0;
-    for (unsigned k = 0; k < 8; ++k) {
-        const glm::dvec3 level(across[k], 0.0, across[(k + 6) % 8]);
-        if (space.blocks(at, at + reach * half * (level + glm::dvec3(0.0, 1.0, 0.0))))
-            continue;
-        open += 1.0;
-        towards += level;
-    }
-    towards /= 4.0;
-    return open / 9.0;
 }
 
 /// Crowns are no solids of revolution: 0.75 to 1.15, by smooth chance in space.
@@ -110,8 +137,11 @@ double GrowingTree::envelope(const glm::dvec3& at, float outline, unsigned order
 {
     const GrowthParams& p = m_params;
     // The outline is that of the top as well, in part: no crown ends in a plane.
-    const double tall = p.height * (0.7 + 0.32 * double(outline));
-    const double y = at.y / tall;
+    constexpr double dwarfed = 0.6;
+    const double tall =
+        p.height * (0.7 + 0.32 * double(outline)) * (1.0 - dwarfed * glm::length(m_site.wind));
+    const double above = m_site.above(at);
+    const double y = std::min(above, std::max(at.y, 0.3 * above)) / tall; // it rises from its foot
     if (m_history.standing > 0) // a tree that stands has a crown of its own
         return std::clamp(7.0 * (1.03 - y), 0.0, 1.0);
     const double share = std::min(1.0, m_top / p.height); // young trees are slim, and green to the ground
@@ -120,7 +150,7 @@ double GrowingTree::envelope(const glm::dvec3& at, float outline, unsigned order
     const auto step = std::min(std::size_t(up), m_profile.size() - 2);
     double wide = m_profile[step] + (up - double(step)) * (m_profile[step + 1] - m_profile[step]);
     wide *= double(outline);
-    const double aside = std::sqrt(at.x * at.x + at.z * at.z) / (0.5 * p.crownWidth * (0.35 + 0.65 * share));
+    const double aside = m_site.aside(at, y, p.crownWidth) / (0.5 * p.crownWidth * (0.35 + 0.65 * share));
     double room = std::min(4.0 * (wide + 0.04 - aside), 7.0 * (1.03 - y));
     // Limbs that leave the trunk below the crown die as a whole, though their ends have risen into it.
     if (order > 0)
@@ -136,6 +166,14 @@ double GrowingTree::budWeight(Index metamer) const
     const double share = double(node.rank + 1) / double(node.of);
     const double acrotony = 1.0 - m_params.acrotony * (1.0 - share * share);
     return m_params.branching * acrotony / double(std::max<int>(1, node.budYears));
+}
+
+/// The share of buds that wind leaves alive: those that face it dry out, but near the ground.
+double GrowingTree::lives(const Pose& pose) const
+{
+    const double faces = -glm::dot(pose.direction, m_site.wind);
+    const double exposed = std::clamp(m_site.above(pose.at) / (0.25 * m_params.height), 0.0, 1.0);
+    return 1.0 - std::max(faces, 0.0) * exposed;
 }
 
 void GrowingTree::lightOf(Index metamer, const YearFactors& factors)
@@ -155,6 +193,9 @@ void GrowingTree::lightOf(Index metamer, const YearFactors& factors)
     const double jitter = 0.85 + 0.3 * chance(address, 1 + 8 * std::uint64_t(factors.year));
     double own = std::clamp(sky - shadow + factors.shade, 0.0, sky) * jitter;
     const unsigned order = m_nodes[metamer].order;
+    own *= lives(pose);
+    if (glm::dvec3 away; !m_neighbours.empty())
+        own *= m_neighbours.lightAt(pose.at, away);
     if (!m_room)
         own *= envelope(pose.at, node.outline, order, m_axes[node.axis].foot);
     else if (m_towards[metamer] != glm::dvec3(0.0))
@@ -162,8 +203,9 @@ void GrowingTree::lightOf(Index metamer, const YearFactors& factors)
     else if (order > 0)
         own *= 0.15; // what fills its room lives on
     else             // leaders look for it
-        own *= m_params.space.top > 0.0 ? (pose.at.y < m_params.space.top ? 0.5 : 0.15)
-                                        : 0.15 + 0.35 * envelope(pose.at, node.outline, order, pose.at.y);
+        own *= m_params.space.top > 0.0
+                   ? (pose.at.y < m_params.space.top ? 0.5 : 0.15)
+                   : 0.15 + 0.35 * envelope(pose.at, node.outline, order, m_site.above(pose.at));
     node.light = float(own);
     age(metamer);
     if (node.buds == 0 && !m_nodes[metamer].tip)
@@ -196,6 +238,7 @@ void GrowingTree::age(Index metamer)
 bool GrowingTree::gatherLight(const YearFactors& factors)
 {
     m_flow.assign(m_nodes.size(), {});
+    m_neighbours.grow(factors.year);
     glm::dvec3 min(0.0), max(0.0);
     for (Index i = 0; i < living(); ++i) {
         min = glm::min(min, m_poses[i].at);
@@ -253,7 +296,7 @@ Expected<void> GrowingTree::findRoom(const Progress& progress)
         for (std::uint64_t k = 0; k < count; ++k) {
             const glm::dvec3 at((chance(k, 31) - 0.5) * p.crownWidth, chance(k, 32) * p.height,
                                 (chance(k, 33) - 0.5) * p.crownWidth);
-            if (envelope(at, float(outline(at)), 1, at.y) > 0.3)
+            if (envelope(at, float(outline(at)), 1, m_site.above(at)) > 0.3)
                 points.push_back(at);
         }
     }

@@ -4,6 +4,7 @@
 
 #include "core/generators/growth/free_space.h"
 #include "core/generators/growth/growth_history.h"
+#include "core/generators/growth/neighbours.h"
 #include "core/generators/growth/shadow_grid.h"
 #include <array>
 #include <glm/gtc/quaternion.hpp>
@@ -29,6 +30,26 @@ struct YearFactors
     std::array<double, 16> sideLongest{}; ///< the same, by the order of its axis
     double claim = 0.0;                   ///< metamers that a leader takes before all others
 };
+
+/// What a site does to a tree, in all years alike: level vectors, shorter than 1.
+struct Site
+{
+    glm::dvec3 wind{0.0};     ///< to leeward
+    glm::dvec3 light{0.0};    ///< to the open side
+    glm::dvec3 downhill{0.0}; ///< unit
+    double grade = 0.0;       ///< m that the ground falls in a metre
+
+    explicit Site(const GrowthParams& params);
+    /// m, of a place above the ground.
+    [[nodiscard]] double above(const glm::dvec3& at) const { return at.y + grade * glm::dot(at, downhill); }
+    /// How far a place is from the middle of the crown: winds and light from one side move and squeeze it.
+    /// \param up its height as a share of the tree's \param wide m, of the crown
+    [[nodiscard]] double aside(const glm::dvec3& at, double up, double wide) const;
+};
+
+/// The share of the sky that no solid of the scene hides, by nine directions. \pre params.space.space
+/// \param towards becomes the mean of those that are open, level
+double openSky(const GrowthParams& params, const glm::dvec3& at, glm::dvec3& towards);
 
 /// Rotation by what wood has bent down since its birth. \param direction unit, at birth.
 glm::dquat bendOf(const glm::dvec3& direction, double angle);
@@ -92,6 +113,7 @@ private:
         std::uint8_t rank = 0, of = 1; ///< within its year's shoot
         bool cut = false;              ///< somebody cuts it below
         bool woken = false;            ///< its dormant buds shoot next year
+        bool dead = false;             ///< it stood bare with all that it carries, and breaks off in time
         Index twin = noIndex;          ///< metamer of the tree without cuts whose life it shares
     };
     /// How a node stands: apart from it, as most of a year asks for one of the two.
@@ -142,13 +164,13 @@ private:
     bool cutAxis(const GrowthCut& cut, bool& isCut);
     bool prune(const GrowthCut& cut, bool& isCut);
     void drawProfile();
-    double openSky(const glm::dvec3& at, glm::dvec3& towards) const;
     [[nodiscard]] double outline(const glm::dvec3& at) const;
     [[nodiscard]] double corner(int x, int y, int z) const; ///< chance there, for the outline
     [[nodiscard]] double envelope(const glm::dvec3& at, float outline, unsigned order, double foot) const;
     [[nodiscard]] double chance(std::uint64_t address, std::uint64_t purpose) const; ///< 0 .. 1
     [[nodiscard]] double budWeight(Index metamer) const;
     [[nodiscard]] Index living() const { return static_cast<Index>(m_nodes.size()); }
+    [[nodiscard]] double lives(const Pose& pose) const;
     void lightOf(Index metamer, const YearFactors& factors);
     void sumLight();
     double claim(const YearFactors& factors);
@@ -175,15 +197,19 @@ private:
     void grow(ShootStart start, int nodes, double length, const YearFactors& factors);
     glm::dvec3 turned(const ShootStart& start, const glm::dvec3& light, double strength,
                       std::uint64_t address) const;
+    [[nodiscard]] glm::dvec3 blown(const glm::dvec3& at) const;
     std::uint8_t budsOf(unsigned order, int rank, int nodes, std::uint64_t address) const;
     Index addMetamer(const ShootStart& start, const glm::dvec3& direction, double length, int year);
     double thicknessOf(float pipes);
+    [[nodiscard]] int bareYears(const Node& node);
     void bend(Index node, double girth, const YearFactors& factors);
     void place();
     void remove(const Node& base, Node& below);
 
     GrowthHistory& m_history;
     const GrowthParams& m_params;
+    Site m_site;
+    Neighbours m_neighbours;
     std::uint64_t m_seed;
     std::uint64_t m_salt = 0; ///< of the addresses on axes that have grown before
     void lookForRoom();

@@ -2,7 +2,6 @@
 #include "core/generators/growth/growing_tree.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace ramure::growth {
 

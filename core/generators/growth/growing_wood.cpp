@@ -35,13 +35,22 @@ void GrowingTree::remove(const Node& base, Node& below)
 {
     if (below.axis != base.axis)
         below.lost += float(m_params.girth) * base.pipes;
-    else
+    else if (!below.dead)
         below.bare = 0;
+}
+
+/// Years that wood without life above it stays: what was dead already lasts, the thicker the longer, and
+/// breaks from its end.
+int GrowingTree::bareYears(const Node& node)
+{
+    constexpr int twigYears = 3;
+    constexpr double yearsAMetre = 200.0; // of radius
+    return twigYears + (node.dead ? int(yearsAMetre * std::sqrt(thicknessOf(node.pipes))) : 0);
 }
 
 void GrowingTree::shed(const YearFactors& factors)
 {
-    constexpr std::uint8_t darkYears = 2, bareYears = 3;
+    constexpr std::uint8_t darkYears = 2;
     // Of the mean light of the whole tree, so that no setting sheds all of it.
     double light = 0.0, active = 0.0;
     for (Index i = 0; i < living(); ++i)
@@ -64,13 +73,13 @@ void GrowingTree::shed(const YearFactors& factors)
             const Flow& flow = m_flow[i];
             node.bare = flow.active == 0 ? std::uint8_t(std::min(255, node.bare + 1)) : std::uint8_t(0);
             AxisState& axis = m_axes[node.axis];
-            goes = node.bare >= bareYears && !isRoot;
+            goes = int(node.bare) >= bareYears(node) && !isRoot;
             if (node.twin != noIndex)
                 goes = int(m_uncut->death[node.twin]) == age && !isRoot;
             if (axis.base == node.metamer && parent != noIndex) {
                 const double mean = flow.active > 0 ? double(flow.light) / double(flow.active) : 0.0;
                 axis.dark = mean < least ? std::uint8_t(axis.dark + 1) : std::uint8_t(0);
-                goes = goes || (axis.dark >= darkYears && node.twin == noIndex);
+                goes = goes || (axis.dark >= darkYears && node.twin == noIndex && !node.dead);
             }
             if (goes)
                 remove(node, m_nodes[parent]);

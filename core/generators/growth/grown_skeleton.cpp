@@ -1,10 +1,10 @@
 #include "core/generators/growth/grown_skeleton.h"
 
 #include "core/generators/growth/growing_tree.h"
+#include "core/generators/growth/palm.h"
 #include "core/math/random.h"
 #include "core/math/reproducible.h"
 #include <algorithm>
-#include <cmath>
 
 namespace ramure {
 namespace {
@@ -29,14 +29,6 @@ public:
         // Where a shoot took over, the end is hidden.
         std::erase_if(m_skeleton.sawn,
                       [this](Index branch) { return std::ranges::count(m_skeleton.parent, branch) > 0; });
-        for (std::size_t c = 0; c < m_history.cuts.size(); ++c) {
-            const GrowthCut& cut = m_history.cuts[c];
-            if (cut.edit == 0)
-                continue;
-            m_skeleton.lived.push_back({cut.edit, cut.age > m_whole     ? LivedEdit::State::Waits
-                                                  : m_history.isMade[c] ? LivedEdit::State::Made
-                                                                        : LivedEdit::State::Missed});
-        }
         return std::move(m_skeleton);
     }
 
@@ -48,6 +40,7 @@ private:
         Index next = noIndex; ///< piece that goes on
         double radius;
         double side = 0.0;  ///< radius of the thickest that starts at its end aside
+        double sides = 0.0; ///< m2, the squares of the radii of all of them
         double reach = 0.0; ///< m to the farthest tip, itself counted
         glm::dvec3 at{0.0};
         Index heir = noIndex; ///< piece that goes on, or where the axis ends the thickest that starts there
@@ -111,7 +104,10 @@ private:
             below.reach = std::max(below.reach, piece.reach);
             if (below.next == Index(k)) {
                 below.heir = Index(k);
-            } else if (piece.radius > below.side) {
+                continue;
+            }
+            below.sides += piece.radius * piece.radius;
+            if (piece.radius > below.side) {
                 below.side = piece.radius;
                 below.heir = below.next == noIndex ? Index(k) : below.heir;
             }
@@ -172,7 +168,7 @@ private:
                 continue;
             }
             const glm::dvec3 from = below == noIndex ? footOf(piece) : m_skeleton.p1[below];
-            if (isKept(piece, glm::length(piece.at - from), goesOn))
+            if (isKept(piece, piece.at - from, below))
                 add(Index(k), below, from, m_history);
             else
                 m_branch[k] = below;
@@ -191,18 +187,21 @@ private:
         return piece.reach >= std::max(0.02, 1.6 * m_pieces[piece.parent].radius);
     }
     /// Whether a side shoot has a node of its own, or is thick enough to share one with others: a thin one
-    /// would take too much of thick wood's end.
+    /// would take too much of thick wood's end. What grows on a limb while this is still inside the wood of
+    /// its stem would grow on the stem.
     [[nodiscard]] bool hasRoom(const Piece& piece, Index below) const
     {
         constexpr double thinnest = 0.3;
         const Piece& stem = m_pieces[piece.parent];
-        return m_skeleton.p1[below] == stem.at || piece.radius >= thinnest * stem.radius;
+        return m_skeleton.p1[below] == stem.at ||
+               (axisOf(below) == m_history.axis[stem.metamer] && piece.radius >= thinnest * stem.radius);
     }
-    /// \param length m, from the node before that was kept
-    [[nodiscard]] bool isKept(const Piece& piece, double length, bool goesOn) const
+    /// \param way m, from the end of the branch below
+    [[nodiscard]] bool isKept(const Piece& piece, const glm::dvec3& way, Index below) const
     {
         constexpr double least = 0.0005; // m
-        const double room = goesOn ? 0.0 : 1.5 * m_pieces[piece.parent].radius;
+        const double length = glm::length(way);
+        const double room = length < least ? 0.0 : roomBeside(piece, way / length, below);
         const double closest = (piece.side > 0.0 ? 0.1 : 0.45) * m_history.params.internode;
         const bool isTip = piece.next == noIndex;
         if (stood(piece) && piece.side > 0.0) // what stood on it goes on to stand there
@@ -210,26 +209,40 @@ private:
         return length >= least && (isTip || length >= std::max({room, 1.2 * piece.radius, closest}));
     }
 
+    /// m, the length that a limb needs until it is out of the wood of the stem that it leaves.
+    [[nodiscard]] double roomBeside(const Piece& piece, const glm::dvec3& direction, Index below) const
+    {
+        if (below == noIndex || axisOf(below) == m_history.axis[piece.metamer] || m_above[below] == 0.0)
+            return 0.0;
+        const glm::dvec3 along = glm::normalize(m_skeleton.p1[below] - m_skeleton.p0[below]);
+        const double sine = glm::length(glm::cross(direction, along));
+        return m_above[below] * std::max(1.5, 1.2 / std::max(sine, 0.5));
+    }
+
     void add(Index k, Index below, const glm::dvec3& from, const GrowthHistory& h)
     {
         const Piece& piece = m_pieces[k];
         const Index axis = h.axis[piece.metamer];
         const bool goesOn = below != noIndex && axisOf(below) == axis;
-        double start = goesOn ? m_skeleton.a1[below] : footRadius(piece);
+        double start = goesOn && m_above[below] > 0.0 ? m_above[below] : footRadius(piece);
         if (below != noIndex)
             start = std::min(start, m_skeleton.a1[below]);
-        double end = std::max(piece.side, 0.6 * piece.radius);
-        if (piece.next != noIndex)
-            end = std::max(m_pieces[piece.next].radius, 0.6 * piece.radius);
-        const bool isStump = piece.next == noIndex && std::ranges::count(m_stumps, axis) > 0;
+        // Wood ends as thick as all that starts there together, so that nothing is lost below a fork.
+        const double next = piece.next == noIndex ? 0.0 : m_pieces[piece.next].radius;
+        double end = std::max(std::sqrt(next * next + piece.sides), 0.6 * piece.radius);
+        const bool isStump = piece.next == noIndex && ((stood(piece) && h.flatWood[piece.metamer]) ||
+                                                       std::ranges::count(m_stumps, axis) > 0);
         end = std::min(isStump ? piece.radius : end, start);
         const Index branch = m_skeleton.add(below, from, piece.at, start, end, h.axisOrder[axis]);
         m_axes.push_back(axis);
+        m_above.push_back(next);
         m_skeleton.key[branch] = mixBits(h.axisAddress[axis] + 0x9E3779B97F4A7C15ull * (piece.metamer + 1));
         if (!goesOn)
             m_skeleton.axisStarts.emplace_back(branch, h.axisAddress[axis]);
         if (isStump)
             m_skeleton.sawn.push_back(branch);
+        if (stood(piece) && h.bareWood[piece.metamer])
+            m_skeleton.bare.push_back(branch);
         m_branch[k] = branch;
     }
     /// Of what stood the foot flares, also where the first nodes are left out.
@@ -251,6 +264,7 @@ private:
     std::vector<Index> m_branch; ///< by piece: that ends at it or before
     std::vector<bool> m_out;
     std::vector<Index> m_axes;   ///< by branch
+    std::vector<double> m_above; ///< by branch: m, radius of what goes on from it
     std::vector<Index> m_stumps; ///< axes
     Skeleton m_skeleton;
 };
@@ -259,7 +273,19 @@ private:
 
 Skeleton skeletonAtAge(const GrowthHistory& history, double age)
 {
-    return AgeCutter(history, age).run();
+    age = std::clamp(age, 0.0, double(history.grownYears()));
+    Skeleton tree;
+    if (history.params.habit == GrowthHabit::Branching)
+        tree = AgeCutter(history, age).run();
+    else if (history.diedAt == 0 || age < history.diedAt)
+        tree = palmAtAge(history.params, history.seed, age, history.cuts);
+    using enum LivedEdit::State;
+    for (std::size_t c = 0; c < history.cuts.size(); ++c)
+        if (const GrowthCut& cut = history.cuts[c]; cut.edit != 0)
+            tree.lived.push_back({cut.edit, double(cut.age) > age ? Waits
+                                            : history.isMade[c]   ? Made
+                                                                  : Missed});
+    return tree;
 }
 
 } // namespace ramure

@@ -1,6 +1,7 @@
 #include "core/generators/growth/growth_history.h"
 
 #include "core/generators/growth/growing_tree.h"
+#include "core/generators/growth/palm.h"
 #include "core/math/reproducible.h"
 #include "core/params/param_def.h"
 #include <algorithm>
@@ -29,7 +30,7 @@ Expected<void> check(const GrowthParams& params)
     RAMURE_TRY(checkPart(&NodeParams::growth, params));
     const double voxel = std::max(params.internode, params.height / 80.0);
     const double voxels = params.height * params.crownWidth * params.crownWidth / (voxel * voxel * voxel);
-    if (voxels > double(ShadowGrid::maxVoxels))
+    if (params.habit == GrowthHabit::Branching && voxels > double(ShadowGrid::maxVoxels))
         return refuse(
             ErrorCode::Limit,
             RAMURE_NOOP("the crown is too wide for its height: its shadows need more than %1 voxels"),
@@ -61,6 +62,18 @@ YearFactors factorsOf(const GrowthParams& p, int year)
     f.vigourCap =
         std::max(f.longest, std::min(0.2 * p.density * places * grown * std::sqrt(grown), 200'000.0));
     return f;
+}
+
+/// A moment before their age their axes stand, or they miss them.
+void noteCutsOfPalm(GrowthHistory& history, int age)
+{
+    for (std::size_t c = 0; c < history.cuts.size(); ++c) {
+        if (history.cuts[c].age != age)
+            continue;
+        const Skeleton palm = palmAtAge(history.params, history.seed, double(age) - 1e-6, history.cuts);
+        history.isMade[c] = std::ranges::any_of(
+            palm.axisStarts, [&](const auto& start) { return start.second == history.cuts[c].axis; });
+    }
 }
 
 } // namespace
@@ -157,11 +170,18 @@ Expected<void> GrowthRun::growTo(double age, const Progress& progress)
     history.params.age = age;
     if (auto checked = check(history.params); !checked)
         return checked;
+    constexpr int starves = 3; // years without light
     const int years = int(std::ceil(age));
     if (m_state->uncut)
         if (auto grown = m_state->uncut->growTo(age, progress.part(0.0, 0.5)); !grown)
             return grown;
     for (int year = history.grownYears(); year < years && history.diedAt == 0; ++year) {
+        if (history.params.habit == GrowthHabit::Palm) { // palm.h draws it
+            history.years.push_back({.light = history.params.sunlight});
+            history.diedAt = history.params.sunlight <= 0.0 && year + 1 >= starves ? year + 1 : 0;
+            noteCutsOfPalm(history, year + 1);
+            continue;
+        }
         if (progress.cancelled())
             return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
         if (m_state->follows)
@@ -176,7 +196,6 @@ Expected<void> GrowthRun::growTo(double age, const Progress& progress)
         tree.growShoots(factors);
         const bool isCut = tree.cut(year + 1);
         tree.shed(factors);
-        constexpr int starves = 3;
         if (m_state->dark >= starves || tree.empty()) {
             tree.die(year + 1);
             history.diedAt = year + 1;

@@ -27,29 +27,30 @@ inline constexpr std::size_t maxMetamers = 4'000'000;
 /// Whether a place, m, is in a shape.
 using GrowthShape = std::function<bool(const glm::dvec3&)>;
 
-/// A limb that somebody cuts, or what stands out of a shape. What it shaded gets light; buds that slept below
-/// the wound shoot in the next year (epicormic shoots). A stump without shoots dies back.
+/// A limb that somebody cuts, or the wood that stands out of a pruning shape. The shoots it shaded get light,
+/// and dormant buds below the wound shoot in the next year (epicormic shoots). A stump without shoots dies
+/// back.
 struct GrowthCut
 {
     std::uint64_t axis = 0; ///< address, see GrowthHistory::axisAddress; 0: the whole tree, by a shape
-    double share = 0.0;     ///< of the axis's length that stays; the first internode of a trunk always does
-    int age = 0;            ///< of the tree, in years: at this age and above the limb is not there
-    std::uint64_t edit = 0; ///< TreeEdit::id of what asks for it
-    /// Where wood stays, and `share` counts for nothing. Trunks may come from outside.
+    double share = 0.0; ///< share of the axis's length that stays; the first internode of a trunk always does
+    int age = 0;        ///< age of the tree in years; the limb is missing from this age on
+    std::uint64_t edit = 0; ///< TreeEdit::id of the step that asks for it
+    /// The space in which wood stays; if it is set, `share` is ignored. Trunks may come from outside.
     std::shared_ptr<const GrowthShape> within{};
     bool operator==(const GrowthCut&) const = default;
 };
 /// Their order changes nothing. Cuts of axes that do not stand at that age do nothing.
 using GrowthCuts = std::vector<GrowthCut>;
 
-/// What a year did.
+/// The figures of one year.
 struct GrowthYear
 {
     Index living = 0; ///< metamers at its end
     Index born = 0, shed = 0;
-    double light = 0.0;       ///< of all buds
-    double vigour = 0.0;      ///< that left the roots
-    double vigourSpent = 0.0; ///< that arrived at buds: the same but for rounding
+    double light = 0.0;       ///< sum of the light of all buds
+    double vigour = 0.0;      ///< vigour that left the roots
+    double vigourSpent = 0.0; ///< vigour that arrived at buds; equal to `vigour` but for rounding
     bool operator==(const GrowthYear&) const = default;
 };
 
@@ -81,8 +82,9 @@ struct GrowthHistory
     /// Metamers that stood when growth began (standing_wood.h), those of the year 0; and where they leave the
     /// ground: of roots that are not named it is the origin.
     Index standing = 0;
+    std::vector<bool> bareWood, flatWood; ///< by these: without leaves; flat where nothing goes on from it
     std::vector<std::pair<Index, glm::dvec3>> feet;
-    GrowthCuts cuts;          ///< that were asked for
+    GrowthCuts cuts;          ///< the requested cuts
     std::vector<bool> isMade; ///< by cut: its axis stood at that age
 
     std::vector<GrowthYear> years;
@@ -143,8 +145,8 @@ public:
     GrowthRun& operator=(GrowthRun&& other) noexcept;
     ~GrowthRun();
 
-    /// Errors: Limit, Cancelled; the years before are there, and it can be called again.
-    /// \param age years; nothing happens where it is as old already.
+    /// Continues the growth. Errors: Limit, Cancelled; the years before are kept, and the function can be
+    /// called again. \param age years; a smaller age than the present one does nothing
     Expected<void> growTo(double age, const Progress& progress = {});
     [[nodiscard]] const GrowthHistory& history() const;
     /// The history itself; the run is over.

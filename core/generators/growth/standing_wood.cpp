@@ -29,9 +29,14 @@ void GrowingTree::stand(const Skeleton& tree, const TreeAxes& axes)
 {
     const ChildLists children = childLists(tree);
     std::vector<Index> endOf(tree.size(), noIndex); // node at the end of a piece
-    std::vector<bool> sawn(tree.size(), false);
+    std::vector<bool> sawn(tree.size(), false), bare(tree.size(), false), lives(tree.size(), true);
     for (const Index i : tree.sawn)
         sawn[i] = true;
+    for (const Index i : tree.bare)
+        lives[i] = !(bare[i] = true);
+    for (Index i = tree.size(); i-- > 0;)
+        if (lives[i] && tree.parent[i] != noIndex)
+            lives[tree.parent[i]] = true;
     for (const Axis& axis : axes.axes) {
         m_history.axisAddress.push_back(axis.address);
         m_history.axisOrder.push_back(std::uint8_t(std::min<Index>(axis.order, deepest)));
@@ -40,11 +45,19 @@ void GrowingTree::stand(const Skeleton& tree, const TreeAxes& axes)
     for (Index i = 0; i < tree.size(); ++i) {
         const Index below = tree.parent[i];
         const Index axis = axes.axisOf[i];
+        const Index first = living();
         endOf[i] = standPiece(tree, i, axis, below == noIndex ? noIndex : endOf[below]);
+        const bool isLast = i == axes.nodesOf(axis).back();
+        for (Index k = first; k < living(); ++k) {
+            m_nodes[k].dead = !lives[i];
+            m_history.bareWood.push_back(bare[i]);
+            const bool isEnd = k + 1 == living();
+            m_history.flatWood.push_back(isEnd && isLast ? sawn[i] : !lives[i]); // dead wood breaks
+        }
         AxisState& state = m_axes[axis];
-        if (i == axes.nodesOf(axis).back() && endOf[i] != noIndex) {
+        if (isLast && endOf[i] != noIndex) {
             state.tip = m_nodes[endOf[i]].metamer;
-            state.tipLives = m_nodes[endOf[i]].tip = !sawn[i];
+            state.tipLives = m_nodes[endOf[i]].tip = lives[i] && !sawn[i];
         }
     }
     m_salt = mixBits(m_seed);
@@ -94,6 +107,8 @@ void GrowingTree::giveBuds()
         if (node.parent != noIndex && m_nodes[node.parent].axis != node.axis)
             carries[m_nodes[node.parent].axis] = true;
     for (Node& node : m_nodes) {
+        if (node.dead)
+            continue;
         const AxisState& state = m_axes[node.axis];
         const int all = state.nodes, at = node.rank;
         const double base = node.order == 0 ? m_params.crownBase * double(all) : 0.0;
@@ -129,6 +144,8 @@ Expected<Skeleton> growOn(const Skeleton& tree, const TreeAxes& axes, GrowthPara
 {
     if (tree.empty())
         return fail(ErrorCode::Invalid, RAMURE_NOOP("there is nothing that could grow on"));
+    if (tree.bare.size() == tree.size())
+        return fail(ErrorCode::Invalid, RAMURE_NOOP("a tree that is bare to all its ends is dead"));
     const SkeletonStats stats = skeletonStats(tree);
     const double top = stats.max.y - tree.p0[0].y;
     constexpr double grown = 1.1, oldest = 0.86; // of the height

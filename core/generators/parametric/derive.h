@@ -12,8 +12,8 @@ struct ModuleWord
 {
     std::vector<Module> modules;
     std::vector<double> numbers;
-    std::vector<ModuleSource> sources; ///< what Module::source means
-    /// Where chance has a say: a hash of the way from the axiom through the productions.
+    std::vector<ModuleSource> sources; ///< table for Module::source
+    /// Keys for random choices: a hash of the way from the axiom through the productions.
     std::vector<std::uint64_t> keys;
 
     [[nodiscard]] std::size_t numbersOf(const Module& module) const { return sources[module.source].numbers; }
@@ -32,10 +32,10 @@ struct DeriveOptions
     std::size_t limit = mostModules;
 };
 
-/// What a module becomes by chance depends on the seed, the round and its key alone. A module without a rule
-/// that fits stays. What stands between % and the end of its branch goes in the next round. Errors: Invalid
-/// with the place of the expression, where a condition or a number is not finite; Limit (more than
-/// options.limit modules or numbers, found before the memory is taken); Cancelled.
+/// Derives the word. Random choices for a module depend on the seed, the round and its key alone. A module
+/// without a fitting rule stays. A module % removes the rest of its branch in the next round. Errors: Invalid
+/// with the place of the expression (a condition or a number is not finite); Limit (more than options.limit
+/// modules or numbers, found before the memory is taken); Cancelled.
 Expected<ModuleWord> derive(const ParametricGrammar& grammar, const DeriveOptions& options,
                             const Progress& progress = {});
 

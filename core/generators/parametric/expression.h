@@ -27,10 +27,10 @@
 
 namespace ramure {
 
-/// What the names of a grammar's constants stand for.
+/// The values of a grammar's constants by name.
 using Constants = std::map<std::string, double, std::less<>>;
 
-/// What an expression may ask for.
+/// The inputs of an evaluation.
 struct ExpressionInputs
 {
     const double* parameters = nullptr;
@@ -76,10 +76,10 @@ public:
     struct Step
     {
         Op op;
-        /// Of a parameter or of a rand(), or where a skip leads to; of a constant with a unit or made of pi,
-        /// flags of the parser.
+        /// Number of a parameter or of a rand(), or target of a skip. In a constant the parser keeps flags
+        /// here: it has a unit, it is made of pi.
         std::uint32_t index = 0;
-        double value = 0.0; ///< of a constant, and what a Product multiplies by
+        double value = 0.0; ///< a constant's value; in a product the constant factor
     };
 
     /// Not finite where a number on the way to a comparison or the result is not.
@@ -114,12 +114,12 @@ struct UnitName
 /// How a number field reads numbers.
 struct FieldUnits
 {
-    std::vector<UnitName> names; ///< that the field understands
-    double plainFactor = 1.0;    ///< of a number without a unit, to the unit of the program
+    std::vector<UnitName> names; ///< the units that the field understands
+    double plainFactor = 1.0;    ///< converts a number without a unit to the program's unit
     bool isAngle = false;        ///< numbers made of pi are in radians
 };
 
-/// Names and what is counted while the expressions of one rule are read.
+/// Names and counters while the expressions of one rule are read.
 struct ExpressionNames
 {
     std::vector<std::string> parameters;
@@ -129,13 +129,13 @@ struct ExpressionNames
     bool usesOrder = false;
 };
 
-/// Reads as much as belongs to an expression; it ends before ")", ",", "->" or the end. Errors (Syntax /
-/// Invalid, with their place): what was expected; a name that means nothing; nesting deeper than 100; a part
-/// without variables that is no finite number.
+/// Reads one expression; it ends before ")", ",", "->" or the end. Errors (Syntax / Invalid, with their
+/// place): something else was expected; an unknown name; nesting deeper than 100; a constant part that is no
+/// finite number.
 Expected<Expression> parseExpression(TextScanner& text, ExpressionNames& names);
 
-/// Likewise for a number field, and it ends at the end of the text. Errors: Syntax, Limit, Invalid (not
-/// finite).
+/// Reads the expression of a number field, which must end at the end of the text. Errors: Syntax, Limit,
+/// Invalid (not finite).
 Expected<double> parseQuantity(TextScanner& text, const FieldUnits& units);
 
 } // namespace ramure

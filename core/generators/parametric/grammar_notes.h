@@ -7,12 +7,12 @@
 
 namespace ramure {
 
-/// Of the classic language what parseGrammar remarks: the tree grows, but probably not as its author means.
-/// Of the parametric one, the characters for which parseParametric refuses a text. In the order of the texts.
+/// Returns notes on the texts of a grammar, in their order. For the classic language these are the remarks of
+/// parseGrammar: the tree grows, but probably not as its author means. For the parametric one these are the
+/// characters for which parseParametric refuses a text.
 GrammarNotes grammarNotes(const GrammarParams& params);
 
-/// What is to be told of a tree that grows all the same: the remarks on a classic grammar, where a grammar is
-/// what the tree grows from.
+/// Returns the warnings for a tree that does grow: the remarks on its classic grammar, if it grows from one.
 std::vector<Error> grammarWarnings(const NodeParams& params);
 
 } // namespace ramure

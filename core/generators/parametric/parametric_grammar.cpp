@@ -74,7 +74,7 @@ public:
         if (isDefine && before.peek(name.size()) == '(')
             return failAt(
                 place, ErrorCode::Syntax,
-                RAMURE_NOOP("macros with parameters are not supported: write out \"%1\" where it is used"),
+                RAMURE_NOOP("macros with parameters are not supported: write \"%1\" out at each use"),
                 {name});
         if (!text.take("=") && !isDefine)
             return failAt(text.place(), ErrorCode::Syntax, RAMURE_NOOP("\"=\" is expected here"));

@@ -34,21 +34,21 @@ namespace ramure {
 struct ModuleSource
 {
     char name = 0;
-    std::uint8_t numbers = 0;       ///< that it carries
-    std::optional<OrganKind> organ; ///< of ~(name, size)
+    std::uint8_t numbers = 0;       ///< count of its numbers
+    std::optional<OrganKind> organ; ///< kind of ~(name, size)
     TextPlace place;
 };
 
 /// A module of a word; of an array of millions.
 struct Module
 {
-    std::uint32_t firstNumber = 0; ///< of ModuleWord::numbers
-    std::uint16_t source = 0;      ///< of ParametricGrammar::sources
+    std::uint32_t firstNumber = 0; ///< index into ModuleWord::numbers
+    std::uint16_t source = 0;      ///< index into ParametricGrammar::sources
     std::uint8_t birth = 0;        ///< the round that made it, 0: the axiom
     char name = 0;
 };
 
-/// What a module becomes.
+/// A replacement for a module.
 struct Production
 {
     /// A number that must be computed.
@@ -59,7 +59,7 @@ struct Production
     };
     double weight = 1.0;
     std::vector<Module> modules; ///< firstNumber counts from the production's own
-    std::vector<double> numbers; ///< those that are always the same, 0 in place of the others
+    std::vector<double> numbers; ///< numbers that are constant; 0 in place of the others
     std::vector<Computed> computed;
 };
 
@@ -74,7 +74,8 @@ struct ParametricRule
 {
     ModulePattern module;
     std::optional<ModulePattern> left, right;
-    Expression condition; ///< its parameters, as those of the productions: of the module, of left, of right
+    /// Its parameters, like those of the productions, come from the module, the left and the right context.
+    Expression condition;
     std::vector<Production> productions; ///< at least one
     double weights = 1.0;                ///< their sum
     std::size_t likeliest = 0;           ///< the production without chance
@@ -84,10 +85,10 @@ struct ParametricGrammar
 {
     std::vector<ModuleSource> sources;
     Production axiom;
-    std::vector<ParametricRule> rules;                      ///< as written
+    std::vector<ParametricRule> rules;                      ///< as the author wrote them
     std::array<std::vector<const ParametricRule*>, 128> of; ///< rules by the module's letter
     Constants constants;
-    std::array<bool, 128> isIgnored{}; ///< by letter: nobody's neighbour
+    std::array<bool, 128> isIgnored{}; ///< by letter: contexts skip it
     bool usesOrder = false, usesContext = false, usesChance = false;
 
     ParametricGrammar() = default;

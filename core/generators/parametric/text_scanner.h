@@ -10,7 +10,7 @@
 
 namespace ramure {
 
-/// Where something stands in the user's text.
+/// A place in the user's text.
 struct TextPlace
 {
     const char* path = ""; ///< key of the parameter that holds the text
@@ -42,12 +42,12 @@ public:
     [[nodiscard]] std::size_t digits() const;
     [[nodiscard]] bool atName() const;
     [[nodiscard]] TextPlace place() const;
-    /// What follows goes to the next character that counts.
+    /// The functions below first skip blanks and comments.
     char next();
     bool take(std::string_view token);
     /// A letter, Latin or Greek, or _, then letters, digits and _. Empty where none stands.
     std::string_view takeName();
-    /// 0 where it is too small for a number. Error: Invalid where it is too large for one.
+    /// Returns 0 for a number that is too small. Error: Invalid if it is too large.
     Expected<double> takeNumber();
 
 private:

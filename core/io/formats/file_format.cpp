@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cctype>
 #include <glm/matrix.hpp>
-#include <string_view>
 
 namespace ramure {
 

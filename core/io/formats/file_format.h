@@ -1,7 +1,7 @@
 /// \file
-/// What the program reads and writes besides its projects, as one table: file dialogs, drag and drop, the
-/// export dialog and the command line ask it. A new format is a file beside obj_format.cpp and a row of
-/// file_formats.cpp.
+/// The formats that the program reads and writes besides its projects, as one table. File dialogs, drag and
+/// drop, the export dialog and the command line ask it. A new format is a file beside obj_format.cpp and a
+/// row of file_formats.cpp.
 #pragma once
 
 #include "core/io/export_scene.h"
@@ -11,7 +11,7 @@ namespace ramure {
 struct BlenderImport;
 struct ImportOptions;
 
-/// What a file can say; for the rest nothing is offered.
+/// What a format can hold. Options for anything else are not offered.
 enum FormatHolds : std::uint16_t {
     holdsObjects = 1, ///< objects by name, each with its material; else all is one mesh
     holdsTexture = 2,
@@ -21,7 +21,7 @@ enum FormatHolds : std::uint16_t {
     holdsClip = 32,        ///< a sequence of frames as one file that moves
     holdsLevels = 64,      ///< levels of detail; else each is a file
     holdsCompressed = 128, ///< numbers made small: WriteOptions::compressed
-    holdsWind = 256,       ///< what shaders of games move vertices by: ExportMesh::wind
+    holdsWind = 256,       ///< data by which shaders of games move vertices: ExportMesh::wind
 };
 
 /// Bytes of a vertex and of a triangle, about.
@@ -38,17 +38,17 @@ struct FileFormat
     const char* choice = ""; ///< in the list of the export dialog, as text to translate
     const char* help = "";   ///< in the help of `ramure-cli export`, behind the ending
     std::uint16_t holds = 0; ///< bits of FormatHolds
-    bool isText = false;     ///< of two formats with one ending the one that WriteOptions::ascii asks for
+    bool isText = false; ///< if two formats share an ending, WriteOptions::ascii picks the one with isText
     const char* beside = ""; ///< the ending of a second file with the materials
     /// All as meshes; null: nothing can be read so. \see readMeshFile
     Expected<ReadMesh> (*read)(const std::string& path, const Progress& progress) = nullptr;
     /// Reads the file as nodes of a scene. \see importObjects
     Expected<BlenderImport> (*import)(const std::string& path, const ImportOptions& options,
                                       const Progress& progress) = nullptr;
-    /// Takes of the scene what the format holds.
+    /// Writes the parts of the scene that the format can hold.
     Expected<void> (*write)(const std::string& path, const ExportScene& scene, const WriteOptions& options,
                             const Progress& progress) = nullptr;
-    /// What is written for so many digits of a vertex number.
+    /// Returns the bytes written per element if vertex numbers have so many digits.
     FileRates (*rates)(bool texture, double digits) = nullptr;
 };
 

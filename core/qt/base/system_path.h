@@ -1,6 +1,7 @@
 /// \file
-/// Names of files as texts of Qt and as the bytes that the system knows them by. Those may be no UTF-8 (a
-/// disk of an older system, an archive): QFile::encodeName() and decodeName() would make one name of several.
+/// Converts file names between Qt's text and the bytes of the system. The bytes may be no UTF-8 (a disk of an
+/// older system, an archive), and QFile::encodeName() and decodeName() would turn several such names into
+/// one.
 #pragma once
 
 #include "core/base/error.h"

@@ -12,8 +12,8 @@
 
 namespace ramure {
 
-/// All commands that are pushed while it lives are one step of undo; where there are none, no step. What a
-/// hand holds is kept before.
+/// Groups all commands that are pushed while it lives into one step of undo. Without commands there is no
+/// step. An edit that the hand still holds is finished before.
 class OneStep
 {
 public:
@@ -38,7 +38,8 @@ struct TrackEdit
     NodeAnimation::TrackPtr track;
 };
 
-/// What sends an arm somewhere, what comes of it, and its keys: changed together where they belong together.
+/// An arm's target, the angles that follow from it, and their keys. These belong together and change
+/// together.
 struct ArmState
 {
     std::vector<ArmJoint> joints;
@@ -50,7 +51,7 @@ struct ArmState
 /// \pre an arm
 ArmState armState(const Node& arm);
 
-/// Where a node is put, see core/scene/node_transform.h.
+/// A new place for a node, see core/scene/node_transform.h.
 struct NodePlacing
 {
     NodeId node = noNode;
@@ -66,13 +67,13 @@ namespace edit {
 /// Errors: Unknown (node), Invalid (value, locked, a kind of node without this parameter); path = key.
 Expected<void> setParam(Document& document, const std::vector<NodeId>& nodes, const ParamDef& def,
                         const ParamValue& value, GestureId gesture = 0);
-/// Several parameters as one step ("paste group", "new from preset"). Of a parameter named twice the last
-/// counts.
+/// Sets several parameters as one step ("paste group", "new from preset"). If a parameter is named twice, the
+/// last value counts.
 Expected<void> setParams(Document& document, const std::vector<NodeId>& nodes,
                          const std::vector<std::pair<const ParamDef*, ParamValue>>& values,
                          const QString& text, GestureId gesture = 0);
-/// Back to what each node's preset says, or to the default where it came from none (core/presets/presets.h).
-/// Errors: as above.
+/// Resets parameters to the values of each node's preset, or to the defaults if the node came from none
+/// (core/presets/presets.h). Errors: as above.
 Expected<void> resetParams(Document& document, const std::vector<NodeId>& nodes,
                            const std::vector<const ParamDef*>& params, const QString& text);
 /// One component of a vector parameter (0 = x, 1 = y, 2 = z); of each node the other components stay.
@@ -106,23 +107,23 @@ Expected<void> setBranchBends(Document& document, NodeId node,
 /// bend is not finite.
 Expected<void> turnBranches(Document& document, NodeId node,
                             const std::map<std::uint64_t, glm::dvec3>& bendRad, GestureId gesture = 0);
-/// Edits of a tree (core/params/tree_edit.h). Those whose id the tree has already are put in the place of
-/// these, the others at the end of the list, each with an id of its own where it has none; returns the ids.
-/// A drag gives the edit again and again, with the id that the first call returned: one step. Whether an edit
-/// can act is not asked here: core/recipe/edit_context.h. Errors: Unknown (node), Invalid (locked, no
-/// tree, what checkTreeEdit refuses; path = "edits[0].at").
+/// Adds or replaces steps of a tree (core/params/tree_edit.h). A step whose id the tree has already replaces
+/// that one. Others go to the end of the list and get an id if they have none. Returns the ids. A drag passes
+/// the step again and again with the id from the first call, and becomes one step of undo. The function does
+/// not ask whether a step can act: see core/recipe/edit_context.h. Errors: Unknown (node), Invalid (locked,
+/// no tree, refused by checkTreeEdit; path = "edits[0].at").
 Expected<std::vector<std::uint64_t>> putTreeEdits(Document& document, NodeId tree,
                                                   std::vector<TreeEdit> edits, GestureId gesture = 0);
 /// Errors of these: those of editable trees; Unknown (no edit of that id).
 /// The whole list in the place of another. Errors: those of checkTreeEdits, Unknown, Invalid (locked).
 Expected<void> setTreeEdits(Document& document, NodeId tree, std::vector<TreeEdit> edits,
                             const QString& text);
-/// A parameter of a step (stepParams). Errors: those of checkValue; Unknown (tree, step), Invalid (the step
-/// has no such parameter), path = the key.
+/// Sets a parameter of a step (stepParams). Errors: those of checkValue; Unknown (tree, step), Invalid (the
+/// step has no such parameter), path = the key.
 Expected<void> setStepParam(Document& document, NodeId tree, std::uint64_t step, const ParamDef& def,
                             const ParamValue& value, GestureId gesture = 0);
-/// Keeps the tree as it is behind a step, or, of 0, behind the source that the recipe begins with: a further
-/// step holds it, and what is before does not run. Errors: those of core/pipeline/freeze.h.
+/// Freezes the tree after a step, or for 0 after the recipe's first source: a further step holds the result,
+/// and the steps before do not run. Errors: those of core/pipeline/freeze.h.
 Expected<void> freezeTree(Document& document, NodeId tree, std::uint64_t step);
 /// A copy behind each of these steps, with an id of its own.
 Expected<void> duplicateTreeEdits(Document& document, NodeId tree, const std::vector<std::uint64_t>& ids);
@@ -134,25 +135,25 @@ Expected<void> setTreeEditsEnabled(Document& document, NodeId tree, const std::v
 Expected<void> renameTreeEdit(Document& document, NodeId tree, std::uint64_t id, const QString& name);
 /// \param row in the list without the edit itself; past its end: the last.
 Expected<void> moveTreeEdit(Document& document, NodeId tree, std::uint64_t id, int row);
-/// The edits as they are, with their ids, at the ends of the lists of other trees, as one step. What a tree
-/// has of them already is put in their place.
+/// Copies steps with their ids to the ends of the lists of other trees, as one step of undo. A step that a
+/// tree has already is replaced.
 Expected<void> copyTreeEdits(Document& document, NodeId from, const std::vector<std::uint64_t>& ids,
                              const std::vector<NodeId>& to);
 /// Sets the joints of an arm: their number, lengths, angles and limits. Errors: Unknown (node), Invalid
 /// (locked, no arm, what checkArm refuses).
 Expected<void> setJoints(Document& document, NodeId node, std::vector<ArmJoint> joints, const QString& text,
                          GestureId gesture = 0);
-/// All of an arm's state as one step. Errors: those of setJoints and of setParam for the target; Invalid (a
-/// track that an arm cannot have).
+/// Sets all of an arm's state as one step. Errors: those of setJoints and of setParam for the target; Invalid
+/// (a track that an arm cannot have).
 Expected<void> setArm(Document& document, NodeId node, ArmState state, const QString& text,
                       GestureId gesture = 0);
-/// A joint like joint \p at right behind it; the keys of those behind move on with them. Errors: those of
-/// setJoints; Unknown (no joint \p at).
+/// Inserts a copy of joint \p at right behind it; the keys of the joints behind move on with them. Errors:
+/// those of setJoints; Unknown (no joint \p at).
 Expected<void> addJoint(Document& document, NodeId node, std::size_t at);
 /// Takes joint \p at and its keys out. Errors: likewise.
 Expected<void> removeJoint(Document& document, NodeId node, std::size_t at);
-/// What an arm wears: this mesh, in the arm's own space around the straight arm, or, where it is empty, the
-/// cylinder. Errors: Unknown (node), Invalid (locked, no arm, what checkArmMesh refuses).
+/// Sets the mesh that an arm wears, in the arm's own space around the straight arm. An empty mesh means the
+/// cylinder. Errors: Unknown (node), Invalid (locked, no arm, refused by checkArmMesh).
 Expected<void> setArmMesh(Document& document, NodeId arm, SharedValue<TriangleMesh> mesh,
                           const QString& text);
 /// The arm wears a copy of the mesh of a node: as it stands around the straight arm at rest, or \p fitted to
@@ -164,25 +165,26 @@ Expected<void> wearMesh(Document& document, NodeId arm, NodeId mesh, bool fitted
 /// trees, and trees in which chance has no say (core/generators/variety.h), are left out; error where
 /// no tree remains.
 Expected<void> newTree(Document& document, const std::vector<NodeId>& nodes);
-/// Tracks of any channels of any nodes as one step: every edit of keys (insert, remove, drag, paste, modes,
-/// extrapolation) is made on copies of the tracks and set with this. While a gesture goes on, the dragged
-/// tracks are given again from the ones before the gesture. Of a channel named twice the last counts. Errors:
-/// Unknown (node), Invalid (locked; a channel this kind of node has not; a track of the wrong kind).
+/// Sets tracks of any channels of any nodes as one step. Every edit of keys (insert, remove, drag, paste,
+/// modes, extrapolation) changes copies of the tracks and sets them with this. During a gesture, the dragged
+/// tracks are made anew from those before the gesture. If a channel is named twice, the last track counts.
+/// Errors: Unknown (node), Invalid (locked; the node's kind does not have the channel; a track of the wrong
+/// kind).
 Expected<void> setTracks(Document& document, const std::vector<TrackEdit>& edits, const QString& text,
                          GestureId gesture = 0);
-/// A key at \p time in each of these channels, with the value the channel has then ("insert key"). A key that
-/// is there already stays. Channels that a node has not are left out. New keys have the mode of the key
-/// before them, or \p mode where there is none. Where \p channels are all of the global transform, its
-/// three parts are keyed as wholes, and the placement is taken over where that is possible, see
+/// Inserts a key at \p time in each of these channels, with the value that the channel has then ("insert
+/// key"). An existing key stays. Channels that a node does not have are skipped. A new key takes the mode of
+/// the key before it, or \p mode if there is none. If all \p channels belong to the global transform, its
+/// three parts are keyed as wholes, and the placement is taken over if possible, see
 /// core/scene/keyed_placement.h.
 Expected<void> insertKeys(Document& document, const std::vector<NodeId>& nodes,
                           const std::vector<Channel>& channels, Ticks time, KeyMode mode = KeyMode::Bezier);
-/// Placements and global tracks of nodes as one step: what a hand in the viewport does to them. While a
-/// gesture goes on, the same nodes are given again. Errors: Unknown (node), Invalid (locked, a value out of
-/// range, a track of the wrong kind).
+/// Sets placements and global tracks of nodes as one step, for gestures in the viewport. While a gesture goes
+/// on, the same nodes are given again. Errors: Unknown (node), Invalid (locked, a value out of range, a track
+/// of the wrong kind).
 Expected<void> placeNodes(Document& document, const std::vector<NodePlacing>& places, const QString& text,
                           GestureId gesture = 0);
-/// Frames and frame rate. Errors: those of checkTimeline.
+/// Sets frames and frame rate. Errors: those of checkTimeline.
 Expected<void> setTimeline(Document& document, const TimelineSettings& settings, GestureId gesture = 0);
 /// A view that is kept, by its place from 0; nothing forgets it. Errors: Invalid (place, checkViewBookmark).
 Expected<void> setBookmark(Document& document, std::size_t place, const std::optional<ViewBookmark>& view);

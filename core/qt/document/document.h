@@ -24,7 +24,7 @@ struct NodeResult
     TreeResult tree;            ///< last good result, may be empty
     std::optional<Error> error; ///< why the present parameters give no tree
     bool draft = false;         ///< a cheap draft, its tree without mesh and report; the full result follows
-    quint64 revision = 0;       ///< of the document when its parameters were taken
+    quint64 revision = 0;       ///< revision of the document when the parameters were taken
 };
 
 class Document : public QObject
@@ -45,19 +45,19 @@ public:
     /// The revision since which the tree of this node has its shape: results of an older one are stale. 0
     /// where there is no such node.
     [[nodiscard]] quint64 shapeRevision(NodeId id) const;
-    /// Why the present parameters give no tree. Null where they give one, and as long as nobody knows.
+    /// Returns why the present parameters give no tree. Null if they give one, or if this is not known yet.
     [[nodiscard]] const Error* problem(NodeId id) const;
     /// The full result, or the error, of the present parameters is there.
     [[nodiscard]] bool isCurrent(NodeId id) const;
 
     [[nodiscard]] QString filePath() const { return m_filePath; }
     [[nodiscard]] bool isModified() const { return !m_history.isClean(); }
-    /// What saving writes.
+    /// The data that saving writes.
     [[nodiscard]] Project project() const { return {m_scene, m_extras}; }
     void setFilePath(const QString& path);
     /// Replaces everything (New, Open): clears undo, selection and results; emits changeReset.
     void reset(Scene scene, const QString& path, std::string extras = {});
-    /// What is open is nowhere on the disk, as after a recovery: modified, until saved.
+    /// Marks the document as modified until it is saved: it exists nowhere on the disk, as after a recovery.
     void markModified() { m_history.resetClean(); }
     void markSaved() { m_history.setClean(); }
     /// Not undoable. Unknown ids and out-of-range branches are dropped. Silent where nothing changes.
@@ -105,7 +105,7 @@ private:
     std::map<NodeId, quint64> m_shapeRevisions;
     UndoHistory m_history;
     QString m_filePath;
-    std::string m_extras; ///< of the project file, see Project
+    std::string m_extras; ///< unknown data of the project file, see Project
     quint64 m_revision = 0;
 };
 

@@ -1,5 +1,6 @@
 /// \file
-/// What the commands share. For the command families of this folder only; everybody else uses commands.h.
+/// Parts that the commands share. For the command families of this folder only; everybody else uses
+/// commands.h.
 #pragma once
 
 #include "core/qt/document/commands.h"
@@ -37,8 +38,8 @@ private:
     std::size_t m_bytes = 0;
 };
 
-/// One change of a document. Undo and redo are the same: swap() exchanges what the command holds and what the
-/// scene holds.
+/// One change of a document. Undo and redo are the same: swap() exchanges the command's data with the
+/// scene's.
 class DocumentCommand
 {
     Q_DECLARE_TR_FUNCTIONS(DocumentCommand)
@@ -150,7 +151,7 @@ void pushSet(Document& document, std::vector<typename SetCommand<Target>::Entry>
         document.push(std::make_unique<SetCommand<Target>>(document, std::move(entries), gesture, text));
 }
 
-/// Adds what is not there yet.
+/// Adds the item unless the list has it already.
 template <class T> void addOnce(std::vector<T>& list, const T& item)
 {
     if (std::find(list.begin(), list.end(), item) == list.end())
@@ -159,9 +160,9 @@ template <class T> void addOnce(std::vector<T>& list, const T& item)
 
 /// Errors: Unknown, Invalid (locked).
 Expected<void> checkEditable(const Scene& scene, NodeId id);
-/// An arm that may be changed. Errors: those of checkEditable; Invalid (no arm).
+/// Returns an arm that may be changed. Errors: those of checkEditable; Invalid (no arm).
 Expected<const Node*> editableArm(const Scene& scene, NodeId id);
-/// The nodes, each once. Errors: those of checkEditable.
+/// Returns the nodes, each once. Errors: those of checkEditable.
 Expected<std::vector<NodeId>> editable(const Scene& scene, const std::vector<NodeId>& ids);
 tl::unexpected<Error> unknownNode(NodeId id);
 

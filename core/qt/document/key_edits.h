@@ -1,6 +1,6 @@
 /// \file
-/// What can be done with keys of any tracks of any nodes. Each function is one step of undo, or none where
-/// nothing would change; errors are those of edit::setTracks and of tracks, and then nothing changes.
+/// Edits of keys in any tracks of any nodes. Each function is one step of undo, or none if nothing would
+/// change. Errors are those of edit::setTracks and of tracks, and then nothing changes.
 #pragma once
 
 #include "core/qt/document/commands.h"
@@ -30,7 +30,7 @@ struct CurveRef
 /// Keys by their times, ascending, each once. It may name keys that are gone: they count as not selected.
 using KeySelection = std::map<TrackRef, std::vector<Ticks>>;
 
-/// Where a time goes: scaled about the pivot, then moved.
+/// Maps times: scaled about the pivot, then moved.
 struct Retiming
 {
     Ticks pivot = 0;
@@ -52,12 +52,12 @@ namespace keys {
 
 /// Null where there is no such node or no key.
 NodeAnimation::TrackPtr find(const Scene& scene, const TrackRef& ref);
-/// What of it is there.
+/// Returns the part of the selection that exists.
 KeySelection existing(const Scene& scene, const KeySelection& selection);
 std::size_t count(const KeySelection& selection);
 /// First and last time; nothing where nothing is selected.
 std::optional<std::pair<Ticks, Ticks>> spanOf(const KeySelection& selection);
-/// Of all keys of these nodes, ascending, each time once.
+/// Returns the times of all keys of these nodes, ascending, each time once.
 std::vector<Ticks> timesOf(const Scene& scene, std::span<const NodeId> nodes);
 /// The time of a frame, and the nearest whole step (a frame, a second) to a time.
 Ticks ticksOfFrame(const TimelineSettings& settings, double frame);
@@ -96,7 +96,7 @@ Expected<void> replace(Document& document, const TrackRef& ref, const Key& key, 
 Expected<void> changeOrientations(Document& document, const KeySelection& selection,
                                   const std::function<glm::dquat(const glm::dquat&)>& change,
                                   const QString& text, GestureId gesture = 0);
-/// Of every track with a selected key.
+/// Sets the extrapolation of every track with a selected key.
 Expected<void> extrapolate(Document& document, const KeySelection& selection, bool before, bool behind,
                            Extrapolation extrapolation);
 

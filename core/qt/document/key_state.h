@@ -13,7 +13,7 @@ enum class KeyState : std::uint8_t {
     Here,     ///< a key at the frame on show, of every node
 };
 
-/// May have keys: what the parameter table marks so, and the placement of a node.
+/// True for parameters that may have keys, as the parameter table says, and for the placement of a node.
 bool isKeyable(const ParamDef& def);
 
 } // namespace ramure

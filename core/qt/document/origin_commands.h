@@ -1,12 +1,12 @@
 /// \file
-/// Where a node came from.
+/// Commands that change where a node came from.
 #pragma once
 
 #include "core/qt/document/document.h"
 
 namespace ramure::edit {
 
-/// What a node is called, and the preset that its parameters go back to. One step of undo with this text.
+/// Sets a node's name and the preset that its parameters can be reset to. One step of undo with this text.
 /// Errors: as of setNodeName.
 Expected<void> setNodeOrigin(Document& document, NodeId node, const std::string& name,
                              const std::string& preset, const QString& text);

@@ -1,5 +1,5 @@
 /// \file
-/// What is selected: nodes, and branches of one tree node. Not part of undo.
+/// The selection: nodes, and branches of one tree node. Not part of undo.
 #pragma once
 
 #include "core/base/index.h"

@@ -1,5 +1,6 @@
 /// \file
-/// Where the joints of an arm are for given angles, and how its tip moves with each of them (SPEC C1, C2).
+/// Computes the places of an arm's joints for given angles, and how its tip moves with each of them (SPEC C1,
+/// C2).
 ///
 /// The arm's own space: the foot at the origin, Z up. Joint j turns by R_axis(phi) * R_Y(theta) and goes on
 /// along its own Z. Angles stand in one row: phi and theta of joint 0, phi and theta of joint 1 ...

@@ -11,21 +11,21 @@
 
 namespace ramure {
 
-/// What an arm is told for a time.
+/// The inputs of an arm at one time.
 struct ArmGiven
 {
     std::vector<ArmJoint> joints;
-    std::optional<glm::dvec3> target;  ///< its own space; nothing: the arm is where its joints' angles say
+    std::optional<glm::dvec3> target;  ///< its own space; nothing: the joints' angles alone decide
     std::vector<unsigned char> pinned; ///< by angle: it is the joint's, whatever the target
 };
 
 /// The arm at one time.
 struct ArmMoment
 {
-    std::vector<ArmJoint> joints; ///< of then, with the angles of then
+    std::vector<ArmJoint> joints; ///< at that time, with its angles
     std::vector<double> angles;
     std::optional<glm::dvec3> target;
-    ArmFigures figures;           ///< of the solver at the tick before
+    ArmFigures figures;           ///< the solver's figures at the tick before
     double residual = 0.0;        ///< m, from the arm's own tip, not the solver's, to the target
     std::vector<float> residuals; ///< m, the same by ticks up to this one; the last 4096 at most
 };

@@ -21,9 +21,9 @@ public:
     /// Stands at the joints' angles. \pre checkArm
     ArmMotion(std::span<const ArmJoint> joints, const ArmSolverParams& params);
 
-    /// The joints from the next tick on; the angles are those of the arm, but of \p pinned ones, which the
-    /// solver leaves alone: they are where the joints are. The same again changes nothing.
-    /// \pre checkArm; as many as before
+    /// Sets the joints from the next tick on. Their angles stay those of the arm. Angles that are \p pinned
+    /// are taken from \p joints, and the solver leaves them alone. Setting the same joints again changes
+    /// nothing. \pre checkArm; as many as before
     void setJoints(std::span<const ArmJoint> joints, std::span<const unsigned char> pinned);
     /// Counts from the next tick on. The same target again changes nothing. In the arm's own space.
     void setTarget(const glm::dvec3& target);

@@ -7,7 +7,6 @@
 #include "core/surface/mesh/normals.h"
 #include "core/surface/primitives/primitive_mesh.h"
 #include <algorithm>
-#include <cmath>
 #include <glm/common.hpp>
 
 namespace ramure {

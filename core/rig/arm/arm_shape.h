@@ -1,5 +1,5 @@
 /// \file
-/// What is seen of an arm: a mesh around the straight arm, and which segments its vertices follow.
+/// The visible shape of an arm: a mesh around the straight arm, and the segments that its vertices follow.
 #pragma once
 
 #include "core/params/node_params.h"
@@ -19,7 +19,7 @@ enum class ArmPart : std::uint8_t {
     Skin, ///< the bound mesh, or the cylinder of SPEC C3
     Rods, ///< joints and rods
 };
-/// What the arm's parameters show.
+/// Returns the part that the parameters let be seen.
 inline ArmPart shownArmPart(const NodeParams& params)
 {
     return params.armSkin.shown ? ArmPart::Skin : ArmPart::Rods;

@@ -2,11 +2,11 @@
 /// Inverse kinematics of an arm, one step at a time, so that the approach can be shown and stepped through.
 ///
 /// Transpose: angles += gain * transposed J * (target - tip), then clamped to the limits (SPEC C2).
-/// LeastSquares: Levenberg-Marquardt; angles that a step would push through a limit are put on it and the
-/// others are solved again (an active set). Where that is stuck (a straight arm, a minimum behind a limit),
-/// further starts are tried, from the arm stretched towards the target and from random angles (the same ones
-/// every time); the arm only follows those that come nearer. Targets out of reach are drawn in to 0.999 of
-/// the reach, else the stretched arm would thrash.
+/// LeastSquares: Levenberg-Marquardt. An angle that a step would push through a limit is put on the limit,
+/// and the others are solved again (an active set). If the solver is stuck (a straight arm, a minimum behind
+/// a limit), it tries further starts: from the arm stretched towards the target and from random angles (the
+/// same ones every time). The arm only follows starts that come nearer. Targets out of reach are drawn in to
+/// 0.999 of the reach, else the stretched arm would thrash.
 #pragma once
 
 #include "core/rig/arm/arm_chain.h"
@@ -25,17 +25,17 @@ enum class ArmLimit : std::int8_t { Lower = -1, Free = 0, Upper = 1 };
 /// ArmFigures keeps no more residuals than this.
 inline constexpr std::size_t mostResiduals = 4096;
 
-/// What happened since the target was set.
+/// Figures since the target was set.
 struct ArmFigures
 {
     ArmStatus status = ArmStatus::Moving;
     double residual = 0.0;  ///< m, from the tip to the target
-    std::int64_t steps = 0; ///< all iterations, those of further starts too
+    std::int64_t steps = 0; ///< all iterations, including further starts
     int starts = 0;         ///< further starts from random angles
     std::vector<float>
         residuals; ///< m, before the first call of step() and after each; at most mostResiduals
 
-    /// m short of a target that is not reached; 0 where it is, or where nobody knows yet.
+    /// m short of a target that is not reached; 0 if it is reached, or if this is not known yet.
     [[nodiscard]] double shortBy() const { return status == ArmStatus::Settled ? residual : 0.0; }
 };
 
@@ -69,7 +69,7 @@ public:
     [[nodiscard]] ArmLimit limit(std::size_t angle) const;
 
 private:
-    /// What one iteration needs and changes.
+    /// Data and state of one iteration.
     struct Attempt
     {
         std::vector<double> angles;
@@ -102,7 +102,7 @@ private:
     ArmChain m_trial; ///< at angles that are tried
     std::vector<double> m_angles;
     std::optional<glm::dvec3> m_target;
-    glm::dvec3 m_aim{0.0}; ///< the target, drawn in where it is out of reach
+    glm::dvec3 m_aim{0.0}; ///< the target, drawn in if it is out of reach
     ArmFigures m_figures;
     Phase m_phase = Phase::Done;
     int m_polish = 0;

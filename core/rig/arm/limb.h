@@ -1,7 +1,7 @@
 /// \file
-/// Inverse kinematics on a chain of branches: the hand drags a twig, the limb it grows on follows, thin
-/// branches more than thick ones. The same damped least squares as an arm's, each branch turning any way
-/// about its start. What comes out are bends (core/skeleton/bend.h).
+/// Inverse kinematics on a chain of branches: the hand drags a twig and the limb it grows on follows, thin
+/// branches more than thick ones. It uses the same damped least squares as an arm; each branch turns any way
+/// about its start. The results are bends (core/skeleton/bend.h).
 #pragma once
 
 #include "core/skeleton/skeleton.h"
@@ -12,14 +12,14 @@ namespace ramure {
 
 struct LimbOptions
 {
-    std::size_t branches = 8; ///< as many turn, from the grabbed one towards the root
+    std::size_t branches = 8; ///< number of branches that turn, from the grabbed one towards the root
     /// A branch gives way in proportion to length / radius^stiffness: 0 = all alike, 4 = as beams do.
     double stiffness = 2.0;
-    double mostTurnRad = 1.0471975511965976; ///< that a branch turns from where it was; 60 degrees
+    double mostTurnRad = 1.0471975511965976; ///< most turn of a branch from its start, rad; 60 degrees
 };
 
-/// How many branches, from \p branch towards the root, a light pull may turn: what is thicker than twice that
-/// branch stays, and so does the root with all below. 0 for the root itself. \pre \p branch exists
+/// Returns how many branches, from \p branch towards the root, a light pull may turn. Branches thicker than
+/// twice that branch stay, and so does the root with all below. 0 for the root itself. \pre \p branch exists
 std::size_t limbLength(const Skeleton& skeleton, Index branch);
 
 class Limb
@@ -62,7 +62,7 @@ private:
     Chain m_atGrab, m_links;
     double m_mostTurn;
     glm::dvec3 m_foot{0.0};                   ///< start of the first link
-    glm::dquat m_carried{1.0, 0.0, 0.0, 0.0}; ///< by what the branches below the chain turn it
+    glm::dquat m_carried{1.0, 0.0, 0.0, 0.0}; ///< turn by the branches below the chain
     double m_reach = 0.0;
     std::vector<glm::dvec3> m_points;
     std::vector<glm::dquat> m_before;

@@ -1,7 +1,6 @@
 #include "core/rig/physics/fruit_swing.h"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
 
 namespace ramure {

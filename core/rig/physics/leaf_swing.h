@@ -51,7 +51,7 @@ private:
 
     BarkAnchors m_anchors;
     Deformer m_deformer;
-    std::vector<glm::vec3> m_corners; ///< those of the anchors as they are now
+    std::vector<glm::vec3> m_corners; ///< current corners of the anchors
     double m_reach = 0.0;
     double m_hertz = 1.0; ///< at which leaves swing by themselves, at stiffness 1
     double m_drag = 1.0;  ///< by the area of a leaf
@@ -63,7 +63,7 @@ private:
     // By leaf. Directions at rest: of the petiole, and of the upper side.
     std::vector<float> m_alongX, m_alongY, m_alongZ, m_upperX, m_upperY, m_upperZ;
     std::vector<float> m_give;       ///< how far a load turns it, about 1
-    std::vector<float> m_sin, m_cos; ///< of the phase that it flutters with
+    std::vector<float> m_sin, m_cos; ///< phase of its flutter
     std::vector<glm::dvec3> m_foot;
     TreeBody m_places; ///< the twigs as the wind sees them: places alone
     WindField m_wind;

@@ -2,8 +2,8 @@
 /// A run of tree physics that can be entered anywhere (ANIMATION 4.9): fixed steps, checkpoints, and the last
 /// states in full. Straight play and any order of seeks give the same bits.
 ///
-/// A state is kept under a hash of the body and of all that steered the run before it: an edit at step s
-/// makes stale only what comes after s, and taking the edit back makes it good again.
+/// A state is kept under a hash of the body and of all inputs of the run before it. An edit at step s makes
+/// only later states stale, and taking the edit back makes them good again.
 #pragma once
 
 #include "core/base/error.h"
@@ -39,7 +39,7 @@ struct PhysicsCacheOptions
     int checkpointSteps = 0;
     int ringStates = 64; ///< the last states, for single steps back
     std::size_t memoryBytes = std::size_t(512)
-                              << 20; ///< of all states together; the ring takes a quarter at most
+                              << 20; ///< memory for all states together; the ring takes a quarter at most
 };
 
 class PhysicsCache
@@ -58,8 +58,8 @@ public:
     [[nodiscard]] const PhysicsParams& params() const { return m_script.paramsAt(step()); }
     [[nodiscard]] const PhysicsScript& script() const { return m_script; }
 
-    /// Errors: Invalid (negative or above maxPhysicsSteps), Cancelled: then the present step is one on the
-    /// way, and what was computed is kept.
+    /// Errors: Invalid (negative or above maxPhysicsSteps), Cancelled. After a cancel the present step is one
+    /// on the way, and the computed states are kept.
     Expected<void> seek(std::int64_t step, const Progress& progress = {});
     /// round(T / step length), clamped to 0 .. maxPhysicsSteps.
     [[nodiscard]] std::int64_t stepAt(double timeSeconds) const;
@@ -84,7 +84,7 @@ public:
 
     /// All states go; the script and the present state stay.
     void clearStates();
-    [[nodiscard]] std::size_t bytes() const { return m_bytes; } ///< of all states kept
+    [[nodiscard]] std::size_t bytes() const { return m_bytes; } ///< memory of the kept states
     void setMemoryLimit(std::size_t bytes);
     [[nodiscard]] int checkpointSteps() const { return m_checkpointSteps; } ///< present distance
 
@@ -120,7 +120,7 @@ private:
     States m_states;                                 ///< checkpoints and ring
     std::deque<std::int64_t> m_ring;                 ///< steps of the last states, oldest first
     std::unique_ptr<PhysicsState> m_spare;           ///< memory of a state let go, for the next one
-    mutable std::optional<std::int64_t> m_lastValid; ///< among m_states, where it is known
+    mutable std::optional<std::int64_t> m_lastValid; ///< index in m_states, if known
     int m_checkpointSteps;
     std::size_t m_bytes = 0;
 };

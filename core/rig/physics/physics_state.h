@@ -19,7 +19,7 @@ struct LooseApple
 {
     Index apple = 0; ///< position in Foliage::apples
     bool resting = false;
-    glm::dvec3 position{0.0}; ///< of its centre, tree space, m
+    glm::dvec3 position{0.0}; ///< place of the centre, tree space, m
     glm::dquat orientation{1.0, 0.0, 0.0, 0.0};
     glm::dvec3 velocity{0.0}; ///< m/s
     glm::dvec3 spin{0.0};     ///< rad/s
@@ -38,7 +38,7 @@ struct FallingLimb
 {
     LimbPhase phase = LimbPhase::Hanging;
     std::int64_t calm = 0;                   ///< steps that it has hardly moved
-    glm::dvec3 centre{0.0};                  ///< of its mass, tree space, m
+    glm::dvec3 centre{0.0};                  ///< centre of mass, tree space, m
     glm::dquat rotation{1.0, 0.0, 0.0, 0.0}; ///< from rest
     glm::dvec3 velocity{0.0};                ///< m/s
     glm::dvec3 spin{0.0};                    ///< rad/s
@@ -48,7 +48,7 @@ struct FallingLimb
 /// The hand that pulls a branch: a spring from a point of the branch to a target.
 struct Pull
 {
-    Index branch = 0;       ///< of the skeleton
+    Index branch = 0;       ///< index in the skeleton
     double along = 1.0;     ///< 0 at p0 .. 1 at p1
     glm::dvec3 target{0.0}; ///< tree space, m
     double strength = 1.0;  ///< 0 .. 100; 1 bends a twig easily and a trunk a little
@@ -97,7 +97,7 @@ struct PhysicsState
     Index slotCount = 0;
     std::vector<double> values;     ///< channels * slots
     std::vector<LooseApple> loose;  ///< in the order in which they fell
-    std::vector<FallingLimb> limbs; ///< those of TreeBody::limbs
+    std::vector<FallingLimb> limbs; ///< one for each of TreeBody::limbs
 
     [[nodiscard]] std::span<double> channel(int c)
     {
@@ -115,7 +115,7 @@ struct PhysicsState
     bool operator==(const PhysicsState&) const = default;
 };
 
-/// What the plot, the command line and the tests show of a run.
+/// Figures of a run for the plot, the command line and the tests.
 struct PhysicsFigures
 {
     double lengthError = 0.0;    ///< worst | |p1 - p0| / rest length - 1 |

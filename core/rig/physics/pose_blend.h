@@ -7,8 +7,8 @@
 
 namespace ramure {
 
-/// Turns each bone of \p pose the share \p weight (0..1) of the shorter way towards that of \p other; what
-/// grows on a branch goes along with its end, so that lengths stay exact and joints closed. The time stays.
+/// Turns each bone of \p pose by the share \p weight (0..1) of the shorter way towards that of \p other.
+/// Children follow the end of their branch, so that lengths stay exact and joints closed. The time stays.
 /// \pre both have a bone per branch of the body.
 void blendPose(const TreeBody& body, const Pose& other, double weight, Pose& pose);
 

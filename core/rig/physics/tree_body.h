@@ -1,10 +1,8 @@
 /// \file
-/// What does not change while a tree moves: its branches at rest as flat arrays in an order made for
-/// stepping.
+/// The constant data of a moving tree: its branches at rest as flat arrays in an order made for stepping.
 ///
-/// Slots, not branches, are what the physics counts: slots are sorted by depth (all roots, then all their
-/// children,
-/// ...), so that parents stand first and the slots of one depth can be computed side by side.
+/// The physics counts slots, not branches. Slots are sorted by depth (all roots, then all their children,
+/// ...), so parents come first and the slots of one depth can be computed side by side.
 #pragma once
 
 #include "core/base/index.h"
@@ -22,10 +20,11 @@ struct LooseBody
     Index root = noIndex;  ///< slot
     Index stump = noIndex; ///< slot; noIndex: it stands on nothing
     double seconds = 0.0;
-    glm::dvec3 centre{0.0};  ///< of mass, at rest
+    glm::dvec3 centre{0.0};  ///< centre of mass at rest
     glm::dmat3 inertia{1.0}; ///< about it, m²: of a body of 1 kg
-    glm::dvec3 foot{0.0};    ///< where it was cut
-    /// What touches the ground: balls around its ends, of no size around its foot; from the centre, at rest.
+    glm::dvec3 foot{0.0};    ///< place of the cut
+    /// The balls that touch the ground: with a radius around its ends, with radius 0 around its foot. Places
+    /// are relative to the centre, at rest.
     std::vector<std::pair<glm::dvec3, double>> balls;
 };
 
@@ -58,9 +57,8 @@ struct TreeBody
     [[nodiscard]] Index size() const { return static_cast<Index>(parent.size()); }
 };
 
-/// \param skeleton the one that the mesh is made of (simplified). \param foliage may be null: no apples.
-/// \param alpha the grammar's length (TurtleParams::alpha): what the size of apples is
-/// a share of (fruitRadius).
+/// \param skeleton the simplified skeleton from which the mesh is made \param foliage may be null: no apples
+/// \param alpha the grammar's length (TurtleParams::alpha), which scales apples (fruitRadius)
 std::shared_ptr<const TreeBody> makeTreeBody(const Skeleton& skeleton, const Foliage* foliage, double alpha);
 
 } // namespace ramure

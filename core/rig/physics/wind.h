@@ -17,8 +17,8 @@ glm::dvec3 faithfulWind(const PhysicsParams& params, double timeSeconds);
 /// Mean velocity in m/s at strength 1 of the robust wind.
 inline constexpr double robustWindSpeed = 4.0;
 
-/// Sum of plane waves, gusts along the wind and turbulence across, with phases from the seed. Where a branch
-/// stands enters once: after that a step costs two products a wave.
+/// A sum of plane waves with phases from the seed: gusts along the wind and turbulence across it. The place
+/// of a branch enters once; after that a step costs two products per wave.
 class WindField
 {
 public:
@@ -28,12 +28,12 @@ public:
 
     WindField() = default;
     WindField(const TreeBody& body, const PhysicsParams& params) { setParams(body, params); }
-    /// At the middle of every branch of the body at rest. Where seed and direction stay, this is next to
-    /// nothing: but for those \p body has to be the same each time.
+    /// Sets the wind at the middle of every branch of the body at rest. The call costs almost nothing if seed
+    /// and direction stay the same; then \p body must be the same, too.
     void setParams(const TreeBody& body, const PhysicsParams& params);
 
-    /// What one moment needs: velocity at a slot = mean + sum over w of vector[w] * (sine[w] * cosOf(w)[slot]
-    /// + ...).
+    /// The data of one moment: velocity at a slot = mean + sum over w of vector[w] * (sine[w] *
+    /// cosOf(w)[slot] + ...).
     struct Moment
     {
         glm::dvec3 mean{0.0};
@@ -55,7 +55,7 @@ private:
     struct Wave
     {
         glm::dvec3 amplitude{0.0};  ///< m/s
-        glm::dvec3 direction{0.0};  ///< of the eddy's velocity, of length 1
+        glm::dvec3 direction{0.0};  ///< direction of the eddy's velocity, unit length
         glm::dvec3 waveVector{0.0}; ///< rad/m
         double pulsation = 0.0;     ///< rad/s
         double phase = 0.0;

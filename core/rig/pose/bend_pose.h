@@ -9,8 +9,8 @@
 
 namespace ramure {
 
-/// How each branch moves when those of \p skeleton, made with \p fromRad, are turned by \p toRad instead.
-/// \param fromRad, toRad bends, one per branch, see core/skeleton/bend.h
+/// Returns how each branch moves if the branches of \p skeleton, made with \p fromRad, are turned by \p toRad
+/// instead. \param fromRad, toRad bends, one per branch, see core/skeleton/bend.h
 std::vector<RigidTransform> bendPose(const Skeleton& skeleton, std::span<const glm::dvec3> fromRad,
                                      std::span<const glm::dvec3> toRad);
 

@@ -27,11 +27,4 @@ RigidTransform turnAbout(const glm::dvec3& pivot, const glm::dquat& rotation)
     return {rotation, pivot - rotation * pivot};
 }
 
-Pose restPose(std::size_t bones)
-{
-    Pose pose;
-    pose.bones.resize(bones);
-    return pose;
-}
-
 } // namespace ramure

@@ -1,6 +1,6 @@
 /// \file
-/// Where the bones of a skeleton are at one time: one rigid transform per bone, in the space of the skeleton
-/// (tree space for a tree), measured from its rest. A skin needs nothing else.
+/// The pose of a skeleton at one time: one rigid transform per bone, in the space of the skeleton (tree space
+/// for a tree), measured from its rest. A skin needs nothing else.
 #pragma once
 
 #include <glm/gtc/quaternion.hpp>
@@ -27,7 +27,7 @@ struct RigidTransform
 /// First \p inner, then \p outer.
 RigidTransform operator*(const RigidTransform& outer, const RigidTransform& inner);
 
-/// Turned about \p pivot, which stays where it is.
+/// Returns a turn about \p pivot.
 RigidTransform turnAbout(const glm::dvec3& pivot, const glm::dquat& rotation);
 
 struct Pose
@@ -36,8 +36,5 @@ struct Pose
     std::vector<RigidTransform> bones; ///< by bone (of a tree: by branch of the simplified skeleton)
     bool operator==(const Pose&) const = default;
 };
-
-/// All bones at rest.
-Pose restPose(std::size_t bones);
 
 } // namespace ramure

@@ -3,7 +3,7 @@
 #include "core/base/parallel.h"
 #include "core/math/hermite.h"
 #include "core/skeleton/sections.h"
-#include "core/surface/mesher/bark_place.h"
+#include "core/surface/foliage/bark_place.h"
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>

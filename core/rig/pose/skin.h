@@ -65,9 +65,9 @@ struct BarkAnchors
 Expected<BarkAnchors> bindAnchors(std::span<const FoliageItem> items, const BranchMesh& branches,
                                   const Skeleton& skeleton, const Skin& bark);
 
-/// The skin of leaves or apples: each piece follows, as a whole, what the branch's skin follows at the place
-/// of its anchor. \param items that the mesh was made from, in their order, equally many vertices each.
-/// \param smooth as in bindBranches. Errors: Invalid as above.
+/// Makes the skin of leaves or apples: each piece follows as a whole the skin of its branch at the place of
+/// its anchor. \param items from which the mesh was made, in their order, equally many vertices each \param
+/// smooth as in bindBranches. Errors: Invalid as above.
 Expected<Skin> bindFoliage(const TriangleMesh& mesh, std::span<const FoliageItem> items,
                            const BranchMesh& branches, const Skeleton& skeleton, bool smooth);
 

@@ -1,6 +1,5 @@
 #include "core/rig/tracks/channel.h"
 
-#include <algorithm>
 #include <array>
 #include <charconv>
 

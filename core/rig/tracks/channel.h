@@ -34,7 +34,7 @@ struct Channel
 {
     ChannelPart part = ChannelPart::GlobalTranslation;
     std::uint8_t component = 0; ///< 0, 1, 2 = x, y, z; of joints which one, from the foot on; else 0
-    ParamId param = 0;          ///< of ChannelPart::Parameter; of joints the row of their table
+    ParamId param = 0;          ///< parameter, for ChannelPart::Parameter; for joints the row of their table
     auto operator<=>(const Channel&) const = default;
 
     [[nodiscard]] bool isOrientation() const
@@ -55,7 +55,7 @@ struct Channel
     }
 };
 
-/// All channels a node of this kind may have, in order; without those of joints.
+/// Returns all channels that a node of this kind may have, in order, without those of joints.
 std::vector<Channel> channelsOf(NodeKind kind);
 /// All numbers of one joint.
 std::vector<Channel> jointChannels(std::size_t joint);
@@ -67,8 +67,9 @@ bool hasChannel(NodeKind kind, const Channel& channel);
 std::string channelKey(const Channel& channel);
 /// Error: Unknown, where no channel of this kind of node has this key.
 Expected<Channel> channelFromKey(std::string_view key, NodeKind kind);
-/// What the channel has where nothing moves it: 0 of translations, 1 of scales, the parameter's value. Not
-/// for orientations, which rest at the identity; 0 of joints that the arm has not.
+/// Returns the value of a channel without a track: 0 for translations, 1 for scales, the parameter's value
+/// for parameters, 0 for joints that the arm does not have. Orientations are excluded; they rest at the
+/// identity.
 double restValue(const NodeParams& params, const Channel& channel);
 
 /// \name Keys of tracks of either kind

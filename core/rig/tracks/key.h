@@ -36,8 +36,8 @@ inline constexpr int easingCount = 4;
 
 /// How a Bezier handle is placed.
 enum class HandleType : std::uint8_t {
-    Free,        ///< where it was put
-    Aligned,     ///< where it was put, on one line with the other
+    Free,        ///< stays where it was put
+    Aligned,     ///< stays where it was put, in line with the other handle
     Vector,      ///< a third of the way to the neighbour
     Auto,        ///< smooth, may overshoot
     AutoClamped, ///< smooth, never beyond the values of the keys (Blender's default)
@@ -52,17 +52,17 @@ struct Handle
     bool operator==(const Handle&) const = default;
 };
 
-/// What keys of every kind of track have in common.
+/// The members that keys of all tracks share.
 struct KeyShape
 {
     Ticks time = 0;
-    KeyMode mode = KeyMode::Bezier; ///< of the way to the next key
+    KeyMode mode = KeyMode::Bezier; ///< the way to the next key
     Easing easing = Easing::Auto;
     HandleType before = HandleType::AutoClamped;
     HandleType behind = HandleType::AutoClamped;
-    double back = 1.70158;      ///< of Back: how far it overshoots
-    double amplitude = 0.8;     ///< of Elastic: in units of the value; 0 = as large as the change
-    double period = 4.1 / 24.0; ///< of Elastic: seconds; 0 = 0.3 of the way (InOut: 0.45)
+    double back = 1.70158;      ///< for Back: how far it overshoots
+    double amplitude = 0.8;     ///< for Elastic: in units of the value; 0 = as large as the change
+    double period = 4.1 / 24.0; ///< for Elastic: seconds; 0 = 0.3 of the way (InOut: 0.45)
     bool operator==(const KeyShape&) const = default;
 };
 
@@ -76,7 +76,7 @@ struct Key : KeyShape
 struct OrientationKey : KeyShape
 {
     glm::dquat value{1.0, 0.0, 0.0, 0.0}; ///< unit; the sign is chosen by the track
-    std::array<Handle, 4> in{}, out{};    ///< of w, x, y, z; used where the track blends by components
+    std::array<Handle, 4> in{}, out{};    ///< handles of w, x, y, z; used if the track blends by components
     bool operator==(const OrientationKey&) const = default;
 };
 

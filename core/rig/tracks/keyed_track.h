@@ -1,5 +1,5 @@
 /// \file
-/// One more key in a track: what the gizmo, fields that make keys and auto-key have in common.
+/// Adds a key to a track, for the gizmo, fields that make keys and auto-key.
 #pragma once
 
 #include "core/rig/tracks/node_animation.h"

@@ -1,5 +1,5 @@
 /// \file
-/// All tracks of one node, and what they make of it at a time.
+/// All tracks of one node, and the values they give at a time.
 #pragma once
 
 #include "core/rig/tracks/channel.h"
@@ -17,7 +17,7 @@ public:
 
     [[nodiscard]] const std::map<Channel, TrackPtr>& tracks() const { return m_tracks; }
     [[nodiscard]] bool empty() const { return m_tracks.empty(); }
-    /// Null where the channel has no track. Of an orientation channel always an OrientationTrack, of others
+    /// Null if the channel has no track. An orientation channel always gives an OrientationTrack, the others
     /// always a Track.
     [[nodiscard]] TrackPtr find(const Channel& channel) const;
     /// A track without keys, or null, is none: the channel rests. \pre the kind of track fits the channel.
@@ -36,8 +36,9 @@ private:
 /// Translation, orientation and scale at a time, composed T * R * S, each once (SPEC B1). Channels without a
 /// track rest (0, identity, 1). \param first GlobalTranslation or LocalTranslation.
 glm::dmat4 transformAt(const NodeAnimation& animation, ChannelPart first, double seconds);
-/// The parameters at a time: those with tracks take their values, kept within the hard range, whole numbers
-/// rounded. Of joints: what settleAngle leaves; tracks of joints that the arm has not count for nothing.
+/// Returns the parameters at a time. Those with tracks take the track's value, kept within the hard range;
+/// whole numbers are rounded. Joints are settled by settleAngle. Tracks of joints that the arm does not have
+/// are ignored.
 NodeParams paramsAt(const NodeParams& params, const NodeAnimation& animation, double seconds);
 /// The joints alone, as paramsAt.
 void moveJoints(std::vector<ArmJoint>& joints, const NodeAnimation& animation, double seconds);

@@ -1,6 +1,6 @@
 /// \file
-/// The frames of a scene: how many a second, from which to which, and what happens at the end. Saved in the
-/// project. What time it is belongs to the player, not to the scene.
+/// The frames of a scene: how many per second, the first and the last one, and the behaviour at the end.
+/// Saved in the project. The present time belongs to the player, not to the scene.
 #pragma once
 
 #include "core/base/error.h"

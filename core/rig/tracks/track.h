@@ -14,7 +14,7 @@
 
 namespace ramure {
 
-/// What a track gives before its first key and behind its last one.
+/// The values of a track before its first key and behind its last one.
 enum class Extrapolation : std::uint8_t {
     Hold,
     Linear,       ///< on along the curve; where that has no direction (one key, CONSTANT, easings): hold
@@ -30,20 +30,20 @@ const char* extrapolationName(Extrapolation extrapolation);
 enum class OrientationBlend : std::uint8_t {
     Spherical,  ///< slerp, KeyMode::Cubic a smooth squad; KeyMode::Bezier always goes by components
     Classic,    ///< the same, but KeyMode::Cubic by components, made a unit again (SPEC B1)
-    Components, ///< as Blender's four curves: everything by components, made a unit again
+    Components, ///< like Blender's four curves: each component alone, then normalised
 };
 inline constexpr int orientationBlendCount = 3;
 /// "spherical", "classic", "components": the names in files.
 const char* orientationBlendName(OrientationBlend blend);
 
-/// Remembers where a track was looked at last: the next time is usually in the same segment or the next one.
-/// Of one thread; of any track.
+/// Remembers the last segment that was read: the next time is usually in the same segment or the next one. A
+/// cursor belongs to one thread; it serves any track.
 struct TrackCursor
 {
     std::size_t segment = 0;
 };
 
-/// What tracks of every kind are and do. KeyType: Key or OrientationKey.
+/// The members and functions that tracks of all kinds share. KeyType: Key or OrientationKey.
 template <class KeyType> class KeyTrack
 {
 public:
@@ -78,7 +78,7 @@ public:
     Extrapolation behind = Extrapolation::Hold;
     /// Above 0: the time is taken modulo this period, from 0 s on, before anything else.
     Ticks loop = 0;
-    OrientationBlend blend = OrientationBlend::Spherical; ///< of orientations only
+    OrientationBlend blend = OrientationBlend::Spherical; ///< only for orientations
 
     bool operator==(const KeyTrack& other) const
     {

@@ -12,7 +12,7 @@ const NodeKindRow cameraKind = {
     .label = RAMURE_NOOP("Camera"),
     .addId = "edit.addCamera",
     .addText = RAMURE_NOOP("&Camera"),
-    .addTip = RAMURE_NOOP("Add a camera that sees what the view shows"),
+    .addTip = RAMURE_NOOP("Add a camera with the present view"),
 };
 
 } // namespace ramure

@@ -17,21 +17,22 @@ namespace ramure {
 
 using SharedMesh = std::shared_ptr<const TriangleMesh>;
 
-/// Texts are English, context "core". Where a function is null the kind has nothing of this.
+/// Describes one kind of node. Texts are English, context "core". A null function means that the kind lacks
+/// this.
 struct NodeKindRow
 {
     NodeKind kind = NodeKind::Group;
     const char* name = "";  ///< in project files: "terrain"
-    const char* icon = "";  ///< of resources/icons
+    const char* icon = "";  ///< file in resources/icons
     const char* word = "";  ///< behind a verb: Delete "terrain"
     const char* tip = "";   ///< "Terrain: %1", with the node's name
-    const char* label = ""; ///< what one is called that the action below has added
+    const char* label = ""; ///< name of a node that the action below adds
     const char* many = "";  ///< heads their count; empty: they have no shape, or parts that are counted
     /// The action that adds a node of this kind. Empty if it is added by a preset, a shape or an import.
     const char *addId = "", *addText = "", *addTip = nullptr;
     void (*begin)(NodeParams& params) = nullptr; ///< how a new one differs from the defaults
-    /// Makes the mesh to look at, with normals. \param own the mesh that the node keeps, may be null; \param
-    /// params those of the time. The result is null if there is nothing to show.
+    /// Makes the mesh to look at, with normals. \param own the mesh that the node keeps, may be null \param
+    /// params at the time. The result is null if there is nothing to show.
     SharedMesh (*look)(const NodeParams& params, const SharedMesh& own) = nullptr;
     /// Makes the mesh for files and checks, closed where it can be, from the same two.
     Expected<SharedMesh> (*solid)(const NodeParams& params, const SharedMesh& own) = nullptr;

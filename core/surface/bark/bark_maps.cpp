@@ -11,6 +11,9 @@ namespace {
 
 using Heights = std::vector<float>;
 
+constexpr float mostShade = 0.75f;                  ///< of the light of the sky: what the deepest crack loses
+constexpr float leastTone = 0.25f, mostTone = 3.0f; ///< of what a picture's colour is multiplied by
+
 std::uint8_t byteOf(float value)
 {
     return static_cast<std::uint8_t>(255.0f * glm::clamp(value, 0.0f, 1.0f) + 0.5f);
@@ -88,9 +91,11 @@ public:
         // colour.
         const glm::vec3 crack = glm::mix(m_look.crack, m_look.ridge, 0.3f);
         glm::vec3 colour = glm::mix(crack, m_look.ridge, glm::smoothstep(0.0f, 1.0f, height));
-        const float wide = fractalNoise(place, {3, 4}, 3, m_seed + 421u);
-        colour *= 1.0f + m_look.variety * (sample.tint + 0.8f * wide) + 0.09f * grain;
-        colour += glm::vec3(0.020f, 0.0f, -0.024f) * wide; // weathered grey and fresh brown
+        // Nothing wider than a few plates: the tile would show. What is wider is of the tree (barkWeather).
+        const float wide = fractalNoise(place, {7, 9}, 3, m_seed + 421u);
+        colour *= 1.0f + m_look.variety * (sample.tint + 0.5f * wide) + 0.09f * grain;
+        colour +=
+            glm::vec3(0.030f, 0.004f, -0.030f) * (0.7f * wide + 0.5f * sample.tint); // fresh brown, grey
         colour = mossed(glm::mix(colour, m_look.mark, sample.mark), m_params, place, height, m_seed);
         return {height, colour * float(1.0 + m_params.light)};
     }
@@ -124,7 +129,7 @@ void addOcclusion(BarkMaps& maps, const Heights& heights)
     const float depth = 24.0f * maps.relief;
     for (std::size_t i = 0; i < heights.size(); ++i) {
         const float under = std::max(0.0f, close[i] - heights[i]) + std::max(0.0f, far[i] - heights[i]);
-        maps.occlusion.push_back(byteOf(1.0f - std::min(0.85f, depth * under)));
+        maps.occlusion.push_back(byteOf(1.0f - mostShade * depth * under / (mostShade + depth * under)));
     }
 }
 
@@ -145,6 +150,10 @@ Expected<BarkMaps> barkMaps(const BarkParams& params, int size, const Progress& 
     maps.young = youngColour(params);
     maps.youngRadius = look.youth.from;
     maps.oldRadius = look.youth.until;
+    maps.limb = glm::clamp(glm::vec3(limbColour(params)) / glm::max(glm::vec3(meanColour(params)), 1.0f),
+                           leastTone, mostTone);
+    maps.limbRadius = look.limbs.from;
+    maps.ripeRadius = look.limbs.until;
     const auto count = std::size_t(size) * std::size_t(size);
     Heights heights;
     heights.reserve(count);
@@ -167,14 +176,60 @@ Expected<BarkMaps> barkMaps(const BarkParams& params, int size, const Progress& 
     maps.occlusion.reserve(count);
     addNormals(maps, heights);
     addOcclusion(maps, heights);
+    double grey = 0.0;
+    for (const glm::u8vec3& colour : maps.colour)
+        grey += double(colour.x) + double(colour.y) + double(colour.z);
+    maps.grey = float(grey / (3.0 * 255.0 * double(count)));
     return maps;
+}
+
+namespace {
+
+float ageShare(double radius, float from, float until)
+{
+    const double first = maths::log(double(from)), last = maths::log(double(until));
+    return glm::smoothstep(0.0F, 1.0F, float((maths::log(std::max(radius, 1e-6)) - first) / (last - first)));
+}
+
+/// Noise between the corners of a lattice of cubes, 0 .. 1.
+float latticeNoise(const glm::vec3& at, std::uint32_t seed)
+{
+    const glm::ivec3 base(floorOf(at.x), floorOf(at.y), floorOf(at.z));
+    const glm::vec3 in = at - glm::vec3(base), s = in * in * (3.0f - 2.0f * in);
+    const auto edge = [&](int y, int z) {
+        const std::uint32_t own = seed + std::uint32_t(base.z + z) * 0x27D4EB2Fu;
+        return glm::mix(share(latticeHash(base.x, base.y + y, own)),
+                        share(latticeHash(base.x + 1, base.y + y, own)), s.x);
+    };
+    return glm::mix(glm::mix(edge(0, 0), edge(1, 0), s.y), glm::mix(edge(0, 1), edge(1, 1), s.y), s.z);
+}
+
+} // namespace
+
+float barkWeather(const glm::vec3& place)
+{
+    // Longer along the trunk, as rain runs down; coordinates that no float tells apart are left alone.
+    const glm::vec3 at = glm::clamp(place, -1e4f, 1e4f) * glm::vec3(1.7f, 0.8f, 1.7f);
+    const float noise = 0.65f * latticeNoise(at, 1u) + 0.35f * latticeNoise(2.7f * at, 2u);
+    return glm::smoothstep(0.35f, 0.8f, noise);
 }
 
 float barkAge(BarkFamily family, double radius)
 {
     const BarkYouth& youth = barkLook(family).youth;
-    const double from = maths::log(double(youth.from)), until = maths::log(double(youth.until));
-    return glm::smoothstep(0.0F, 1.0F, float((maths::log(std::max(radius, 1e-6)) - from) / (until - from)));
+    return ageShare(radius, youth.from, youth.until);
+}
+
+float barkRipeness(BarkFamily family, double radius)
+{
+    const BarkOfLimbs& limbs = barkLook(family).limbs;
+    return limbs.colour.r < 0.0f ? 1.0f : ageShare(radius, limbs.from, limbs.until);
+}
+
+glm::u8vec3 limbColour(const BarkParams& params)
+{
+    const BarkOfLimbs& limbs = barkLook(params.family).limbs;
+    return limbs.colour.r < 0.0f ? meanColour(params) : bytesOf(limbs.colour * float(1.0 + params.light));
 }
 
 glm::u8vec3 youngColour(const BarkParams& params)

@@ -22,10 +22,14 @@ struct BarkMaps
     glm::u8vec3 young{}; ///< sRGB, of thin wood:
     float youngRadius = 0.0f,
           oldRadius = 0.0f; ///< m, up to which there is nothing else, and from which none is left
+    glm::vec3 limb{1.0f};   ///< multiplies the colour on limbs
+    float limbRadius = 1.0f,
+          ripeRadius = 2.0f; ///< m, up to which bark is that of limbs, and from which all of it is old
+    float grey = 0.5f;       ///< 0 .. 1, of colour on average
 };
 
 /// Raised when the same parameters give other pictures than before.
-inline constexpr int barkVersion = 7;
+inline constexpr int barkVersion = 8;
 inline constexpr int leastBarkSize = 16, mostBarkSize = 8192;
 
 /// Errors: Invalid (a size out of range; the family Plain, which has no picture), Cancelled.
@@ -34,6 +38,16 @@ Expected<BarkMaps> barkMaps(const BarkParams& params, int size, const Progress& 
 /// Returns how old the bark is on wood of this radius, m: 0 the skin of twigs, 1 bark. \pre The family is not
 /// Plain.
 float barkAge(BarkFamily family, double radius);
+/// Returns how old bark is where no skin of twigs is left: 0 that of limbs, 1 that of old trunks. \pre As
+/// above.
+float barkRipeness(BarkFamily family, double radius);
+/// Returns how far dirt, algae and weather have changed bark or skin at a place of the tree, m: 0 .. 1. Wide
+/// patches along the wood, which no tile repeats. mesh.vert has the same function.
+float barkWeather(const glm::vec3& place);
+/// Multiplies a colour (sRGB) on fully weathered bark.
+inline constexpr glm::vec3 weatheredBark{0.70f, 0.74f, 0.68f};
+/// Returns the mean colour of bark on limbs, sRGB. \pre As above.
+glm::u8vec3 limbColour(const BarkParams& params);
 /// Returns the colour of thin wood, sRGB. \pre The family is not Plain.
 glm::u8vec3 youngColour(const BarkParams& params);
 /// sRGB, of the colour map, about: from some of its places. \pre the family is not Plain.

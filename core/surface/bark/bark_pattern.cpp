@@ -78,21 +78,30 @@ RAMURE_WIDE_CLONE BarkSample platedBark(vec2 p, Seed seed)
 
 RAMURE_WIDE_CLONE BarkSample furrowedBark(vec2 p, Seed seed)
 {
-    // Furrows lean to the left and to the right and cross; where one closes, two ridges are one.
+    // Furrows lean to the left and to the right and cross; where one closes, two ridges are one. They are as
+    // wide as they like, and slope.
     constexpr float furrows = 5.0f;
-    const vec2 at = warped(p, {6, 7}, {0.035f, 0.03f}, 3, seed);
+    const vec2 at = warped(p, {5, 6}, {0.045f, 0.035f}, 3, seed);
     float away = 1.0f;
     for (const float lean : {1.0f, -1.0f}) {
         const Seed own = seed + (lean > 0.0f ? 31u : 37u);
-        const float x = furrows * at.x + lean * at.y + 0.6f * gradientNoise(p, {3, 2}, own);
-        const float closed = step(0.0f, 0.6f, gradientNoise(p, {5, 4}, own + 2u));
-        away = glm::min(away, 2.0f * std::abs(x - std::floor(x) - 0.5f) + 0.7f * closed);
+        const float x = furrows * at.x + lean * at.y + 0.7f * gradientNoise(p, {3, 2}, own);
+        const float closed = step(-0.1f, 0.5f, gradientNoise(p, {6, 5}, own + 2u));
+        away = glm::min(away, 2.0f * std::abs(x - std::floor(x) - 0.5f) + 0.8f * closed);
     }
-    const float fibres = fractalNoise(at, {24, 6}, 3, seed + 41u);
-    const float crest = glm::clamp(1.7f * (away + 0.12f * fibres), 0.0f, 1.0f);
-    const float cracks = std::abs(gradientNoise(at, {5, 24}, seed + 45u));
-    const float split = step(0.2f, 0.0f, cracks) * step(-0.1f, 0.4f, gradientNoise(p, {7, 6}, seed + 47u));
-    return {crest * (2.0f - crest) * (0.76f + 0.24f * fibres - 0.35f * split), 0.9f * fibres, 0.0f};
+    const float fibres = fractalNoise(at, {26, 5}, 3, seed + 41u),
+                wide = gradientNoise(p, {7, 5}, seed + 43u);
+    const float ridge = step(0.0f, 0.62f + 0.22f * wide, away + 0.2f * fibres);
+    // Ridges are rough: cracks along them and, seldom, across; scales that have come off.
+    const float along = step(0.11f, 0.0f, std::abs(gradientNoise(at, {15, 4}, seed + 45u))) *
+                        step(-0.3f, 0.3f, gradientNoise(p, {9, 8}, seed + 47u));
+    const float across = step(0.13f, 0.0f, std::abs(fractalNoise(at, {7, 15}, 2, seed + 49u))) *
+                         step(0.15f, 0.6f, gradientNoise(p, {8, 7}, seed + 53u));
+    const float scales = step(-0.08f, 0.08f, fractalNoise(at, {13, 9}, 2, seed + 55u));
+    const float top = 0.70f + 0.12f * scales + 0.22f * fibres - 0.26f * along - 0.26f * across;
+    return {glm::clamp(ridge * top + (1.0f - ridge) * (0.1f + 0.1f * fibres), 0.0f, 1.0f),
+            0.8f * fibres + 0.5f * wide + 0.5f * (scales - 0.5f),
+            0.3f * ridge * step(0.1f, 0.6f, fractalNoise(p, {7, 6}, 2, seed + 57u))};
 }
 
 RAMURE_WIDE_CLONE BarkSample scalyBark(vec2 p, Seed seed)
@@ -103,7 +112,7 @@ RAMURE_WIDE_CLONE BarkSample scalyBark(vec2 p, Seed seed)
     const vec2 at = warped(p, {9, 8}, {0.035f, 0.04f}, 3, seed);
     const Cells scale = cellsAt(at, {13, 9}, 1.0f, seed);
     const float flakes = fractalNoise(at, {30, 22}, 2, seed + 45u);
-    const float wide = fractalNoise(p, {4, 3}, 3, seed + 49u);
+    const float wide = fractalNoise(p, {8, 7}, 3, seed + 49u);
     const float down =
         glm::clamp(0.5f - 0.9f * scale.from.y + 0.3f * flakes, 0.0f, 1.0f); // 1: at its lower rim
     const float loose = step(-0.35f, 0.35f, 0.7f * wide + share(scale.id * 5u) - 0.5f);
@@ -139,23 +148,32 @@ float lenticels(const Cells& cell, vec2 lengths, float width, float missing)
 
 RAMURE_WIDE_CLONE BarkSample ringedBark(vec2 p, Seed seed)
 {
-    const vec2 at = warped(p, {5, 7}, {0.02f, 0.014f}, 1, seed);
-    const float film = fractalNoise(at, {2, 26}, 2, seed);
-    // Here they stand close, there are hardly any: in bands of a year and by the side of the trunk.
-    const float bare = 0.5f + 0.5f * fractalNoise(p, {3, 7}, 2, seed + 65u);
-    const float dashes = lenticels(cellsAt(at, {7, 27}, 1.0f, seed + 61u), {0.14f, 1.1f}, 0.2f, bare);
+    const vec2 at = warped(p, {5, 7}, {0.02f, 0.014f}, 2, seed);
+    const float film = fractalNoise(at, {3, 26}, 3, seed), cloud = fractalNoise(p, {5, 9}, 4, seed + 63u);
+    // Thin sheets of it have come off in bands and curl at their edges; what they bared is fresh.
+    const float sheet = fractalNoise(at, {2, 9}, 4, seed + 67u) - 0.12f;
+    const float curl = step(0.035f, 0.0f, std::abs(sheet)), fresh = step(0.0f, 0.03f, sheet);
+    // Here lenticels stand close, there are hardly any: in bands of a year and by the side of the trunk.
+    const float bare = 0.55f + 0.5f * fractalNoise(p, {3, 7}, 2, seed + 65u);
+    const float dashes = lenticels(cellsAt(at, {8, 31}, 1.0f, seed + 61u), {0.1f, 1.0f}, 0.15f, bare);
     // Where limbs were, and where the trunk has burst, are black and rough diamonds, grey around.
     const Cells scar = cellsAt(at, {3, 4}, 1.0f, seed + 71u);
-    const float size = 0.45f * share(scar.id * 13u) * share(scar.id * 17u); // most of them are small
-    float near = std::abs(scar.from.x) * 0.8f + std::abs(scar.from.y) * 1.8f - size;
+    const float large =
+        share(scar.id * 13u) * share(scar.id * 17u); // most of them are small, two thirds are not there
+    const float size = large > 0.27f ? 0.95f * large - 0.16f : -1.0f;
+    float near = std::abs(scar.from.x) * 0.8f + std::abs(scar.from.y) * 1.5f - size;
     float torn = 0.0f;
-    if (near < 0.2f) {
-        torn = fractalNoise(p, {16, 20}, 3, seed + 81u);
-        near += 0.14f * torn;
+    if (near < 0.3f) {
+        torn = fractalNoise(p, {16, 22}, 4, seed + 81u);
+        near += 0.2f * torn;
     }
-    const float black = step(0.0f, -0.07f, near), smoke = step(0.2f, -0.1f, near);
-    return {0.68f + 0.14f * film - 0.2f * dashes + black * (0.34f * torn - 0.2f), 1.3f * film - 1.4f * smoke,
-            glm::max(0.8f * dashes, black * (0.85f + 0.3f * torn))};
+    const float black = step(0.02f, -0.07f, near), smoke = step(0.3f, -0.1f, near);
+    return {
+        0.66f + 0.1f * film + 0.06f * cloud + 0.16f * curl - 0.06f * fresh - 0.15f * dashes +
+            black * (0.34f * torn - 0.25f),
+        0.8f * film + 1.1f * cloud + 0.9f * fresh - 0.7f * curl - 1.6f * smoke,
+        glm::max(glm::max(0.5f * dashes * (0.8f + 0.4f * cloud), 0.16f * step(-0.1f, 0.5f, cloud - fresh)),
+                 black * (0.82f + 0.3f * torn))};
 }
 
 RAMURE_WIDE_CLONE BarkSample bandedBark(vec2 p, Seed seed)
@@ -280,21 +298,23 @@ const std::array<BarkLook, 16> looks{{
      0.75f,
      {rgb(116, 100, 86), 0.003f, 0.02f}},
     {platedBark,
-     rgb(50, 40, 34),
-     rgb(132, 98, 76),
-     rgb(146, 134, 120),
+     rgb(58, 46, 40),
+     rgb(128, 104, 88),
+     rgb(146, 138, 126),
      0.045f,
      0.16f,
      0.90f,
-     {rgb(142, 108, 80), 0.012f, 0.09f}},
+     {rgb(136, 112, 84), 0.010f, 0.05f},
+     {rgb(142, 92, 62), 0.10f, 0.20f}},
     {furrowedBark,
-     rgb(42, 35, 29),
-     rgb(138, 122, 102),
-     rgb(138, 122, 102),
-     0.060f,
-     0.14f,
+     rgb(64, 53, 43),
+     rgb(148, 134, 115),
+     rgb(142, 142, 122),
+     0.055f,
+     0.17f,
      0.95f,
-     {rgb(122, 110, 94), 0.015f, 0.11f}},
+     {rgb(112, 102, 82), 0.012f, 0.10f},
+     {rgb(118, 110, 96), 0.08f, 0.25f}},
     {scalyBark,
      rgb(64, 50, 42),
      rgb(140, 116, 98),
@@ -312,13 +332,13 @@ const std::array<BarkLook, 16> looks{{
      0.70f,
      {rgb(158, 146, 118), 0.010f, 0.05f}},
     {ringedBark,
-     rgb(170, 164, 152),
-     rgb(232, 228, 218),
-     rgb(42, 37, 34),
+     rgb(164, 152, 138),
+     rgb(222, 214, 200),
+     rgb(52, 46, 42),
      0.012f,
-     0.06f,
+     0.09f,
      0.60f,
-     {rgb(82, 56, 50), 0.006f, 0.022f}},
+     {rgb(78, 54, 48), 0.008f, 0.03f}},
     {fibrousBark,
      rgb(62, 46, 38),
      rgb(150, 120, 100),

@@ -24,6 +24,14 @@ struct BarkYouth
     float from = 0.01f, until = 0.1f; ///< m: radii at which bark begins to show, and is all there
 };
 
+/// The bark of limbs, before plates are thick and furrows deep: the colour that its picture has on average
+/// there.
+struct BarkOfLimbs
+{
+    glm::vec3 colour{-1.0f};         ///< sRGB, 0 .. 1; below 0: that of old bark
+    float from = 1.0f, until = 2.0f; ///< m: radii at which old bark begins to show, and is all there
+};
+
 struct BarkLook
 {
     BarkSample (*at)(glm::vec2 place, std::uint32_t seed) = nullptr; ///< place in tiles; periodic
@@ -32,6 +40,7 @@ struct BarkLook
     float variety = 0.0f;   ///< how far tint reaches
     float roughness = 0.9f; ///< of ridges; cracks are rough
     BarkYouth youth{};      ///< of twigs, before that
+    BarkOfLimbs limbs{};    ///< between the two
 };
 
 /// Of every family but Plain, whose function is null.

@@ -30,7 +30,7 @@ struct BranchTube
 };
 BranchTube branchTube(const BranchCurve& curve, double a0, double a1);
 
-/// Where two tubes are closest in relation to their radii.
+/// The place at which two tubes are closest in relation to their radii.
 struct TubeContact
 {
     double depth = 0.0; ///< the sum of the radii less the distance of the axes: negative where they are apart

@@ -8,14 +8,11 @@ namespace {
 Expected<MeshAnalysis> analyse(const TriangleMesh& mesh, const std::vector<Index>& parent, unsigned threads,
                                const Progress& progress)
 {
-    MeshAnalysis analysis;
-    analysis.hash = meshHash(mesh);
-    auto quality = measureQuality(mesh, threads, progress.part(0.0, 0.05));
-    RAMURE_TRY(quality);
-    analysis.quality = std::move(*quality);
+    auto analysis = analyseShape(mesh, threads, progress.part(0.0, 0.05));
+    RAMURE_TRY(analysis);
     auto crossings = findSelfIntersections(mesh, parent, threads, progress.part(0.05, 0.98));
     RAMURE_TRY(crossings);
-    analysis.crossings = std::move(*crossings);
+    analysis->crossings = std::move(*crossings);
     return analysis;
 }
 
@@ -25,6 +22,16 @@ double secondsSince(std::chrono::steady_clock::time_point start)
 }
 
 } // namespace
+
+Expected<MeshAnalysis> analyseShape(const TriangleMesh& mesh, unsigned threads, const Progress& progress)
+{
+    MeshAnalysis analysis;
+    analysis.hash = meshHash(mesh);
+    auto quality = measureQuality(mesh, threads, progress);
+    RAMURE_TRY(quality);
+    analysis.quality = std::move(*quality);
+    return analysis;
+}
 
 Expected<MeshAnalysis> analyseMesh(const BranchMesh& branches, const Skeleton& skeleton, unsigned threads,
                                    const Progress& progress)

@@ -16,7 +16,7 @@ struct MeshAnalysis
     MeshQuality quality;
     SelfIntersections crossings;
     std::vector<Collision> collisions; ///< the deepest first; none where the mesh has no branches
-    double seconds = 0.0;              ///< that the analysis took
+    double seconds = 0.0;              ///< time that the analysis took
 
     /// The same findings, however long they took.
     [[nodiscard]] bool sameFindings(const MeshAnalysis& other) const
@@ -31,7 +31,10 @@ struct MeshAnalysis
 /// Errors: those of findSelfIntersections and measureQuality.
 Expected<MeshAnalysis> analyseMesh(const BranchMesh& branches, const Skeleton& skeleton, unsigned threads = 0,
                                    const Progress& progress = {});
-/// Of a mesh from a file: nothing is known of branches.
+/// Computes hash and quality alone, in about 30 ms for a million triangles. Errors: those of measureQuality.
+Expected<MeshAnalysis> analyseShape(const TriangleMesh& mesh, unsigned threads = 0,
+                                    const Progress& progress = {});
+/// Analyses a mesh from a file, whose branches are unknown.
 Expected<MeshAnalysis> analyseMesh(const TriangleMesh& mesh, unsigned threads = 0,
                                    const Progress& progress = {});
 

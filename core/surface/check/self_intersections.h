@@ -49,7 +49,7 @@ struct CrossingBranches
 {
     Index first = 0, second = 0; ///< branches of the skeleton, the lower one first
     std::uint64_t facePairs = 0;
-    glm::dvec3 place{0.0}; ///< the mean middle of what the boxes of the pairs have in common; tree space, m
+    glm::dvec3 place{0.0}; ///< mean of the middles of the pairs' common boxes; tree space, m
     bool operator==(const CrossingBranches&) const = default;
 };
 
@@ -57,13 +57,13 @@ struct SelfIntersections
 {
     std::array<std::uint64_t, pairKindCount> counts{}; ///< complete
     std::vector<FacePair> pairs;                       ///< by kind, then by faces; at most 10,000 of a kind
-    std::vector<CrossingBranches> branches;            ///< of the Far ones, by branches
+    std::vector<CrossingBranches> branches;            ///< pairs of branches of the Far crossings
     bool kindsKnown = false; ///< without branches in the mesh everything is PairKind::Same
     bool operator==(const SelfIntersections&) const = default;
 
     [[nodiscard]] std::uint64_t count(PairKind kind) const { return counts[static_cast<std::size_t>(kind)]; }
     [[nodiscard]] std::uint64_t total() const { return counts[0] + counts[1] + counts[2] + counts[3]; }
-    /// Those the mesher answers for.
+    /// Crossings that the mesher is responsible for.
     [[nodiscard]] std::uint64_t aroundForks() const { return counts[0] + counts[1] + counts[2]; }
 };
 

@@ -35,7 +35,8 @@ struct TextureReport
     }
 };
 
-/// Stretch of one triangle; infinite where it has no area in the texture, negative where it is mirrored.
+/// Returns the stretch of one triangle; infinite if it has no area in the texture, negative if it is
+/// mirrored.
 double textureStretch(const std::array<glm::vec3, 3>& place, const std::array<glm::vec2, 3>& uv);
 /// \p coordinates must be those of \p mesh.
 TextureReport textureReport(const BranchMesh& mesh, const TextureCoordinates& coordinates);

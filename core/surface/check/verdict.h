@@ -1,6 +1,6 @@
 /// \file
-/// What a mesh is worth in one word: the same in the status bar, the panel of checks, the export dialog, on
-/// the command line and in its JSON.
+/// Judges a mesh in one word: the same in the status bar, the panel of checks, the export dialog, on the
+/// command line and in its JSON.
 #pragma once
 
 #include "core/surface/check/self_intersections.h"
@@ -16,9 +16,9 @@ enum class MeshVerdict : std::uint8_t {
     Broken,   ///< not what it has to be: one closed, oriented, outward surface per piece
 };
 
-/// Of a terrain or a plane "closed" means: without any fault but its boundary (isGoodSurface); the report
-/// says so already. \param crossings null where they have not been looked for. \param pieces how many closed
-/// pieces there have to be, one for each root of a tree; 0: any number.
+/// Returns the verdict. For a terrain or a plane "closed" means free of faults except for the boundary
+/// (isGoodSurface), as the report says. \param crossings null if nobody looked for them \param pieces the
+/// expected number of closed pieces, one per root of a tree; 0: any number
 MeshVerdict verdictOn(const MeshReport& report, const SelfIntersections* crossings, Index pieces = 0);
 
 /// "clean", "closed", "crossing" or "broken": as the command line and JSON have it.

@@ -1,7 +1,6 @@
 #include "core/surface/foliage/foliage_shapes.h"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
 #include <numbers>

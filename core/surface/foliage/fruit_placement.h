@@ -1,5 +1,6 @@
 /// \file
-/// Where fruit hang and flowers stand: each on its stalk, which begins on the bark. Internal to foliage.cpp.
+/// Where fruit hang and flowers stand: each on its stalk, which begins on the bark. Internal to
+/// place_foliage.cpp.
 #pragma once
 
 #include "core/surface/foliage/leaf_placement.h"

@@ -1,5 +1,6 @@
 /// \file
-/// The pictures of a leaf: veins that stand out, let less light through and are paler than what lies between.
+/// The pictures of a leaf: its veins stand out, are paler and let less light through than the blade between
+/// them.
 #pragma once
 
 #include "core/base/error.h"

@@ -1,8 +1,10 @@
 /// \file
 /// Where the leaves of a plant stand: node by node along every twig, each on the bark. Internal to
-/// foliage.cpp.
+/// place_foliage.cpp.
 #pragma once
 
+#include "core/base/error.h"
+#include "core/base/progress.h"
 #include "core/surface/foliage/foliage.h"
 
 namespace ramure {

@@ -1,5 +1,5 @@
 /// \file
-/// What the season does to the leaves of a plant, and to its fruit: they turn, and fall.
+/// The season's effect on the leaves and fruit of a plant: they turn, and fall.
 #pragma once
 
 #include "core/surface/foliage/foliage.h"
@@ -16,8 +16,8 @@ void turnLeaves(const Skeleton& skeleton, double season, Foliage& foliage);
 /// has. \pre fruit of a plant, as they were placed.
 void dropFruit(const Skeleton& skeleton, double season, Foliage& foliage);
 
-/// sRGB, 0..255: of a leaf that turns neither early nor late, does not wither and keeps no green. That of
-/// summer where the season is 0 or the plant evergreen.
+/// Returns the colour (sRGB, 0..255) of an average leaf that turns neither early nor late, does not wither
+/// and keeps no green. If the season is 0 or the plant is evergreen, this is the colour of summer.
 glm::vec3 seasonColour(LeafShape shape, double season);
 
 } // namespace ramure

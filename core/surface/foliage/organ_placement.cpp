@@ -4,7 +4,6 @@
 #include "core/surface/foliage/leaf_placement.h"
 #include "core/surface/foliage/leaf_table.h"
 #include "core/surface/foliage/twig_line.h"
-#include <algorithm>
 #include <glm/common.hpp>
 #include <glm/gtc/quaternion.hpp>
 

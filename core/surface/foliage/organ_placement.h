@@ -1,7 +1,8 @@
 /// \file
-/// Leaves, fruit and flowers that a grammar puts in their places. Internal to foliage.cpp.
+/// Leaves, fruit and flowers that a grammar puts in their places. Internal to place_foliage.cpp.
 #pragma once
 
+#include "core/base/error.h"
 #include "core/surface/foliage/foliage.h"
 
 namespace ramure {

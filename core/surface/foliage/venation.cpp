@@ -4,9 +4,7 @@
 #include "core/math/reproducible.h"
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <glm/geometric.hpp>
-#include <numbers>
 
 namespace ramure {
 namespace {

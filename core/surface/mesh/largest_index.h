@@ -1,5 +1,5 @@
 /// \file
-/// Which vertices faces reach: whether they exist, and whether what lies behind them can be read.
+/// Finds the largest vertex index of faces, to know whether the vertices exist and can be read.
 #pragma once
 
 #include "core/surface/mesh/triangle_mesh.h"

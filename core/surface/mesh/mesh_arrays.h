@@ -1,6 +1,6 @@
 /// \file
-/// The arrays of a mesh that nobody needs any more, kept for the next one: memory that was used before is not
-/// taken from the system again, and an array that has its size is not cleared before it is written.
+/// Keeps the arrays of unused meshes for the next one: used memory need not be taken from the system again,
+/// and an array of the right size is not cleared before it is written.
 #pragma once
 
 #include "core/surface/mesh/triangle_mesh.h"
@@ -8,18 +8,18 @@
 
 namespace ramure {
 
-/// Copies share what they keep. Any thread.
+/// Copies share the kept arrays. May be used from any thread.
 class MeshArrays
 {
 public:
     MeshArrays();
-    /// Arrays of whatever size and contents, or empty ones. Only those that every mesh has: positions,
-    /// normals, triangles, branch and level.
+    /// Returns arrays of any size and contents, or empty ones. Only the arrays that every mesh has are kept:
+    /// positions, normals, triangles, branch and level.
     TriangleMesh take();
-    /// Of two sets the larger one is kept, and none that is very large.
+    /// Keeps the larger of two sets of arrays, but no very large one.
     void keep(TriangleMesh&& mesh);
-    /// A mesh that gives its arrays back when nobody needs it any more, on whatever thread that is, even when
-    /// this is gone.
+    /// Makes a mesh that gives its arrays back when its last owner is gone, on any thread, even if this
+    /// object is gone.
     std::shared_ptr<const TriangleMesh> share(TriangleMesh&& mesh);
 
 private:

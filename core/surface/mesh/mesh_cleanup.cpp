@@ -3,7 +3,6 @@
 #include "core/math/random.h"
 #include "core/surface/mesh/near_positions.h"
 #include <algorithm>
-#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 

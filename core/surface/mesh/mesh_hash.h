@@ -1,5 +1,5 @@
 /// \file
-/// A name for what is in a mesh: equal meshes have equal hashes, on every machine.
+/// A hash of a mesh's contents: equal meshes have equal hashes, on every machine.
 #pragma once
 
 #include "core/surface/mesh/triangle_mesh.h"
@@ -9,7 +9,7 @@
 
 namespace ramure {
 
-/// 128 bits, well mixed, not cryptographic: it tells meshes apart that nobody forged.
+/// 128 bits, well mixed, but not cryptographic: it does not protect against forged meshes.
 struct MeshHash
 {
     std::uint64_t high = 0, low = 0;
@@ -21,8 +21,8 @@ struct MeshHash
     [[nodiscard]] std::string shortText() const { return text().substr(0, 8); }
 };
 
-/// Of positions and triangles, in their order; -0 counts as 0, and normals and branches, which follow from
-/// them, do not count. A mesh that was written to a file and read back has the same hash.
+/// Hashes positions and triangles in their order. -0 counts as 0. Normals and branches are left out, because
+/// they follow. A mesh that was written to a file and read back has the same hash.
 MeshHash meshHash(const TriangleMesh& mesh);
 
 } // namespace ramure

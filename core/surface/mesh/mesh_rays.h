@@ -1,5 +1,5 @@
 /// \file
-/// Where a ray first meets a mesh. Built once, then asked from any thread.
+/// Finds where a ray first meets a mesh. The structure is built once and can be asked from any thread.
 #pragma once
 
 #include "core/math/bvh.h"

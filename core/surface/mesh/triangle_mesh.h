@@ -1,7 +1,6 @@
 /// \file
-/// A triangle mesh with what the viewport, the files and the later skin need per vertex.
-/// Triangles are counter-clockwise seen from outside; indices are 32 bits wide; positions in metres, tree
-/// space.
+/// A triangle mesh with the data per vertex that the viewport, the files and the skin need. Triangles are
+/// counter-clockwise seen from outside; indices are 32 bits wide; positions in metres, tree space.
 #pragma once
 
 #include "core/base/index.h"

@@ -1,17 +1,13 @@
 /// \file
-/// The one continuous mesh of a skeleton (SPEC A6): generalised cylinders joined at real forks, closed at
-/// every root and tip. Whatever the skeleton: closed, 2-manifold, one fan per vertex, Euler characteristic 2
-/// per root, outward, no duplicate and no degenerate element.
+/// The mesh of a skeleton's branches, the options it is built with, and what the mesher says about it.
+/// build_branch_mesh.h makes it.
 #pragma once
 
-#include "core/base/error.h"
-#include "core/base/progress.h"
 #include "core/math/reproducible.h"
 #include "core/params/node_params.h"
 #include "core/skeleton/sections.h"
 #include "core/skeleton/skeleton.h"
 #include "core/surface/mesh/triangle_mesh.h"
-#include "core/surface/proof/validate.h"
 #include <algorithm>
 #include <array>
 #include <span>
@@ -19,9 +15,10 @@
 
 namespace ramure {
 
-/// The parameters, which say what they mean and how far they go. Where targetTriangles is set, the divisions
-/// have no say: each branch is divided by its thickness along it and its bend, so that all depart about
-/// equally from a smooth surface. Up to 128 points around a branch are built, more than a parameter may ask.
+/// The parameters of the sections and the mesh, and further options. If targetTriangles is set, the divisions
+/// are ignored: each branch is divided by its thickness along it and its bend, so that all depart about
+/// equally from a smooth surface. Up to 128 points around a branch are built, more than a parameter may ask
+/// for.
 struct BranchMeshOptions : SectionParams, MeshParams
 {
     /// Without, mesh.normals stays empty.
@@ -32,7 +29,7 @@ struct BranchMeshOptions : SectionParams, MeshParams
     std::uint64_t seed = 0;
 };
 
-/// What was changed on the mesher's copy of the skeleton so that a mesh exists; the skeleton itself stays as
+/// A change of the mesher's copy of the skeleton without which no mesh exists. The skeleton itself stays as
 /// it is.
 enum class SkeletonRepair : std::uint8_t {
     /// The branch has no length, or lies in a thicker sibling: its children start at its parent's end.
@@ -61,15 +58,13 @@ enum class BudgetFit : std::uint8_t {
     Largest,  ///< every branch has 128 sides and 64 cross-sections, and still the mesh is smaller
     Nearest,  ///< no number of triangles nearer to it could be found
 };
-inline constexpr double budgetSlack = 0.05; ///< of the triangles wanted
-/// What to tell the user about it, English, context "core"; empty where all is well.
-const char* budgetText(BudgetFit fit);
+inline constexpr double budgetSlack = 0.05; ///< relative to the wanted triangles
 
 /// The triangles of one branch's tube follow each other, from its start to its end; with a root or a tip, the
 /// cap too. Every triangle belongs to one tube.
 struct TubeRange
 {
-    Index branch;        ///< of the input skeleton: the one whose curve the tube follows
+    Index branch;        ///< branch of the input skeleton whose curve the tube follows
     Index parent;        ///< the branch whose last cross-section it starts from, or noIndex
     Index firstTriangle; ///< its triangles end where the next tube's begin
     bool operator==(const TubeRange&) const = default;
@@ -92,7 +87,7 @@ struct TubeAxis
     /// exp(-spreadDecay).
     double spread = 0.0, spreadDecay = 0.0;
     double spreadStart = 0.0; ///< share of the branch from which on it falls
-    FootSize foot{};          ///< of a trunk
+    FootSize foot{};          ///< only for a trunk
 
     /// m; \p t: share of the branch.
     [[nodiscard]] double radiusAt(double t) const
@@ -109,8 +104,8 @@ struct ForkVertex
     Index vertex;
     Index parent;                ///< the branch that forks
     std::array<Index, 3> branch; ///< the tubes it lies between; noIndex where there are but two
-    /// Of those, their sum is 1. All of it on the second of two where the first is a limb that leaves the
-    /// second to its side.
+    /// Weights of those tubes; their sum is 1. If the first of two is a limb that leaves the second to its
+    /// side, the second has all the weight.
     std::array<float, 3> weight;
     float along; ///< m, from the fork along their axes
     bool operator==(const ForkVertex&) const = default;
@@ -129,22 +124,5 @@ struct BranchMesh
     double leastGap = 0.0;
     BudgetFit budget = BudgetFit::NotAsked;
 };
-
-/// \param skeleton any skeleton with finite numbers; radii >= 0; may be empty only as an error.
-/// Works on as many threads as parallelThreads() says; the result is the same on any number of them.
-/// Errors: Invalid (an empty skeleton, non-finite numbers, options out of range), Limit (more than 2^31
-/// faces), Cancelled.
-Expected<BranchMesh> buildBranchMesh(const Skeleton& skeleton, const BranchMeshOptions& options,
-                                     const Progress& progress = {});
-
-struct CheckedBranchMesh
-{
-    BranchMesh mesh;
-    MeshReport report;
-};
-/// The same mesh, with normals whatever the options say, and what validateMesh() says of it, sooner than one
-/// after the other: normals are computed beside the check.
-Expected<CheckedBranchMesh> buildCheckedBranchMesh(const Skeleton& skeleton, const BranchMeshOptions& options,
-                                                   const Progress& progress = {});
 
 } // namespace ramure

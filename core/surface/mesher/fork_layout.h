@@ -35,7 +35,7 @@ struct ForkLayout
 };
 
 /// Of the parent's radius: a child that others leave to its side.
-inline constexpr double leastStem = 0.75;
+inline constexpr double leastStem = 0.745;
 
 /// Makes layouts; keeps its buffers. Give it the children, then let it plan.
 class ForkPlanner

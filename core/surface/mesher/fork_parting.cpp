@@ -333,6 +333,27 @@ void ForkParter::run()
 
 } // namespace
 
+void linkChildren(NormalSkeleton& skeleton)
+{
+    std::vector<MeshBranch>& branches = skeleton.branches;
+    for (const MeshBranch& branch : branches)
+        if (branch.parent != noIndex)
+            ++branches[branch.parent].childCount;
+    Index next = 0;
+    for (MeshBranch& branch : branches) {
+        branch.firstChild = next;
+        next += branch.childCount;
+        branch.childCount = 0;
+    }
+    skeleton.children.resize(next);
+    for (Index i = 0; i < branches.size(); ++i) {
+        if (branches[i].parent == noIndex)
+            continue;
+        MeshBranch& parent = branches[branches[i].parent];
+        skeleton.children[parent.firstChild + parent.childCount++] = i;
+    }
+}
+
 void partForks(NormalSkeleton& skeleton)
 {
     ForkParter(skeleton).run();

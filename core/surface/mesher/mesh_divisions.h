@@ -9,15 +9,16 @@
 
 namespace ramure {
 
-inline constexpr int leastSections = 2, mostSections = 64; ///< of a branch, both ends included
+inline constexpr int leastSections = 2, mostSections = 64; ///< cross-sections of a branch, both ends included
 inline constexpr int leastSides = 3, mostSides = 128;      ///< points of a cross-section
 /// The side of a cross-section of its points' number n is at least this times its radius by n, but for
 /// triangles to pentagons, whose sides are longer than the radius. A circle would have 2 pi.
 inline constexpr double sidesOfRadius = 6.0;
 
-/// What a branch asks for, by its shape: at a fineness of 1 a tube departs from its smooth surface by at most
-/// a metre, at 10 by a hundredth of that. Numbers in between two whole ones are rounded up for some branches
-/// and down for others, by a threshold of each, so that the sum over many follows the fineness smoothly.
+/// The divisions that a branch needs, by its shape. At a fineness of 1 a tube departs from its smooth surface
+/// by at most a metre, at 10 by a hundredth of that. A number between two whole ones is rounded up for some
+/// branches and down for others, by each branch's own threshold, so that the sum over many follows the
+/// fineness smoothly.
 struct BranchShape
 {
     double spans = 0.0;          ///< between cross-sections, at a fineness of 1
@@ -25,7 +26,7 @@ struct BranchShape
     int fewestSections = leastSections;
     double sidesThreshold = 0.0;
     double hidden = 0.0; ///< share of its surface inside its siblings, about
-    /// Of its fork: sides of the children, as a share of its own, and ForkLayout::stem's limbs, about.
+    /// About its fork: sides of the children, as a share of its own, and limbs of ForkLayout::stem.
     double wallSides = 1.0, arches = 0.0;
 };
 
@@ -52,8 +53,9 @@ private:
 
     int m_sections = leastSections;
     double m_fineness = 0.0, m_leastGap = 0.0;
-    std::span<const BranchShape> m_shapes;       ///< empty: all the same
-    std::vector<std::vector<RingPoint>> m_rings; ///< of leastSides points, one more, ... or the only one
+    std::span<const BranchShape> m_shapes; ///< empty: all the same
+    /// Rings of leastSides points, one more, ... or a single ring.
+    std::vector<std::vector<RingPoint>> m_rings;
 };
 
 /// Points on a circle of this radius that a fineness asks for, before rounding and limits.

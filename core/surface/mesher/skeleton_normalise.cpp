@@ -1,13 +1,12 @@
 #include "core/surface/mesher/skeleton_normalise.h"
 
-#include "core/math/finite.h"
+#include "core/skeleton/skeleton_check.h"
 #include "core/surface/mesher/fork_spread.h"
 #include "core/surface/mesher/mesh_divisions.h"
 #include "core/surface/mesher/stem_limbs.h"
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
-#include <string>
 
 namespace ramure {
 
@@ -18,34 +17,13 @@ constexpr double tinyLengthOfRadius = 1e-3;
 constexpr double discOfRadius = 0.6;
 constexpr std::size_t smallFork =
     6; ///< children: heads of palms, whose pieces of trunk carry fronds, are larger
+constexpr std::size_t mostAtEquals = 4; ///< children: the same
 constexpr double tinyRadiusOfScene = 1e-4;
 constexpr double mostLeastRadiusOfScene = 5e-4;
 constexpr double mostGapOfRadius = 0.48;
 constexpr double twinAngle = 1e-3;
 constexpr double footRoom = 1.5; ///< of the height of a foot: the trunk's first branch
-/// Coordinates beyond these are refused: their squares and areas must stay inside the range of floats.
-constexpr double largestCoordinate = 1e12;
 constexpr double smallestScene = 1e-12;
-
-Expected<void> checkNumbers(const Skeleton& skeleton)
-{
-    const auto refuse = [](const char* text, Index i) {
-        return fail(ErrorCode::Invalid, text, {std::to_string(i)});
-    };
-    for (Index i = 0; i < skeleton.size(); ++i) {
-        if (!isFinite(skeleton.p0[i]) || !isFinite(skeleton.p1[i]) || !std::isfinite(skeleton.a0[i]) ||
-            !std::isfinite(skeleton.a1[i]))
-            return refuse(RAMURE_NOOP("Branch %1 has a coordinate or a radius that is not finite"), i);
-        if (skeleton.a0[i] < 0.0 || skeleton.a1[i] < 0.0)
-            return refuse(RAMURE_NOOP("Branch %1 has a negative radius"), i);
-        if (skeleton.parent[i] != noIndex && skeleton.parent[i] >= i)
-            return refuse(RAMURE_NOOP("Branch %1 comes before its parent"), i);
-        const glm::dvec3 reach = glm::max(glm::abs(skeleton.p0[i]), glm::abs(skeleton.p1[i]));
-        if (std::max({reach.x, reach.y, reach.z, skeleton.a0[i], skeleton.a1[i]}) > largestCoordinate)
-            return refuse(RAMURE_NOOP("Branch %1 is too large for a mesh"), i);
-    }
-    return {};
-}
 
 struct Sibling
 {
@@ -76,6 +54,7 @@ private:
     void emitPlate(Index root);
     bool contract(Index branch);
     bool clearStem(Index branch);
+    bool clearEquals(Index branch);
     void moveTo(Index head, std::vector<Sibling>::iterator sibling);
     [[nodiscard]] StemLimb limb(const Sibling& sibling) const
     {
@@ -299,6 +278,35 @@ bool Normaliser::clearStem(Index branch)
     return false;
 }
 
+/// A thin child of a fork of equals that ends in the wood of the fork takes wood that those need, and shows
+/// nothing of itself: its children start with them.
+bool Normaliser::clearEquals(Index branch)
+{
+    const glm::dvec3 way = m_fork - local(m_in.p0[branch]);
+    const double length = glm::length(way);
+    if (!(m_options.forkLength > 0.0) || m_siblings.size() < 3 || m_siblings.size() > mostAtEquals ||
+        !(length > 0.0))
+        return false;
+    std::vector<StemLimb> all;
+    for (const Sibling& sibling : m_siblings)
+        all.push_back(limb(sibling));
+    const StemLimb below{way / length, length, m_a1[branch], true};
+    for (auto at = m_siblings.begin(); at != m_siblings.end(); ++at) {
+        const auto number = static_cast<std::size_t>(at - m_siblings.begin());
+        if (!endsInFork(all, number, below))
+            continue;
+        if (m_firstChild[at->id] != noIndex) {
+            replaceByChildren(at, branch);
+        } else {
+            m_out.repairs.push_back(
+                {SkeletonRepair::SiblingsMerged, at->id, m_siblings[number == 0 ? 1 : 0].id});
+            m_siblings.erase(at);
+        }
+        return true;
+    }
+    return false;
+}
+
 /// A sibling goes on from the end of another one, the last of its children.
 void Normaliser::moveTo(Index head, std::vector<Sibling>::iterator sibling)
 {
@@ -359,7 +367,7 @@ void Normaliser::settleSiblings(Index branch)
 {
     bool again = true;
     while (again) {
-        again = contract(branch) || (m_siblings.size() > 1 && clearStem(branch));
+        again = contract(branch) || (m_siblings.size() > 1 && (clearStem(branch) || clearEquals(branch)));
         again = joinTwins() || again;
     }
 }
@@ -559,33 +567,12 @@ Expected<void> Normaliser::run(const Progress& progress)
 
 } // namespace
 
-void linkChildren(NormalSkeleton& skeleton)
-{
-    std::vector<MeshBranch>& branches = skeleton.branches;
-    for (const MeshBranch& branch : branches)
-        if (branch.parent != noIndex)
-            ++branches[branch.parent].childCount;
-    Index next = 0;
-    for (MeshBranch& branch : branches) {
-        branch.firstChild = next;
-        next += branch.childCount;
-        branch.childCount = 0;
-    }
-    skeleton.children.resize(next);
-    for (Index i = 0; i < branches.size(); ++i) {
-        if (branches[i].parent == noIndex)
-            continue;
-        MeshBranch& parent = branches[branches[i].parent];
-        skeleton.children[parent.firstChild + parent.childCount++] = i;
-    }
-}
-
 Expected<NormalSkeleton> normaliseSkeleton(const Skeleton& skeleton, const BranchMeshOptions& options,
                                            const Progress& progress)
 {
     if (skeleton.empty())
         return fail(ErrorCode::Invalid, RAMURE_NOOP("The skeleton has no branch"));
-    RAMURE_TRY(checkNumbers(skeleton));
+    RAMURE_TRY(checkForMesh(skeleton));
     NormalSkeleton result;
     Normaliser normaliser(skeleton, options, result);
     RAMURE_TRY(normaliser.run(progress));

@@ -3,6 +3,8 @@
 /// without length, no two siblings in one place, no radius too small for the scene. Every change is noted.
 #pragma once
 
+#include "core/base/error.h"
+#include "core/base/progress.h"
 #include "core/surface/mesher/branch_mesh.h"
 #include <vector>
 
@@ -59,6 +61,8 @@ void linkChildren(NormalSkeleton& skeleton);
 /// - limbs thin beside a sibling, the stem (stem_limbs.h): one that ends inside the stem is contracted, one
 ///   that comes out near the stem's end starts there, and a stem that ends before it is clear of a limb is
 ///   contracted where all limbs find room around the next;
+/// - where options.forkLength is set, a sibling thin beside two others that ends in the wood of the fork is
+///   contracted;
 /// - other siblings within 1e-3 rad of each other, or closer at the shorter one's end than
 ///   options.nearTwinRatio times their added radii, become one branch (about equal lengths) or a chain (the
 ///   longer goes on from the shorter one's end);

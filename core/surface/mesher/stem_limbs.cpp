@@ -21,6 +21,9 @@ constexpr double longEnough = 1.2;
 constexpr double above = 1.1;  ///< how far above the fork its axis comes out
 constexpr double room = 1.6;   ///< from there to the next fork
 constexpr double space = 1.25; ///< of the radii of two limbs: between their axes around the stem
+// Thin ones at a fork of equals.
+constexpr double thinAtEquals = 0.25; ///< of the second thickest one's radius
+constexpr double clearOfFork = 1.05;  ///< of the radius of what forks: nearer to its axis they end inside
 
 bool isLimb(const StemLimb& limb, const StemLimb& stem)
 {
@@ -75,6 +78,20 @@ double limbStart(const StemLimb& limb, const StemLimb& stem)
         (limb.length * cosine - height) / std::max({beyond, leastBeyond * stem.radius, 1e-12});
     return std::clamp(height - stem.radius * slope, -farthestStart * stem.radius,
                       farthestStart * stem.radius);
+}
+
+bool endsInFork(std::span<const StemLimb> children, std::size_t child, const StemLimb& below)
+{
+    double first = 0.0, second = 0.0; // the thickest
+    for (const StemLimb& other : children) {
+        second = std::max(second, std::min(first, other.radius));
+        first = std::max(first, other.radius);
+    }
+    const StemLimb& limb = children[child];
+    const double ahead = limb.length * glm::dot(limb.direction, below.direction);
+    const double aside = glm::length(limb.length * limb.direction - ahead * below.direction);
+    return !areStemAndLimb(second, first) && !areStemAndLimb(second, below.radius) &&
+           limb.radius <= thinAtEquals * second && aside < clearOfFork * below.radius && ahead < below.radius;
 }
 
 Index stemOf(std::span<const StemLimb> children)

@@ -30,6 +30,10 @@ LimbAtFork limbAtFork(const StemLimb& limb, const StemLimb& stem);
 /// its end. \returns m along the stem from the fork; below 0 in the wood beneath it.
 double limbStart(const StemLimb& limb, const StemLimb& stem);
 
+/// Does a child that is thin beside two others, or more, end in the wood of their fork? \param below the
+/// branch that forks: its direction, and its radius there.
+bool endsInFork(std::span<const StemLimb> children, std::size_t child, const StemLimb& below);
+
 /// Is one of two siblings of these radii so thin that it is a limb of the other?
 bool areStemAndLimb(double oneRadius, double otherRadius);
 /// The thickest child, where all others are limbs of it; noIndex: they are not.

@@ -2,6 +2,8 @@
 /// Builds tube after tube into a sink: a whole tree, or all that grows on the end of one tube.
 #pragma once
 
+#include "core/base/error.h"
+#include "core/base/progress.h"
 #include "core/surface/mesher/fork_builder.h"
 #include "core/surface/mesher/tube_builder.h"
 #include <atomic>

@@ -1,7 +1,6 @@
 #include "core/surface/primitives/primitive_mesh.h"
 
 #include "core/math/reproducible.h"
-#include <array>
 #include <glm/geometric.hpp>
 #include <map>
 #include <numbers>

@@ -12,6 +12,8 @@
 /// discs.
 #pragma once
 
+#include "core/base/error.h"
+#include "core/base/progress.h"
 #include "core/surface/mesher/branch_mesh.h"
 #include <glm/vec2.hpp>
 

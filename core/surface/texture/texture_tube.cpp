@@ -20,6 +20,8 @@ constexpr double mostWide = 1.25; ///< of a start over its own radius: what is w
 constexpr int evenRounds = 10, stiffRounds = 80, plainRounds = 10;
 constexpr double stiffConvergence = 0.995; ///< of a plain round: what is left of the slowest error
 constexpr double enoughStretched = 0.06;   ///< of a tube's triangles: it is left at that
+constexpr double agingLength = 1.5;        ///< diameters, after which a limb's bark is its own
+constexpr double farthestEven = 2.0; ///< tiles: shapes alone would let what hangs by a corner go anywhere
 
 /// Adds the places of a triangle's corners where it has its true shape and lies as near as can be to where it
 /// is. \param own its shape around its middle; \param shift of the corners' u against \p uv.
@@ -78,6 +80,8 @@ void TubeTexture::unroll(const TubeAxis& axis, const TubeTextureEnd& parent,
 {
     m_axis.build(axis, parent.normal, parent.bend);
     place();
+    if (parent.radius > 0.0)
+        age(parent.radius);
     m_foot = axis.foot;
     m_seam = pi;
     if (m_foot.rings > 0)
@@ -109,7 +113,9 @@ void TubeTexture::place()
         vertex.along = vertex.onParent ? 0.0 : place.along;
         vertex.azimuth = place.azimuth;
         vertex.crowding = place.crowding;
-        vertex.radius = place.radius;
+        // What is wider than the tube, such as the start of a twig on the end of thick wood, is as old as it
+        // is wide.
+        vertex.radius = std::max(1.0, place.radial) * place.radius;
         const bool onTip = place.along >= length && place.beyond > leastTip && place.radial < tipRadius;
         vertex.isPole = own && (onTip || (place.along <= 0.0 && place.radial < rootRadius));
         const bool atEnd = own && !vertex.isPole && place.along > (1.0 - sameSection) * length;
@@ -120,6 +126,24 @@ void TubeTexture::place()
         markCut();
     const double half = pi / static_cast<double>(std::max<std::size_t>(points, 3));
     m_chord = maths::sin(half) / half;
+}
+
+/// A limb begins in the bark of the wood that carries it, as far as its fork reaches.
+void TubeTexture::age(double parentRadius)
+{
+    const double own = m_axis.nodes().front().own, beyond = parentRadius - own;
+    if (!(beyond > 0.0) || !(own > 0.0))
+        return;
+    double start = 0.0;
+    for (const TubeTextureVertex& vertex : m_vertices)
+        if (vertex.onWall)
+            start = std::max(start, vertex.along);
+    start = std::min(start, parentRadius);
+    for (TubeTextureVertex& vertex : m_vertices) {
+        const double outside = std::max(vertex.along - start, 0.0);
+        const double older = vertex.radius + beyond * maths::exp(-outside / (agingLength * 2.0 * own));
+        vertex.radius = std::max(vertex.radius, std::min(older, parentRadius));
+    }
 }
 
 /// The columns of a foot are as far around as where they leave the trunk. The seam lies in the valley before
@@ -396,6 +420,9 @@ void TubeTexture::even(std::span<const glm::uvec3> triangles)
     }
     if (!m_relaxer.run(evenRounds, enoughStretched))
         return;
+    for (Index i = 0; i < m_vertices.size(); ++i)
+        if (!(glm::distance(m_relaxer.uv(i), {m_vertices[i].u, m_vertices[i].v}) <= farthestEven))
+            return;
     for (Index i = 0; i < m_vertices.size(); ++i) {
         const glm::dvec2 uv = m_relaxer.uv(i);
         m_vertices[i].u = uv.x;

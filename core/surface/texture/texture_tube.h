@@ -42,7 +42,7 @@ struct TubeTextureVertex
     double azimuth = 0.0;    ///< rad, from the middle of the tube's front: the seam is at +-pi
     double crowding = 0.0;   ///< rad, to be added to the azimuth where the tube bends
     double u = 0.0, v = 0.0; ///< tiles
-    double radius = 0.0;     ///< m, of the tube there
+    double radius = 0.0;     ///< m, of the wood whose bark it has: at its start a tube has its parent's
     bool onParent = false;   ///< on the parent's last cross-section: u and v are the parent's
     bool onWall = false;     ///< in the valley between siblings
     bool isPole = false;     ///< the middle of a flat end or of a tip
@@ -97,6 +97,7 @@ public:
 
 private:
     void place();
+    void age(double parentRadius);
     void markCut();
     void placeFoot();
     void layFoot();

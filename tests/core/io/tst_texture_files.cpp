@@ -102,11 +102,17 @@ private slots:
             return QByteArray(place) + ' ' + QByteArray::number(c.r) + ' ' + QByteArray::number(c.g) + ' ' +
                    QByteArray::number(c.b) + '\n';
         };
-        QVERIFY(ply.contains(line("\n1 0 0", young)) && ply.contains(line("\n0 0 1", old)));
+        const auto worn = [](const glm::u8vec3& colour, const glm::vec3& place) {
+            return glm::u8vec3(
+                glm::vec3(colour) * glm::mix(glm::vec3(1.0F), weatheredBark, barkWeather(place)) + 0.5F);
+        };
+        QVERIFY(ply.contains(line("\n1 0 0", worn(young, {1, 0, 0}))));
+        QVERIFY(ply.contains(line("\n0 0 1", worn(old, {0, 0, 1}))));
         MeshPart own = part; // a picture of one's own is for all of it
         own.material.pictures.colour = "bark.png";
         QVERIFY(writePly(path("own.ply"), {&own, 1}, {true}));
-        QVERIFY(!test::fileBytes(m_folder.filePath("own.ply")).contains(line("\n1 0 0", young)));
+        QVERIFY(
+            !test::fileBytes(m_folder.filePath("own.ply")).contains(line("\n1 0 0", worn(young, {1, 0, 0}))));
     }
 
     void bothAreReadBack_data()

@@ -112,6 +112,8 @@ void TestParamTable::keysAreThePublicInterface()
                                             "mesh.forkReach",
                                             "mesh.forkLength",
                                             "mesh.collar",
+                                            "mesh.fairing",
+                                            "mesh.ridge",
                                             "mesh.clampOvershoot",
                                             "mesh.nearTwinRatio",
                                             "mesh.roots",

@@ -1,6 +1,7 @@
 #include "core/pipeline/tree_pipeline.h"
 #include "core/presets/presets.h"
-#include "core/surface/mesher/bark_place.h"
+#include "core/surface/foliage/bark_place.h"
+#include "core/surface/foliage/place_foliage.h"
 #include "tests/support/suite.h"
 #include <algorithm>
 

@@ -49,7 +49,7 @@ std::optional<NodeParams> paramsWhere(const ParamDef& def, bool matters)
     if (fits(params))
         return params;
     for (const ParamDef& other : paramTable())
-        if (const NodeParams turned = withOther(other, {}); &other != &def && fits(turned))
+        if (const NodeParams turned = withOther(other, params); &other != &def && fits(turned))
             return turned;
     return std::nullopt;
 }

@@ -79,7 +79,7 @@ private slots:
         for (const Preset& preset : courseworkPresets())
             QTest::newRow(preset.name) << 0.9;
         QTest::newRow("TreeFern") << 0.95;
-        QTest::newRow("CoconutPalm") << 0.95;
+        QTest::newRow("CoconutPalmRules") << 0.95;
         QTest::newRow("Baobab") << 0.8;
         QTest::newRow("JoshuaTree") << 0.8;
         QTest::newRow("Saguaro") << 0.8; // its round ends are no tubes

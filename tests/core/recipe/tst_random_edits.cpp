@@ -59,7 +59,7 @@ private:
 void TestRandomEdits::addTrees()
 {
     QTest::addColumn<QByteArray>("preset");
-    for (const char* preset : {"SmallTree", "FanTree", "TernaryTree", "QuakingAspen", "Ginkgo"})
+    for (const char* preset : {"SmallTree", "FanTree", "TernaryTree", "QuakingAspen", "Ginkgo1995"})
         QTest::newRow(preset) << QByteArray(preset);
 }
 
@@ -72,7 +72,7 @@ void TestRandomEdits::everyMeshIsWhole_data()
     for (const Preset& preset : courseworkPresets())
         QTest::newRow(preset.name) << QByteArray(preset.name) << 300 * times;
     for (const char* preset : {"HondaTree", "QuakingAspen", "WeepingWillow1995", "CaliforniaBlackOak",
-                               "Ginkgo", "NorwaySpruce1995", "UmbrellaAcacia"})
+                               "Ginkgo1995", "NorwaySpruce1995", "UmbrellaAcacia"})
         QTest::newRow(preset) << QByteArray(preset) << 120 * times;
 }
 

@@ -191,6 +191,41 @@ private slots:
         linkGrowthSpaces(scene);
         QVERIFY(crown(scene).space == GrowthSpaceLink());
     }
+    /// Trees that grow by years shade each other where they ask for it, in whatever order the scene has them.
+    void neighboursShadeEachOther()
+    {
+        const auto growing = [](NodeId id, double x) {
+            Node node = tree(id);
+            node.params.generator.kind = TreeGenerator::Growth;
+            node.params.tree.translation = {x, 0.0, 0.0};
+            node.params.growth.neighbours = true;
+            return node;
+        };
+        std::vector<Node> nodes{growing(1, 0.0), growing(2, 3.0), growing(3, -4.0), growing(4, 900.0),
+                                tree(5)};
+        nodes[1].params.growth.neighbours = false;
+        const Scene scene = linked(nodes);
+        const auto linkOf = [](const Scene& all, NodeId id) { return all.find(id)->params.growth.space; };
+        const GrowthSpaceLink first = linkOf(scene, 1);
+        QCOMPARE(first.neighbours.size(), std::size_t(2));
+        QCOMPARE(first.neighbours[0].foot.x, 3.0);
+        QCOMPARE(first.neighbours[1].foot.x, -4.0);
+        QVERIFY(first.hash != 0 && !first.space);
+        QVERIFY(linkOf(scene, 2) == GrowthSpaceLink());
+        QVERIFY(linkOf(scene, 4) == GrowthSpaceLink());
+        std::ranges::reverse(nodes);
+        QVERIFY(linkOf(linked(nodes), 1) == first);
+
+        Scene moved = scene;
+        moved.find(3)->params.tree.translation.z = 1.0;
+        QVERIFY(staleGrowthSpaces(moved).contains(1));
+        moved.find(3)->params.growth.age = 90.0; // they were planted in the same year, whatever is shown
+        linkGrowthSpaces(moved);
+        QVERIFY(staleGrowthSpaces(moved).empty());
+        moved.find(1)->params.growth.neighbours = false;
+        linkGrowthSpaces(moved);
+        QVERIFY(linkOf(moved, 1) == GrowthSpaceLink());
+    }
     void searchingForPointsCanBeStopped()
     {
         std::vector<Node> nodes{tree(1), box(2, 1, GrowthRole::Envelope, {3, 3, 3}, {0, 3, 0})};

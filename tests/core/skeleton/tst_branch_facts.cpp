@@ -168,7 +168,7 @@ void TestBranchFacts::factsAreThoseOfTheSkeleton()
     QCOMPARE(trunk.parent, noIndex);
     QCOMPARE(trunk.children, (std::vector<Index>{1, 2}));
     QCOMPARE(trunk.length, 2.0);
-    QCOMPARE(trunk.level, Index(0));
+    QCOMPARE(trunk.order, Index(0));
     QCOMPARE(side.parent, Index(0));
     QVERIFY(side.children.empty());
     QVERIFY(side.p0 == glm::dvec3(0, 2, 0) && side.p1 == glm::dvec3(1, 2, 0));
@@ -178,7 +178,7 @@ void TestBranchFacts::factsAreThoseOfTheSkeleton()
     QCOMPARE(side.mass, 0.06);
     QVERIFY(near(side.angleRad, pi / 2, 1e-15));
     const BranchFacts straight = factsOf(skeleton, sections, 2);
-    QCOMPARE(straight.level, Index(3));
+    QCOMPARE(straight.order, Index(3));
     QCOMPARE(straight.angleRad, 0.0);
     QCOMPARE(straight.azimuthRad, 0.0);
 }

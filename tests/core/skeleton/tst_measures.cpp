@@ -59,10 +59,12 @@ private slots:
         int measured = 0;
         for (const Preset& preset : presets()) {
             const auto* seeds = namedSeeds(preset.name);
-            QCOMPARE(seeds != nullptr, *preset.latin != '\0' && preset.ages.front() == 0);
+            QCOMPARE(seeds != nullptr, *preset.latin != '\0');
             if (!seeds)
                 continue;
             QCOMPARE(std::set(seeds->begin(), seeds->end()).size(), namedSeedCount);
+            if (test::isSanitized && preset.ages.front() != 0) // their growth has suites of its own
+                continue;
             std::vector<TreeMeasures> trees;
             TreeMeasures mean;
             for (const std::int64_t seed : *seeds) {
@@ -74,7 +76,8 @@ private slots:
             const auto spread = [&trees](std::size_t i) { return trees[i].crownWidth / trees[i].height; };
             QVERIFY2(trees[1].height > trees[2].height && spread(3) > spread(4), preset.name);
             const PublishedMeasures* published = publishedMeasures(preset.latin);
-            if (!published)
+            if (!published ||
+                preset.ages.front() != 0) // those that grow are measured when old: tst_grown_species
                 continue;
             ++measured;
             const auto near = [](double ours, double theirs) {

@@ -56,7 +56,6 @@ private slots:
     void parametersRunFromEndToEnd();
     void framesAreOrthonormal();
     void pointsStandAtTheirRadius();
-    void ringsHoldTheSamePoints();
     void framesGoOnFromParentToChild();
     void planarCurvesDoNotTwist();
     void noTwistBetweenNeighboursInSpace();
@@ -67,7 +66,6 @@ void TestSections::emptySkeleton()
 {
     const SectionSet set = buildSections(Skeleton(), 4);
     QVERIFY(set.sections.empty());
-    QVERIFY(sectionRings(set, 8).empty());
 }
 
 void TestSections::fewerThanTwoBecomeTwo()
@@ -121,17 +119,6 @@ void TestSections::pointsStandAtTheirRadius()
             }
         }
     }
-}
-
-void TestSections::ringsHoldTheSamePoints()
-{
-    const SectionSet set = buildSections(randomTree(4, false), 3);
-    const std::vector<glm::vec3> points = sectionRings(set, 7);
-    QCOMPARE(points.size(), set.sections.size() * 7);
-    for (std::size_t s = 0; s < set.sections.size(); ++s)
-        for (int k = 0; k < 7; ++k)
-            QVERIFY(glm::length(glm::dvec3(points[s * 7 + std::size_t(k)]) -
-                                sectionPoint(set.sections[s], k, 7)) < 1e-6);
 }
 
 void TestSections::framesGoOnFromParentToChild()

@@ -1,7 +1,7 @@
 #include "core/generators/variety.h"
 #include "core/pipeline/tree_pipeline.h"
 #include "core/presets/presets.h"
-#include "core/surface/foliage/foliage.h"
+#include "core/surface/foliage/place_foliage.h"
 #include "tests/support/suite.h"
 #include <algorithm>
 

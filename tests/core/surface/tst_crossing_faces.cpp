@@ -1,5 +1,6 @@
 #include "core/math/random.h"
 #include "core/surface/check/self_intersections.h"
+#include "core/surface/mesher/build_branch_mesh.h"
 #include "tests/support/preset_trees.h"
 #include "tests/support/self_intersections.h"
 #include "tests/support/solids.h"

@@ -1,3 +1,4 @@
+#include "core/surface/mesher/build_branch_mesh.h"
 #include "tests/support/preset_trees.h"
 #include "tests/support/self_intersections.h"
 #include "tests/support/suite.h"

@@ -1,6 +1,6 @@
 #include "core/math/hermite.h"
 #include "core/skeleton/sections.h"
-#include "core/surface/mesher/branch_mesh.h"
+#include "core/surface/mesher/build_branch_mesh.h"
 #include "tests/support/mesh_checker.h"
 #include "tests/support/preset_trees.h"
 #include "tests/support/suite.h"

@@ -1,5 +1,5 @@
 #include "core/surface/check/mesh_quality.h"
-#include "core/surface/mesher/branch_mesh.h"
+#include "core/surface/mesher/build_branch_mesh.h"
 #include "tests/support/fork_judge.h"
 #include "tests/support/mesh_checker.h"
 #include "tests/support/preset_trees.h"

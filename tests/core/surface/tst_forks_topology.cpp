@@ -1,4 +1,5 @@
 #include "core/math/random.h"
+#include "core/surface/mesher/build_branch_mesh.h"
 #include "tests/support/fork_judge.h"
 #include "tests/support/preset_trees.h"
 #include "tests/support/skeleton_zoo.h"

@@ -1,4 +1,5 @@
 #include "core/surface/check/self_intersections.h"
+#include "core/surface/mesher/build_branch_mesh.h"
 #include "core/surface/mesher/mesh_divisions.h"
 #include "tests/support/fork_judge.h"
 #include "tests/support/preset_trees.h"

@@ -1,5 +1,6 @@
 #include "core/base/parallel.h"
 #include "core/surface/mesh/mesh_arrays.h"
+#include "core/surface/mesher/build_branch_mesh.h"
 #include "tests/support/fork_judge.h"
 #include "tests/support/preset_trees.h"
 #include "tests/support/skeleton_zoo.h"

@@ -1,4 +1,4 @@
-#include "core/surface/mesher/branch_mesh.h"
+#include "core/surface/mesher/build_branch_mesh.h"
 #include "tests/support/preset_trees.h"
 #include "tests/support/suite.h"
 #include <algorithm>

@@ -136,7 +136,7 @@ private:
         look(m_window.get(), "history");
         raise("sceneDock");
         auto* scene = m_window->scenePanel();
-        for (const auto column : {SceneModel::RadiusColumn, SceneModel::LevelColumn})
+        for (const auto column : {SceneModel::RadiusColumn, SceneModel::OrderColumn})
             scene->chooseColumn(column, true);
         scene->view()->expandAll();
         selectBranches({1, 2});
@@ -159,7 +159,7 @@ private:
         scene->search()->field()->setText(QStringLiteral("length >"));
         look(m_window.get(), "search-wrong");
         scene->search()->clear();
-        for (const auto column : {SceneModel::RadiusColumn, SceneModel::LevelColumn})
+        for (const auto column : {SceneModel::RadiusColumn, SceneModel::OrderColumn})
             scene->chooseColumn(column, false);
         raise("inspectorDock");
         m_document->setSelection({});

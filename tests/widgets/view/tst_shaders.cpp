@@ -104,7 +104,7 @@ private slots:
         QTest::addColumn<int>("index");
         QTest::addColumn<QByteArray>("defines");
         int index = 0;
-        for (const auto& [program, sources] : Renderer::programs()) {
+        for (const auto& [program, sources] : RendererPrograms::table()) {
             QByteArray all = sources.defines;
             for (const char* define : switches::all)
                 all += define;
@@ -118,7 +118,7 @@ private slots:
     {
         QFETCH(const int, index);
         QFETCH(const QByteArray, defines);
-        ShaderSources sources = Renderer::programs()[std::size_t(index)].second;
+        ShaderSources sources = RendererPrograms::table()[std::size_t(index)].second;
         sources.defines = defines.constData();
         const ShaderTexts texts = composed(sources);
         const Verdict verdict = judge(texts);
@@ -134,7 +134,7 @@ private slots:
     void everyFileIsPartOfAProgram()
     {
         QSet<QString> listed;
-        for (const auto& [program, sources] : Renderer::programs()) {
+        for (const auto& [program, sources] : RendererPrograms::table()) {
             (void)composed(sources); // links the resources in
             for (const auto& names : {sources.vertex, sources.fragment})
                 for (const char* name : names)

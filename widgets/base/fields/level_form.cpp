@@ -1,5 +1,6 @@
 #include "widgets/base/fields/level_form.h"
 
+#include "widgets/base/named.h"
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -21,21 +22,16 @@ static QString budgetsText(const LevelOptions& options)
 
 LevelForm::LevelForm(QWidget* parent)
     : QWidget(parent)
-    , m_count(new QSpinBox(this))
+    , m_count(named(new QSpinBox(this), "exportLevels"))
     , m_label(new QLabel(tr("Triangles"), this))
     , m_fromLabel(new QLabel(tr("From"), this))
-    , m_budgets(new QLineEdit(this))
-    , m_from(new QLineEdit(this))
+    , m_budgets(named(new QLineEdit(this), "exportBudgets"))
+    , m_from(named(new QLineEdit(this), "exportSwitches"))
 {
-    m_count->setObjectName(QStringLiteral("exportLevels"));
-    m_budgets->setObjectName(QStringLiteral("exportBudgets"));
     m_count->setRange(1, static_cast<int>(mostLevels));
-    m_from->setObjectName(QStringLiteral("exportSwitches"));
     m_label->setBuddy(m_budgets);
     m_fromLabel->setBuddy(m_from);
-    auto* rows = new QGridLayout(this);
-    rows->setContentsMargins(0, 0, 0, 0);
-    rows->setSpacing(6);
+    auto* rows = layoutOf<QGridLayout>(this, 6);
     rows->setColumnStretch(2, 1);
     rows->addWidget(m_count, 0, 0);
     rows->addWidget(m_label, 0, 1);
@@ -150,8 +146,7 @@ Expected<void> LevelForm::check() const
         return fail(ErrorCode::Invalid,
                     RAMURE_NOOP("budgets are numbers of triangles, with commas between them"));
     LevelOptions wanted;
-    if (auto read = readSwitches(m_from->text().toStdString(), wanted); !read)
-        return read;
+    RAMURE_TRY(readSwitches(m_from->text().toStdString(), wanted));
     wanted = options();
     return wanted.isWanted() ? checkLevels(wanted) : Expected<void>();
 }

@@ -18,14 +18,14 @@ class LevelForm : public QWidget
 public:
     explicit LevelForm(QWidget* parent = nullptr);
 
-    /// What is written there, which checkLevels() may refuse; nothing where one level is asked for without a
-    /// budget: the tree as it is.
+    /// Returns the options as written; checkLevels() may refuse them. Nothing if one level without a budget
+    /// is asked for, which is the tree as it is.
     [[nodiscard]] LevelOptions options() const;
     void setOptions(const LevelOptions& options);
     /// Makes the form fit a panel: the hints in its empty fields are shorter.
     void setNarrow();
-    /// A text that holds no numbers is no budget. Errors: Invalid, with what is expected; those of
-    /// readSwitches and of checkLevels.
+    /// A text without numbers is no budget. Errors: Invalid, with the expected form; those of readSwitches
+    /// and of checkLevels.
     [[nodiscard]] Expected<void> check() const;
 
     /// Convert to files of settings and back. Entries that are no numbers are left out.

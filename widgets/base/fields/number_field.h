@@ -23,7 +23,7 @@ public:
     explicit NumberField(QWidget* parent = nullptr);
 
     void setFormat(const NumberFormat& format);
-    /// What arrow keys and typing are held to, in the program's unit.
+    /// Sets the range that arrow keys and typing are limited to, in the program's unit.
     void setRange(double minimum, double maximum);
     /// One arrow key; with Shift a tenth, with Ctrl or Page Up and Down ten times as much.
     void setStep(double step);
@@ -32,8 +32,9 @@ public:
     /// Dragging \p handle, a label beside the field, drags the number; a click on it gives the field the
     /// focus.
     void addHandle(QWidget* handle);
-    /// What a reset gives. Typing what the field shows for it means exactly this value: 18 degrees and a
-    /// default of 0.3142 rad look the same, and a parameter that looks unchanged is unchanged.
+    /// Sets the value of a reset. If somebody types the text that the field shows for it, exactly this value
+    /// is set: 18 degrees and a default of 0.3142 rad look the same, and a parameter that looks unchanged is
+    /// unchanged.
     void setDefault(std::optional<double> value);
 
     /// Shows a value; std::nullopt: several nodes differ. Never emits. A text being typed stays.
@@ -50,8 +51,8 @@ signals:
     /// The text that was entered is no number; \p reason says why, in the interface's language. Empty: all is
     /// well again.
     void refused(const QString& reason);
-    /// What was typed lies outside the range and the nearest end was taken; \p note says which, in the
-    /// interface's language. After valueEdited. Empty: the note is no longer true.
+    /// A typed value was outside the range, and the nearest end was taken. \p note says which, in the
+    /// interface's language. Emitted after valueEdited. An empty note withdraws it.
     void held(const QString& note);
     /// Edits between these belong together: while the field has the focus, up to a typed value's Return.
     void gestureBegan();

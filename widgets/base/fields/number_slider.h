@@ -20,7 +20,7 @@ public:
     /// \param step of the arrow keys. How the range lies along the slider:
     /// widgets/base/fields/number_scale.h.
     void setSoftRange(double minimum, double maximum, double step, bool whole);
-    /// What is dragged gets round as it is shown: times \p factor.
+    /// Dragged values are rounded as the field shows them: times \p factor.
     void setFactor(double factor) { m_factor = factor; }
     /// Never emits. Values outside the range put the handle at its end and stay as they are.
     void setNumber(std::optional<double> value);

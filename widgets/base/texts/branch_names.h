@@ -1,5 +1,5 @@
 /// \file
-/// What branches are called in the interface: by order and place, "Limb 3 of the trunk, 1.9 m up".
+/// Names of branches in the interface, by order and place: "Limb 3 of the trunk, 1.9 m up".
 #pragma once
 
 #include "widgets/base/texts/branch_rows.h"
@@ -19,11 +19,11 @@ public:
 
     /// "Bough 2 of limb 3, 0.45 m along".
     [[nodiscard]] QString axis(const BranchRows& rows, Index axis) const;
-    /// The axis with the place of the branch in it; the axis alone where it has only this branch.
+    /// Names the axis and the place of the branch in it; the axis alone if it has only this branch.
     [[nodiscard]] QString branch(const BranchRows& rows, Index branch) const;
     /// "Branch 2 of 7", below its axis.
     [[nodiscard]] QString part(const BranchRows& rows, Index branch) const;
-    /// An axis and those that it springs from, one below the other.
+    /// Names an axis and its ancestors, one below the other.
     [[nodiscard]] QString way(const BranchRows& rows, Index axis) const;
 
 private:

@@ -1,7 +1,7 @@
 /// \file
-/// The branches of one tree as axes: a branch and those that lead it on, from foot to tip, are a trunk, a
-/// limb, a bough or a twig. Axes spring from the axis below them, so a trunk of a hundred branches is one row
-/// of the scene panel, and unfolding goes from trunk to limb to twig.
+/// The branches of one tree as axes: branches that continue each other from foot to tip are a trunk, a limb,
+/// a bough or a twig. An axis belongs below its parent, so a trunk of a hundred branches is one row of the
+/// scene panel, and unfolding goes from trunk to limb to twig.
 #pragma once
 
 #include "core/pipeline/tree_pipeline.h"
@@ -15,8 +15,8 @@ namespace ramure {
 class BranchRows
 {
 public:
-    /// A few passes over the skeletons: milliseconds for 100,000 branches. Axes are those of the tree before
-    /// it was simplified, and their numbers those of the tree as it grew, so that no edit renames another
+    /// Passes over the skeletons a few times: milliseconds for 100,000 branches. Axes are those of the tree
+    /// before simplification, and their numbers those of the tree as it grew, so that no edit renames another
     /// limb. Without TreeResult::skeleton the tree was never simplified. \pre TreeResult::simplified
     explicit BranchRows(const TreeResult& tree);
 
@@ -34,8 +34,8 @@ public:
     /// The axes that spring from it, from its foot to its tip.
     [[nodiscard]] std::span<const Index> below(Index axis) const { return m_below.of(axis); }
     [[nodiscard]] const std::vector<Index>& trunks() const { return m_trunks; }
-    /// Position among those that grew from the same axis, or among the trunks, from 0; what edits put there
-    /// comes after those.
+    /// Position among the children of the same axis, or among the trunks, from 0. Axes that edits made come
+    /// last.
     [[nodiscard]] Index number(Index axis) const { return m_number[axis]; }
     /// There is another trunk that it has to be told from: it did not grow as the only one.
     [[nodiscard]] bool isOneOfTrunks(Index trunk) const { return m_number[trunk] > 0 || m_grownTrunks > 1; }

@@ -6,7 +6,6 @@
 #include <QLocale>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace ramure {

@@ -15,7 +15,7 @@ struct NumberFormat
     ParamUnit unit = ParamUnit::None;
     double factor = 1.0; ///< shown = value * factor
     QString suffix;      ///< with its space, such as " m"
-    int decimals = 2;    ///< of what is shown
+    int decimals = 2;    ///< digits behind the point that are shown
     bool whole = false;  ///< an integer
     QString atZero{};    ///< shown in the place of 0, where that is no number but a wish; empty: 0
 

@@ -11,11 +11,11 @@ struct Preset;
 
 /// "SilverBirch": "Silver Birch", in French "Bouleau verruqueux"; other names as spacedName() has them.
 QString presetTitle(const QString& name);
-/// What a group of presets (Preset::group, the name of which scripts know) is called in menus and galleries.
+/// Returns the title of a group of presets for menus and galleries. Scripts know the group by Preset::group.
 QString presetGroupTitle(const char* group);
 /// All names it has, for a search: the title, the English and the Latin one.
 QString presetNames(const Preset& preset);
-/// Its Latin name, where it has one, and what it is like.
+/// Returns its Latin name, if it has one, and a short description.
 QString presetTip(const Preset& preset);
 /// Not what grammars and points are shown with: these stand before the species among the presets, and behind
 /// them in menus and galleries.

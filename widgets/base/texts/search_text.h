@@ -9,7 +9,7 @@ namespace ramure {
 
 /// Lower case without accents. Letter for letter: a place in the result is the same place in \p text.
 QString searchable(const QString& text);
-/// The words of what somebody typed, as searchable() writes them.
+/// Splits a typed text into words, as searchable() writes them.
 QStringList searchWords(const QString& typed);
 /// Whether a word begins at \p place.
 bool isWordStart(const QString& text, qsizetype place);

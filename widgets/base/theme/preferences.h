@@ -1,5 +1,5 @@
 /// \file
-/// What the user prefers, remembered between sessions. Widgets hear of changes through changed().
+/// The user's preferences, remembered between sessions. Widgets hear of changes through changed().
 #pragma once
 
 #include "core/base/error.h"
@@ -26,7 +26,7 @@ class Preferences : public QObject
 {
     Q_OBJECT
 public:
-    /// One preference: a key of the settings file, and what it is while nothing is stored there.
+    /// One preference: a key of the settings file, and its value while nothing is stored there.
     template <class T> class Value
     {
     public:
@@ -83,7 +83,7 @@ public:
     static constexpr int leastMotionMb = 64, mostMotionMb = 65'536, defaultMotionMb = 1024;
 
     explicit Preferences(QObject* parent = nullptr);
-    ~Preferences() override; ///< what was set last is on the disk
+    ~Preferences() override; ///< writes the last changes to the disk
 
     Choice<AngleUnit> angleUnit{this, "units/angle", {"degrees", "radians"}};
     Choice<ThemeChoice> theme{this, "view/theme", {"system", "light", "dark"}};
@@ -124,15 +124,15 @@ public:
     /// The axes and the unit of the last mesh that was exported.
     [[nodiscard]] FileSpace exportSpace() const;
     void setExportSpace(const FileSpace& space);
-    /// What the export dialog keeps: settings under names, and those of the last exports.
+    /// Settings of the export dialog under names, and those of the last exports.
     Value<QVariantMap> exportSettings{this, "files/export", {}, false};
     void setExportSettings(const QVariantMap& settings) { exportSettings.set(settings); }
 
-    /// What the tools of the view remember, see GizmoSettings::saved.
+    /// Settings of the view's tools, see GizmoSettings::saved.
     Value<QVariantMap> toolSettings{this, "window/tools"};
-    /// What is remembered of the picture in the view: its quality (ViewActions).
+    /// The quality of the picture in the view (ViewActions).
     Value<QVariantMap> viewLight{this, "view/light"};
-    /// What the palette found and was asked to do, the latest first (paletteName).
+    /// Recent finds of the palette, the latest first (paletteName).
     Value<QStringList> recentFinds{this, "window/recentFinds", {}, false};
     void addRecentFind(const QString& name);
     /// Whether the tour has begun once.
@@ -148,7 +148,8 @@ public:
 
 signals:
     void changed();
-    /// They cannot be written; once until they can be again. Meanwhile what was set holds for this session.
+    /// The settings cannot be written; emitted once until they can be written again. Meanwhile changes hold
+    /// for this session.
     void failed(const ramure::Error& error);
 
 private:
@@ -159,7 +160,7 @@ private:
     Value<QString> m_exportSpace{this, "files/exportSpace"};
     Value<QVariantMap> m_shortcuts{this, "shortcuts"};
     QSettings m_settings;
-    QTimer m_rest; ///< until what was set is written
+    QTimer m_rest; ///< delay until changes are written
     bool m_isFailing = false;
 };
 

@@ -1,5 +1,6 @@
 #include "widgets/dialogs/export/billboard_dialog.h"
 
+#include "widgets/base/named.h"
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -8,7 +9,6 @@
 #include <QPushButton>
 #include <QSpinBox>
 #include <QVBoxLayout>
-#include <algorithm>
 
 namespace ramure {
 
@@ -18,27 +18,18 @@ static_assert(leastOfferedSize >= leastBillboardSize);
 BillboardDialog::BillboardDialog(bool hasSelection, const QVariantMap& kept, QWidget* parent)
     : QDialog(parent)
     , m_form(new QFormLayout)
-    , m_kind(new QComboBox(this))
-    , m_cards(new QSpinBox(this))
-    , m_lying(new QCheckBox(this))
-    , m_views(new QSpinBox(this))
-    , m_size(new QComboBox(this))
-    , m_files(new QComboBox(this))
-    , m_selection(new QCheckBox(this))
-    , m_summary(new QLabel(this))
-    , m_problem(new QLabel(this))
+    , m_kind(named(new QComboBox(this), "billboardKind"))
+    , m_cards(named(new QSpinBox(this), "billboardCards"))
+    , m_lying(named(new QCheckBox(this), "billboardLying"))
+    , m_views(named(new QSpinBox(this), "billboardViews"))
+    , m_size(named(new QComboBox(this), "billboardSize"))
+    , m_files(named(new QComboBox(this), "billboardFiles"))
+    , m_selection(named(new QCheckBox(this), "billboardSelection"))
+    , m_summary(named(new QLabel(this), "dim"))
+    , m_problem(named(new QLabel(this), "problem"))
     , m_buttons(new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel, this))
 {
     setObjectName(QStringLiteral("billboardDialog"));
-    m_kind->setObjectName(QStringLiteral("billboardKind"));
-    m_cards->setObjectName(QStringLiteral("billboardCards"));
-    m_lying->setObjectName(QStringLiteral("billboardLying"));
-    m_views->setObjectName(QStringLiteral("billboardViews"));
-    m_size->setObjectName(QStringLiteral("billboardSize"));
-    m_files->setObjectName(QStringLiteral("billboardFiles"));
-    m_selection->setObjectName(QStringLiteral("billboardSelection"));
-    m_summary->setObjectName(QStringLiteral("dim"));
-    m_problem->setObjectName(QStringLiteral("problem"));
     m_kind->addItems({QString(), QString()});
     m_files->addItems({QString(), QString()});
     m_cards->setRange(leastCards, mostCards);
@@ -76,9 +67,7 @@ void BillboardDialog::build()
         line->setMinimumWidth(360);
         line->setMinimumHeight(2 * line->fontMetrics().lineSpacing());
     }
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(18, 18, 18, 14);
-    layout->setSpacing(10);
+    auto* layout = layoutOf<QVBoxLayout>(this, 10, {18, 18, 18, 14});
     layout->setSizeConstraint(QLayout::SetFixedSize);
     layout->addLayout(m_form);
     layout->addWidget(m_summary);
@@ -191,16 +180,15 @@ void BillboardDialog::setTexts()
            "least 16 px for each view"));
     describe(m_size, tr("Size"), tr("Width and height of the pictures in pixels"));
     describe(m_files, tr("Files"), tr("A folder gets cards.glb, cards_colour.png and cards_normal.png"));
-    describe(
-        m_selection, tr("Trees"),
-        tr("Draw the selected nodes and what is below them. Otherwise, everything visible is drawn, as it "
-           "is at the time shown"));
+    describe(m_selection, tr("Trees"),
+             tr("Draws the selected nodes and their children. If off, draws everything visible, as it is at "
+                "the time shown"));
     m_kind->setItemText(0, tr("Crossed cards"));
     m_kind->setItemText(1, tr("Atlas of views"));
     m_lying->setText(tr("One more lies"));
     m_files->setItemText(0, tr("One GLB file"));
     m_files->setItemText(1, tr("A folder: GLB and PNG pictures"));
-    m_selection->setText(tr("Only what is selected"));
+    m_selection->setText(tr("Selection only"));
     m_buttons->button(QDialogButtonBox::Save)->setText(tr("Save…"));
     m_buttons->button(QDialogButtonBox::Cancel)->setText(tr("Cancel"));
     updateMessage();

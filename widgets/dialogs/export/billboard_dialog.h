@@ -1,5 +1,5 @@
 /// \file
-/// Asks what stands for trees far away: crossed cards or an atlas of views, and how large.
+/// Asks for the kind and size of billboards: crossed cards or an atlas of views.
 #pragma once
 
 #include "widgets/view/render/passes/billboard_files.h"
@@ -19,8 +19,8 @@ class BillboardDialog : public QDialog
 {
     Q_OBJECT
 public:
-    /// \param hasSelection nodes are selected: they can be drawn alone \param kept settings() of the last
-    /// time; what is missing there is as usual
+    /// \param hasSelection nodes are selected, so that they can be drawn alone \param kept settings() of the
+    /// last time; missing ones get their defaults
     BillboardDialog(bool hasSelection, const QVariantMap& kept, QWidget* parent = nullptr);
 
     [[nodiscard]] BillboardWish wish() const;

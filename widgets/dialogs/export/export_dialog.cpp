@@ -132,7 +132,7 @@ void ExportDialog::connectMessage()
     connect(m_path, &QLineEdit::textChanged, this, forget);
     connect(m_moments, &MomentForm::changed, this, forget);
     connect(m_pictures, &PictureForm::changed, this, forget);
-    connect(m_printing, &PrintForm::changed, this, forget);
+    connect(m_print.form, &PrintForm::changed, this, forget);
 }
 
 void ExportDialog::setAnalysis(const Analysis* analysis)
@@ -267,20 +267,20 @@ QSize ExportDialog::pageHint() const
 /// That the largest page takes, whatever is chosen on it.
 QSize ExportDialog::roomForPages()
 {
-    const QSignalBlocker quiet(m_moments), too(m_printing);
-    const bool isPrintWanted = m_printing->isWanted();
+    const QSignalBlocker quiet(m_moments), too(m_print.form);
+    const bool isPrintWanted = m_print.form->isWanted();
     const ExportMoment moment = m_moments->moment();
     m_moments->setMoment(ExportMoment::Sequence); // has a line of fields more
     QSize room;
     for (const ExportUse use : exportUses) {
-        m_printing->setWanted(use == ExportUse::Print);
+        m_print.form->setWanted(use == ExportUse::Print);
         for (const QString& id : formatsOf(use)) {
             const FileFormat* format = formatCalled(id);
             showRows({use, format, use == ExportUse::Print, format && (format->holds & holdsClip)});
             room = room.expandedTo(pageHint());
         }
     }
-    m_printing->setWanted(isPrintWanted);
+    m_print.form->setWanted(isPrintWanted);
     m_moments->setMoment(moment);
     updateWidgets();
     return room;
@@ -310,12 +310,12 @@ void ExportDialog::showEvent(QShowEvent* event)
 
 void ExportDialog::updateWidgets()
 {
-    const bool running = m_waiting || m_writesPrint || m_task->isRunning();
+    const bool running = m_waiting || m_print.isAwaited || m_task->isRunning();
     const bool lines = options().model == ExportModel::Skeleton;
     for (QWidget* widget :
          {static_cast<QWidget*>(m_format), static_cast<QWidget*>(m_path), static_cast<QWidget*>(m_browse),
           static_cast<QWidget*>(m_hidden), static_cast<QWidget*>(m_uses), static_cast<QWidget*>(m_kept),
-          static_cast<QWidget*>(m_levels), static_cast<QWidget*>(m_printing),
+          static_cast<QWidget*>(m_levels), static_cast<QWidget*>(m_print.form),
           static_cast<QWidget*>(m_moments), static_cast<QWidget*>(m_pictures)})
         widget->setEnabled(!running);
     m_fields->setEnabled(!running);
@@ -327,7 +327,7 @@ void ExportDialog::updateWidgets()
                                                    options().model == ExportModel::Mesh);
     m_fields->of<QComboBox>("maps")->setEnabled(!running && options().texture);
     showRows(page());
-    m_printing->setMayPrepare(!m_recompute->isBusy());
+    m_print.form->setMayPrepare(!m_recompute->isBusy());
     m_selection->setEnabled(!running && !m_document->selection().nodes.empty());
     m_export->setEnabled(!running && !path().isEmpty() && (lines || options().parts != 0));
     m_progress->setVisible(running);
@@ -344,7 +344,7 @@ void ExportDialog::browse()
         return;
     setPath(chosen);
     if (!isNumbered())
-        m_mayReplace = path(); // the chooser has asked
+        m_mayReplace.path = path(); // the chooser has asked
 }
 
 void ExportDialog::startExport()
@@ -389,26 +389,26 @@ void ExportDialog::run()
 
 bool ExportDialog::isPrint() const
 {
-    return format() && m_printing->isWanted();
+    return format() && m_print.form->isWanted();
 }
 
 void ExportDialog::connectPrint()
 {
-    m_preparer = new PrintPreparer(
-        m_document, m_printing, [this] { return options(); }, this);
-    connect(m_printing, &PrintForm::changed, this, &ExportDialog::takeFormat);
+    m_print.preparer = new PrintPreparer(
+        m_document, m_print.form, [this] { return options(); }, this);
+    connect(m_print.form, &PrintForm::changed, this, &ExportDialog::takeFormat);
     for (QCheckBox* box : {m_selection, m_hidden})
-        connect(box, &QCheckBox::toggled, m_preparer, &PrintPreparer::forget);
-    connect(m_preparer, &PrintPreparer::began, this, [this] { setMessage({}, false); });
-    connect(m_preparer, &PrintPreparer::progress, this, &ExportDialog::setProgress);
-    connect(m_preparer, &PrintPreparer::finished, this, &ExportDialog::takePrint);
+        connect(box, &QCheckBox::toggled, m_print.preparer, &PrintPreparer::forget);
+    connect(m_print.preparer, &PrintPreparer::began, this, [this] { setMessage({}, false); });
+    connect(m_print.preparer, &PrintPreparer::progress, this, &ExportDialog::setProgress);
+    connect(m_print.preparer, &PrintPreparer::finished, this, &ExportDialog::takePrint);
     connect(m_recompute, &Recompute::busyChanged, this,
-            [this](bool busy) { m_printing->setMayPrepare(!busy); });
+            [this](bool busy) { m_print.form->setMayPrepare(!busy); });
 }
 
 void ExportDialog::takePrint(const std::optional<Error>& error)
 {
-    const bool writes = std::exchange(m_writesPrint, false);
+    const bool writes = std::exchange(m_print.isAwaited, false);
     if (error) {
         const bool isCancelled = error->code == ErrorCode::Cancelled;
         setMessage(isCancelled ? tr("Cancelled. No file was changed.") : errorText(*error), !isCancelled);
@@ -425,12 +425,12 @@ void ExportDialog::writePrint()
 {
     if (m_task->isRunning())
         return;
-    if (m_preparer->print()) {
-        m_task->startPrint(m_preparer->print(), options().write, path());
+    if (m_print.preparer->print()) {
+        m_task->startPrint(m_print.preparer->print(), options().write, path());
     } else {
-        m_writesPrint = true;
-        if (!m_preparer->isRunning())
-            m_preparer->prepare();
+        m_print.isAwaited = true;
+        if (!m_print.preparer->isRunning())
+            m_print.preparer->prepare();
     }
     updateWidgets();
 }
@@ -484,8 +484,8 @@ void ExportDialog::reject()
         updateWidgets();
     } else if (m_task->isRunning()) {
         m_task->cancel();
-    } else if (m_preparer->isRunning()) {
-        m_preparer->cancel();
+    } else if (m_print.preparer->isRunning()) {
+        m_print.preparer->cancel();
     } else {
         QDialog::reject();
     }

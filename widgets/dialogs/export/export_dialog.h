@@ -1,5 +1,5 @@
 /// \file
-/// What to export, how and where to.
+/// The export dialog: what to export, how, and where to.
 #pragma once
 
 #include "core/qt/session/export/export_options.h"
@@ -51,9 +51,10 @@ public:
                  QWidget* parent = nullptr, std::int64_t shownFrame = 0);
     ~ExportDialog() override;
 
-    /// What it found is told before a mesh that is not clean is written; without it only defects are.
+    /// Sets the analysis whose findings are told before a mesh that is not clean is written. Without it only
+    /// defects are told.
     void setAnalysis(const Analysis* analysis);
-    /// What writes sequences while the work goes on; without it there are none. Not owned.
+    /// Sets the task that writes sequences in the background. Without it the dialog offers none. Not owned.
     void setSequenceTask(SequenceTask* task);
     /// How pictures look; without it there are none.
     void setPictureLook(const PictureLook& look);
@@ -62,7 +63,7 @@ public:
     [[nodiscard]] ExportUse use() const { return m_use; }
     /// Turns to the page for games, which has them.
     void setLevels(const LevelOptions& levels);
-    /// Its page for games has these when it is turned to, not those of an export before.
+    /// Offers these levels when the page for games is opened, instead of those of an earlier export.
     void offerLevels(const LevelOptions& levels);
     /// There is a view that shows it: windShown().
     void offerWind();
@@ -75,11 +76,11 @@ public:
     void repeat(const QVariantMap& settings, const QString& path);
     [[nodiscard]] MomentForm* moments() const { return m_moments; }
     [[nodiscard]] PictureForm* pictures() const { return m_pictures; }
-    [[nodiscard]] PrintForm* printing() const { return m_printing; }
+    [[nodiscard]] PrintForm* printing() const { return m_print.form; }
     void setPath(const QString& path);
     [[nodiscard]] QString path() const;
     [[nodiscard]] ExportOptions options() const;
-    /// Waits for the full result where it is being computed, then writes on a thread.
+    /// Waits for the full result if it is being computed, then writes on a thread.
     void startExport();
 
 signals:
@@ -87,14 +88,14 @@ signals:
     void exported(const QString& path);
     /// A sequence, or a picture, is being written by the task; the dialog has closed itself.
     void started();
-    /// What is wrong with the mesh of this tree is to be shown; the dialog has closed itself.
+    /// Asks to show the problems of this tree's mesh; the dialog has closed itself.
     void showRequested(ramure::NodeId tree);
     /// Trees in the view are to move as they will in that engine; None: not any more.
     void windShown(ramure::WindProfile game);
 
 public slots:
-    void reject() override;         ///< cancels what is running first
-    void done(int result) override; ///< with what each page has for the next time
+    void reject() override;         ///< cancels a running job first
+    void done(int result) override; ///< also keeps the settings of each page for the next time
 
 protected:
     void showEvent(QShowEvent* event) override;
@@ -159,11 +160,14 @@ private:
     ExportTask* m_task;
     bool m_waiting = false;
     FaultsLine* m_faults = nullptr;
-    QString m_mayReplace; ///< the path (and frames) whose existing files the user has agreed to overwrite
-    bool m_mayReplaceAll = false; ///< it is done again
+    struct
+    {
+        QString path;     ///< the path (and frames) whose existing files the user has agreed to overwrite
+        bool all = false; ///< the export is repeated
+    } m_mayReplace;
     ExportUse m_use = ExportUse::Blender;
     QVariantMap m_usual;                      ///< settings before anybody chose
-    std::map<ExportUse, QVariantMap> m_pages; ///< of those that were left
+    std::map<ExportUse, QVariantMap> m_pages; ///< settings of the pages that were left
     QTabBar* m_uses = nullptr;
     QScrollArea* m_scroll = nullptr;
     QWidget* m_page = nullptr; ///< the form, which is scrolled
@@ -175,7 +179,7 @@ private:
     };
     QGridLayout* m_form = nullptr;
     std::vector<FormRow> m_rows;
-    OptionFields* m_fields; ///< of the table of options
+    OptionFields* m_fields; ///< fields of the table of options
     KeptForm* m_kept = nullptr;
     LevelForm* m_levels = nullptr;
     std::optional<LevelOptions> m_offered;
@@ -190,9 +194,12 @@ private:
     std::optional<PictureLook> m_look;
     MomentForm* m_moments = nullptr;
     PictureForm* m_pictures = nullptr;
-    PrintForm* m_printing = nullptr;
-    PrintPreparer* m_preparer = nullptr;
-    bool m_writesPrint = false; ///< as soon as it is there
+    struct
+    {
+        PrintForm* form = nullptr;
+        PrintPreparer* preparer = nullptr;
+        bool isAwaited = false; ///< it is written as soon as it is there
+    } m_print;
     QLabel* m_summary = nullptr;
     std::int64_t m_shownFrame;
     QProgressBar* m_progress = nullptr;

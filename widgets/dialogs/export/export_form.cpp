@@ -2,6 +2,7 @@
 #include "core/io/formats/file_format.h"
 #include "core/qt/document/document.h"
 #include "widgets/base/fields/level_form.h"
+#include "widgets/base/named.h"
 #include "widgets/base/texts/core_text.h"
 #include "widgets/base/theme/preferences.h"
 #include "widgets/dialogs/export/export_dialog.h"
@@ -29,20 +30,16 @@ namespace ramure {
 
 void ExportDialog::buildForm()
 {
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(18, 18, 18, 14);
-    layout->setSpacing(14);
+    auto* layout = layoutOf<QVBoxLayout>(this, 14, {18, 18, 18, 14});
     buildUses(layout);
     // No QFormLayout: its rows that are hidden take the height of others (Qt 6.4, where some wrap their
     // text).
     m_page = new QWidget(this);
-    m_form = new QGridLayout(m_page);
-    m_form->setContentsMargins(0, 0, 0, 0);
+    m_form = layoutOf<QGridLayout>(m_page);
     m_form->setHorizontalSpacing(14);
     m_form->setVerticalSpacing(10);
     m_form->setColumnStretch(1, 1);
-    m_format = new QComboBox(this);
-    m_format->setObjectName(QStringLiteral("exportFormat"));
+    m_format = named(new QComboBox(this), "exportFormat");
     m_format->setAccessibleName(tr("Format"));
     fillFormats();
     addRows();
@@ -77,9 +74,8 @@ static QLayout* besides(int spacing, const QList<QWidget*>& widgets)
 QLayout* ExportDialog::buildWind()
 {
     auto* wind = static_cast<QComboBox*>(m_fields->make("wind", this));
-    m_showWind = new QPushButton(tr("Show"), this);
+    m_showWind = named(new QPushButton(tr("Show"), this), "exportShowWind");
     m_showWind->setToolTip(tr("In the view behind this dialog, trees move as they will in that engine"));
-    m_showWind->setObjectName(QStringLiteral("exportShowWind"));
     m_showWind->setCheckable(true);
     m_showWind->setAutoDefault(false);
     m_showWind->setEnabled(false);
@@ -127,7 +123,7 @@ void ExportDialog::addRows()
     addRow(tr("Settings"), m_kept = new KeptForm(
                                m_preferences, [this] { return settings(); }, this));
     addRow(tr("Format"), m_format);
-    addRow(tr("For print"), m_printing = new PrintForm(m_fields, this),
+    addRow(tr("For print"), m_print.form = new PrintForm(m_fields, this),
            [](const ExportPage& page) { return page.use == ExportUse::Print; });
     add("model");
     addRow(tr("Parts"), m_parts = new PartsForm(m_fields, this), isMesh);
@@ -158,11 +154,10 @@ void ExportDialog::addRows()
 /// A page for each use.
 void ExportDialog::buildUses(QVBoxLayout* layout)
 {
-    m_uses = new QTabBar(this);
-    m_uses->setObjectName(QStringLiteral("exportUses"));
+    m_uses = named(new QTabBar(this), "exportUses");
     m_uses->setExpanding(false);
     m_uses->setUsesScrollButtons(false); // on a small screen, too, all of them are seen
-    m_uses->setAccessibleName(tr("What the export is for"));
+    m_uses->setAccessibleName(tr("Purpose of the export"));
     for (const ExportUse use : exportUses)
         m_uses->setTabToolTip(m_uses->addTab(titleOf(use)), tipOf(use));
     layout->addWidget(m_uses);
@@ -210,10 +205,10 @@ void ExportDialog::takeUse(int tab)
     m_kept->setUse(m_use);
     setMessage({}, false);
     {
-        const QSignalBlocker once(m_printing); // the page is laid out below
-        m_printing->setWanted(m_use == ExportUse::Print);
+        const QSignalBlocker once(m_print.form); // the page is laid out below
+        m_print.form->setWanted(m_use == ExportUse::Print);
     }
-    m_preparer->forget();
+    m_print.preparer->forget();
     takeFormat();
     turnPage(m_use);
 }
@@ -235,7 +230,7 @@ QLayout* ExportDialog::buildSpace()
 
 QLayout* ExportDialog::buildScope()
 {
-    m_selection = new QCheckBox(tr("Only what is selected"), this);
+    m_selection = new QCheckBox(tr("Selection only"), this);
     m_selection->setEnabled(!m_document->selection().nodes.empty());
     m_hidden = new QCheckBox(tr("Hidden nodes too"), this);
     for (QCheckBox* box : {m_selection, m_hidden})
@@ -256,8 +251,7 @@ QLayout* ExportDialog::buildTarget()
     m_path->setAccessibleName(tr("File"));
     m_browse = new QPushButton(tr("Browse…"), this);
     m_browse->setAutoDefault(false);
-    m_summary = new QLabel(this);
-    m_summary->setObjectName(QStringLiteral("dim"));
+    m_summary = named(new QLabel(this), "dim");
     m_summary->setTextFormat(Qt::PlainText);
     m_summary->setWordWrap(true);
     m_summary->setAlignment(Qt::AlignLeft | Qt::AlignTop);

@@ -41,7 +41,7 @@ QVariantMap ExportDialog::settings() const
                  {"step", qlonglong(frames.step)},
                  {"turns", m_moments->turns()},
                  {"loop", m_moments->loopSeconds()},
-                 {"print", m_printing->isWanted()},
+                 {"print", m_print.form->isWanted()},
                  {"width", m_pictures->pictureSize().width()},
                  {"pixels", m_pictures->pictureSize().height()},
                  {"transparent", m_pictures->isTransparent()}});
@@ -76,7 +76,7 @@ void ExportDialog::setSettings(const QVariantMap& kept)
     m_moments->setTurns(number("turns", 72));
     m_moments->setLoopSeconds(kept.value(QStringLiteral("loop"), 4.0).toDouble());
     m_moments->setMoment(static_cast<ExportMoment>(std::clamp(number("moment", 0), 0, 4)));
-    m_printing->setWanted(is("print"));
+    m_print.form->setWanted(is("print"));
     m_pictures->setPictureSize({number("width", 1920), number("pixels", 1080)});
     m_pictures->setTransparent(is("transparent"));
 }
@@ -121,7 +121,7 @@ void ExportDialog::repeat(const QVariantMap& settings, const QString& path)
 {
     setSettings(settings);
     setPath(path);
-    m_mayReplaceAll = true;
+    m_mayReplace.all = true;
     startExport();
 }
 

@@ -165,7 +165,7 @@ bool ExportDialog::mayReplaceFiles()
     }
     if (isNumbered())
         wish += QStringLiteral(" %1 %2").arg(names.size()).arg(names.front());
-    if (m_mayReplaceAll || m_mayReplace == wish)
+    if (m_mayReplace.all || m_mayReplace.path == wish)
         return true;
     const QStringList there = QFileInfo(path()).dir().entryList(QDir::Files | QDir::Hidden | QDir::System);
     const QSet<QString> existing(there.begin(), there.end());
@@ -173,7 +173,7 @@ bool ExportDialog::mayReplaceFiles()
                                      [&](const QString& name) { return existing.contains(name); });
     if (count == 0)
         return true;
-    m_mayReplace = wish;
+    m_mayReplace.path = wish;
     setMessage(isNumbered() ? tr("%Ln of these files are there already. Export once more to replace them.",
                                  nullptr, int(count))
                             : tr("“%1” is there already. Export once more to replace it.").arg(names.front()),

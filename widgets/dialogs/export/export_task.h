@@ -11,7 +11,7 @@
 
 namespace ramure {
 
-/// The document's results, shared with a thread: the document itself stays where it is.
+/// Returns the document's results for use on a thread; the document itself is not shared.
 TreeSource snapshotOf(const Document& document);
 
 class ExportTask : public Job
@@ -20,9 +20,8 @@ class ExportTask : public Job
 public:
     using Job::Job;
 
-    /// Takes what it needs from the document and returns at once; nothing happens while another export is
-    /// running. The trees are as their physics has moved them at \p timeSeconds.
-    /// \param timeline in the place of the scene's.
+    /// Copies its inputs from the document and returns at once; does nothing while another export is running.
+    /// The trees are as their physics has moved them at \p timeSeconds. \param timeline replaces the scene's
     void startExport(const Document& document, const ExportOptions& options, const QString& path,
                      double timeSeconds = 0.0, const std::optional<TimelineSettings>& timeline = {});
     /// Writes a print with Z up, in mm.

@@ -1,5 +1,6 @@
 #include "widgets/dialogs/export/faults_line.h"
 
+#include "widgets/base/named.h"
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -10,17 +11,13 @@ namespace ramure {
 FaultsLine::FaultsLine(const Document* document, QWidget* parent)
     : QWidget(parent)
     , m_document(document)
-    , m_text(new QLabel(this))
+    , m_text(named(new QLabel(this), "meshFaults"))
 {
-    m_text->setObjectName(QStringLiteral("meshFaults"));
     m_text->setTextFormat(Qt::PlainText);
     m_text->setWordWrap(true);
-    auto* show = new QPushButton(tr("Show"), this);
-    show->setObjectName(QStringLiteral("showFaults"));
+    auto* show = named(new QPushButton(tr("Show"), this), "showFaults");
     show->setAutoDefault(false);
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(8);
+    auto* row = layoutOf<QHBoxLayout>(this, 8);
     row->addWidget(m_text, 1);
     row->addWidget(show, 0, Qt::AlignTop);
     connect(show, &QPushButton::clicked, this, [this] { emit showRequested(m_found.tree); });

@@ -1,5 +1,6 @@
 #include "widgets/dialogs/export/kept_form.h"
 
+#include "widgets/base/named.h"
 #include "widgets/base/theme/preferences.h"
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -16,24 +17,18 @@ KeptForm::KeptForm(Preferences* preferences, std::function<QVariantMap()> settin
     : QWidget(parent)
     , m_preferences(preferences)
     , m_settings(std::move(settings))
-    , m_names(new QComboBox(this))
-    , m_keep(new QPushButton(tr("Keep"), this))
-    , m_forget(new QPushButton(tr("Forget"), this))
+    , m_names(named(new QComboBox(this), "exportKept"))
+    , m_keep(named(new QPushButton(tr("Keep"), this), "exportKeep"))
+    , m_forget(named(new QPushButton(tr("Forget"), this), "exportForget"))
 {
-    m_names->setObjectName(QStringLiteral("exportKept"));
     m_names->setAccessibleName(tr("Settings"));
     m_names->setEditable(true);
     m_names->setInsertPolicy(QComboBox::NoInsert);
     m_names->lineEdit()->setMaxLength(60);
     m_names->lineEdit()->setPlaceholderText(tr("kept settings, or a name for these"));
-    m_names->setToolTip(
-        tr("Settings of this page that were kept under a name, or those of its last export. Where files go "
-           "is not part of them."));
-    m_keep->setObjectName(QStringLiteral("exportKeep"));
-    m_forget->setObjectName(QStringLiteral("exportForget"));
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(8);
+    m_names->setToolTip(tr("Settings of this page under a name, or those of its last export. The folder of "
+                           "the files is not part of them."));
+    auto* row = layoutOf<QHBoxLayout>(this, 8);
     row->addWidget(m_names, 1);
     for (QPushButton* button : {m_keep, m_forget}) {
         button->setAutoDefault(false);

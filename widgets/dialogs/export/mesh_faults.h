@@ -9,7 +9,7 @@
 
 namespace ramure {
 
-/// Of all trees with the worst verdict.
+/// The faults of all trees with the worst verdict.
 struct MeshFaults
 {
     NodeId tree = noNode; ///< the first of them
@@ -22,7 +22,7 @@ struct MeshFaults
                   ///< sum; empty: nothing to tell
 };
 
-/// Of the trees that \p options choose; nothing where no continuous branch mesh is written.
+/// Returns the faults of the trees that \p options choose; nothing if no continuous branch mesh is written.
 /// \param analysis may be null: then nothing is known of crossings.
 MeshFaults meshFaults(const Document& document, const Analysis* analysis, const ExportOptions& options);
 

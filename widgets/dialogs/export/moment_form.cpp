@@ -1,5 +1,6 @@
 #include "widgets/dialogs/export/moment_form.h"
 
+#include "widgets/base/named.h"
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
@@ -29,34 +30,25 @@ MomentForm::MomentForm(const TimelineSettings& timeline, std::int64_t shown, QWi
     : QWidget(parent)
     , m_timeline(timeline)
     , m_shown(std::max<std::int64_t>(shown, 0))
-    , m_moment(new QComboBox(this))
+    , m_moment(named(new QComboBox(this), "exportMoment"))
     , m_range(new QWidget(this))
-    , m_first(frameBox(timeline.firstFrame, 0, m_range))
-    , m_last(frameBox(timeline.lastFrame, 0, m_range))
-    , m_step(frameBox(1, 1, m_range))
-    , m_turns(new QSpinBox(this))
-    , m_seconds(new QDoubleSpinBox(this))
+    , m_first(named(frameBox(timeline.firstFrame, 0, m_range), "firstFrame"))
+    , m_last(named(frameBox(timeline.lastFrame, 0, m_range), "lastFrame"))
+    , m_step(named(frameBox(1, 1, m_range), "frameStep"))
+    , m_turns(named(new QSpinBox(this), "turns"))
+    , m_seconds(named(new QDoubleSpinBox(this), "loopSeconds"))
     , m_dash(new QLabel(QStringLiteral("–"), m_range))
     , m_stepLabel(new QLabel(m_range))
-    , m_rate(new QLabel(m_range))
+    , m_rate(named(new QLabel(m_range), "dim"))
 {
-    m_moment->setObjectName(QStringLiteral("exportMoment"));
-    m_first->setObjectName(QStringLiteral("firstFrame"));
-    m_last->setObjectName(QStringLiteral("lastFrame"));
-    m_step->setObjectName(QStringLiteral("frameStep"));
-    m_turns->setObjectName(QStringLiteral("turns"));
-    m_seconds->setObjectName(QStringLiteral("loopSeconds"));
     m_seconds->setRange(leastLoop, mostLoop);
     m_seconds->setDecimals(1);
     m_seconds->setValue(usualLoop);
-    m_rate->setObjectName(QStringLiteral("dim"));
     m_turns->setRange(leastTurns, mostTurns);
     m_turns->setValue(usualTurns);
     for (int i = 0; i < 5; ++i)
         m_moment->addItem(QString());
-    auto* row = new QHBoxLayout(m_range);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(6);
+    auto* row = layoutOf<QHBoxLayout>(m_range, 6);
     row->addWidget(m_first);
     row->addWidget(m_dash);
     row->addWidget(m_last);
@@ -67,9 +59,7 @@ MomentForm::MomentForm(const TimelineSettings& timeline, std::int64_t shown, QWi
     row->addWidget(m_rate);
     row->addStretch(1);
     m_stepLabel->setBuddy(m_step);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(6);
+    auto* column = layoutOf<QVBoxLayout>(this, 6);
     column->addWidget(m_moment);
     column->addWidget(m_range);
     column->addWidget(m_turns, 0, Qt::AlignLeft);

@@ -31,11 +31,11 @@ public:
     void setTurns(int turns);
     void setLoopSeconds(double seconds);
     [[nodiscard]] double loopSeconds() const;
-    /// Of a loop of wind: its last second blends into its first frame.
+    /// Returns the timeline of a loop of wind: its last second blends into its first frame.
     [[nodiscard]] std::optional<TimelineSettings> loop() const;
     void setMoment(ExportMoment moment);
     [[nodiscard]] ExportMoment moment() const;
-    /// Of one moment a sequence of one.
+    /// Returns the frames; one moment is a sequence of one frame.
     [[nodiscard]] FrameSequence frames() const;
     /// What the fields say, whatever the moment.
     [[nodiscard]] FrameSequence range() const;

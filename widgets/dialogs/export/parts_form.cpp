@@ -1,6 +1,7 @@
 #include "widgets/dialogs/export/parts_form.h"
 
 #include "core/io/formats/file_format.h"
+#include "widgets/base/named.h"
 #include "widgets/base/texts/core_text.h"
 #include "widgets/dialogs/export/option_fields.h"
 #include <QCheckBox>
@@ -25,13 +26,10 @@ PartsForm::PartsForm(OptionFields* fields, QWidget* parent)
     boxes->addWidget(fields->make("texture", this));
     fields->of<QCheckBox>("texture")->setChecked(true);
     boxes->addStretch(1);
-    m_note = new QLabel(this);
-    m_note->setObjectName(QStringLiteral("partsNote"));
+    m_note = named(new QLabel(this), "partsNote");
     m_note->setTextFormat(Qt::PlainText);
     m_note->setWordWrap(true);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(6);
+    auto* layout = layoutOf<QVBoxLayout>(this, 6);
     layout->addLayout(boxes);
     layout->addWidget(m_note);
 }

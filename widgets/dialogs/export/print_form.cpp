@@ -1,6 +1,7 @@
 #include "widgets/dialogs/export/print_form.h"
 
 #include "widgets/base/fields/number_field.h"
+#include "widgets/base/named.h"
 #include "widgets/base/progress_steps.h"
 #include "widgets/base/texts/core_text.h"
 #include "widgets/base/theme/icons.h"
@@ -51,15 +52,11 @@ void PrintForm::buildForm()
     m_prepare->setObjectName(QStringLiteral("printPrepare"));
     m_progress->setObjectName(QStringLiteral("printProgress"));
     m_cancel->setObjectName(QStringLiteral("printCancel"));
-    auto* rest = new QVBoxLayout(m_rest);
-    rest->setContentsMargins(0, 0, 0, 0);
-    rest->setSpacing(6);
+    auto* rest = layoutOf<QVBoxLayout>(m_rest, 6);
     buildNumbers(rest);
     buildWork(rest);
     rest->addWidget(m_preview, 1);
-    auto* all = new QVBoxLayout(this);
-    all->setContentsMargins(0, 0, 0, 0);
-    all->setSpacing(6);
+    auto* all = layoutOf<QVBoxLayout>(this, 6);
     all->addWidget(m_wanted);
     all->addWidget(m_rest, 1);
     m_preview->hide();

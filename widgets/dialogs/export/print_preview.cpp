@@ -1,5 +1,6 @@
 #include "widgets/dialogs/export/print_preview.h"
 
+#include "widgets/base/named.h"
 #include "widgets/dialogs/export/print_view.h"
 #include <QGridLayout>
 #include <QLabel>
@@ -92,9 +93,7 @@ void PrintPreview::build()
     side->addWidget(legend("overhang", m_overhangs));
     side->addWidget(legend("thinnest", m_ring));
     side->addStretch(1);
-    auto* all = new QHBoxLayout(this);
-    all->setContentsMargins(0, 0, 0, 0);
-    all->setSpacing(14);
+    auto* all = layoutOf<QHBoxLayout>(this, 14);
     all->addWidget(m_view, 1);
     all->addLayout(side, 1);
 }
@@ -104,9 +103,7 @@ QWidget* PrintPreview::legend(const char* name, QLabel*& text)
 {
     const bool isRing = qstrcmp(name, "thinnest") == 0;
     auto* holder = new QWidget(this);
-    auto* row = new QHBoxLayout(holder);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(8);
+    auto* row = layoutOf<QHBoxLayout>(holder, 8);
     auto* colour = new QLabel(holder);
     colour->setPixmap(swatch(isRing ? thinnestColour : overhangColour, isRing, devicePixelRatioF()));
     text = new QLabel(holder);
@@ -181,7 +178,7 @@ void PrintPreview::setTexts()
                                  tr("Branches"),  tr("Leaves")};
     for (int row = 0; row < Rows; ++row)
         m_names[row]->setText(names[row]);
-    m_names[Overhang]->setToolTip(tr("Area of what looks down by more than 45°, in cm²: it needs supports"));
+    m_names[Overhang]->setToolTip(tr("Area that overhangs by more than 45°, in cm²: it needs supports"));
     m_names[Balance]->setToolTip(
         tr("Whether its centre of mass is over the foot, and how far from the foot’s border, in mm"));
     m_show->setText(tr("Thinnest place"));

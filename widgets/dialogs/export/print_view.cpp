@@ -6,7 +6,6 @@
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace ramure {

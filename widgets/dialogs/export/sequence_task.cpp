@@ -7,7 +7,6 @@
 #include "widgets/view/render/passes/picture_file.h"
 #include "widgets/view/render/scene_at.h"
 #include <QFile>
-#include <cmath>
 #include <numbers>
 
 namespace ramure {

@@ -44,14 +44,15 @@ class SequenceTask : public Job
 public:
     using Job::Job;
 
-    /// Both take what they need from the document and return at once; nothing happens while another sequence
-    /// is being written.
+    /// Both copy their inputs from the document and return at once; they do nothing while another sequence is
+    /// being written.
     void startMeshes(const Document& document, const ExportOptions& options, const FrameSequence& frames,
                      const QString& path);
     void startPictures(const Document& document, const PictureLook& look, std::vector<PictureShot> shots);
-    /// Of the sequence that runs, or that ran last.
+    /// Facts about the sequence that runs, or that ran last.
     [[nodiscard]] std::int64_t fileCount() const { return m_files; }
-    [[nodiscard]] const QString& path() const { return m_path; } ///< as it was asked for, without numbers
+    /// Path as it was asked for, without numbers.
+    [[nodiscard]] const QString& path() const { return m_path; }
 
 private:
     std::int64_t m_files = 0;

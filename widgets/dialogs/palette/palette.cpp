@@ -1,5 +1,6 @@
 #include "widgets/dialogs/palette/palette.h"
 
+#include "widgets/base/named.h"
 #include "widgets/base/theme/icons.h"
 #include "widgets/dialogs/palette/palette_delegate.h"
 #include "widgets/dialogs/palette/palette_model.h"
@@ -55,9 +56,7 @@ void Palette::build()
     m_none->setFixedHeight(listHeight);
     auto* hint = new QLabel(tr("Up and Down choose, Return runs or shows it, Esc closes"), this);
     hint->setObjectName(QStringLiteral("dim"));
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(8, 8, 8, 6);
-    layout->setSpacing(6);
+    auto* layout = layoutOf<QVBoxLayout>(this, 6, {8, 8, 8, 6});
     layout->addWidget(m_field);
     layout->addWidget(m_list);
     layout->addWidget(m_none);

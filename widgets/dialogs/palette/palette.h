@@ -1,6 +1,6 @@
 /// \file
-/// The palette: a field and a list over the window. What is typed finds every command, parameter and place of
-/// the handbook; Return does it.
+/// The palette: a field and a list over the window. Typed words find every command, parameter and place of
+/// the handbook, and Return runs or opens it.
 #pragma once
 
 #include "widgets/dialogs/palette/palette_item.h"
@@ -21,12 +21,12 @@ class Palette : public QFrame
 public:
     explicit Palette(QWidget* parent);
 
-    /// Shows it at the top of the parent's window, with nothing typed. \p recent: paletteName of what was
-    /// used, the latest first.
+    /// Opens it at the top of the parent's window, with nothing typed. \p recent: paletteName of recent
+    /// choices, the latest first.
     void open(std::vector<PaletteItem> items, const QStringList& recent);
 
 signals:
-    /// After the palette has closed. Never of what is disabled.
+    /// Emitted after the palette has closed. Disabled items are never chosen.
     void chosen(const ramure::PaletteItem& item);
 
 protected:

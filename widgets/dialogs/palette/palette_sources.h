@@ -1,5 +1,5 @@
 /// \file
-/// Where the items of the palette come from; texts in the interface's present language.
+/// Collects the items of the palette; texts in the interface's present language.
 #pragma once
 
 #include "widgets/dialogs/palette/palette_item.h"

@@ -130,21 +130,34 @@ void SeedsDialog::begin(std::int64_t first, bool named)
     drawNext();
 }
 
+/// Of three ages the oldest comes first: all are drawn to its scale.
+int SeedsDialog::nextChoice() const
+{
+    return m_agesBox->isChecked() ? m_drawn + columns - 1 - 2 * (m_drawn % columns) : m_drawn;
+}
+
 void SeedsDialog::drawNext()
 {
     if (m_drawn == count)
         return;
     const QSize size = m_choices.front()->pictureSize() * devicePixelRatioF();
-    const auto params = variedParams(m_like.params, variationOf(m_drawn));
-    m_pictures.draw(params.value_or(m_like.params), size, [this](Expected<QImage>&& made) {
+    const int choice = nextChoice();
+    if (m_drawn % columns == 0)
+        m_scale.reset();
+    const auto take = [this, choice](Expected<TreePicture>&& made) {
         if (!made) { // the others would not fare better
             m_problem = errorText(made.error());
             return showTexts();
         }
-        m_choices[std::size_t(m_drawn++)]->setPicture(QPixmap::fromImage(std::move(*made)));
+        if (m_agesBox->isChecked())
+            m_scale = made->camera;
+        m_choices[std::size_t(choice)]->setPicture(QPixmap::fromImage(std::move(made->image)));
+        ++m_drawn;
         showTexts();
         drawNext();
-    });
+    };
+    const auto params = variedParams(m_like.params, variationOf(choice));
+    m_pictures.draw(params.value_or(m_like.params), size, take, m_scale);
 }
 
 void SeedsDialog::choose(int choice)

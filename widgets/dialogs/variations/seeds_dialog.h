@@ -46,18 +46,20 @@ private:
     void begin(std::int64_t first, bool named);
     [[nodiscard]] Variation variationOf(int choice) const;
     [[nodiscard]] QString textOf(int choice) const;
+    [[nodiscard]] int nextChoice() const;
     void drawNext();
     void choose(int choice);
     void showTexts();
 
     Document* m_document;
     Node m_like;
-    NodeId m_tree = noNode;   ///< whose seed is chosen; none: trees are added
-    std::int64_t m_first = 1; ///< of those that follow one another
-    bool m_named = false;     ///< those that have a name stand before them
-    bool m_hasNames = false;  ///< the tree is one of those that seeds are named for
+    NodeId m_tree = noNode;   ///< the tree whose seed is chosen; none: trees are added
+    std::int64_t m_first = 1; ///< first of consecutive seeds
+    bool m_named = false;     ///< named seeds are listed first
+    bool m_hasNames = false;  ///< there are named seeds for the tree
     std::array<double, 3> m_ages{};
     int m_drawn = 0;
+    std::optional<Camera> m_scale; ///< of the oldest tree of a seed
     QString m_problem;
     std::array<PictureButton*, count> m_choices{};
     QLabel* m_hint;

@@ -59,7 +59,10 @@ VariationsDialog::VariationsDialog(Document* document, Preferences* preferences,
     buildActions();
     buildLayout();
     connect(&m_soon, &QTimer::timeout, this, [this] { begin(m_first); });
-    connect(m_form, &VariedParamsForm::changed, &m_soon, qOverload<>(&QTimer::start));
+    connect(m_form, &VariedParamsForm::changed, this, [this] {
+        m_scale.reset();
+        m_soon.start();
+    });
     connect(m_count, &QSpinBox::valueChanged, &m_soon, qOverload<>(&QTimer::start));
     connect(m_other, &QPushButton::clicked, this, [this] { begin(m_first + m_count->value()); });
     connect(m_stop, &QPushButton::clicked, this, &VariationsDialog::stopOrGoOn);
@@ -172,6 +175,7 @@ void VariationsDialog::offerFor(NodeId tree)
         m_like = *like;
         m_opened = like->params;
         m_touched.clear();
+        m_scale.reset();
         m_model->clear();
         m_form->setTree(like->params);
     }
@@ -204,7 +208,9 @@ void VariationsDialog::begin(std::int64_t firstSeed)
 
 void VariationsDialog::drawNext()
 {
-    const int row = m_isStopped ? -1 : m_model->nextUndrawn();
+    const auto varied = m_form->params();
+    const bool agesVary = std::ranges::count(varied, findParam("growth.age"), &VariedParam::def) > 0;
+    const int row = m_isStopped ? -1 : m_model->nextUndrawn(agesVary && !m_scale);
     if (row < 0) {
         m_pictures.stop();
         return follow();
@@ -214,14 +220,18 @@ void VariationsDialog::drawNext()
         m_model->setProblem(row, errorText(params.error()));
         return drawNext();
     }
-    m_pictures.draw(*params, VariationDelegate::pictureSize * devicePixelRatioF(),
-                    [this, row](Expected<QImage>&& made) {
-                        if (made)
-                            m_model->setPicture(row, QPixmap::fromImage(std::move(*made)));
-                        else
-                            m_model->setProblem(row, errorText(made.error()));
-                        drawNext();
-                    });
+    m_pictures.draw(
+        *params, VariationDelegate::pictureSize * devicePixelRatioF(),
+        [this, row, agesVary](Expected<TreePicture>&& made) {
+            if (made && agesVary)
+                m_scale = made->camera;
+            if (made)
+                m_model->setPicture(row, QPixmap::fromImage(std::move(made->image)));
+            else
+                m_model->setProblem(row, errorText(made.error()));
+            drawNext();
+        },
+        m_scale);
     follow();
 }
 

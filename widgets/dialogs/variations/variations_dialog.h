@@ -76,10 +76,12 @@ private:
     Preferences* m_preferences;
     Chooser* m_chooser;
     Node m_like;
-    NodeParams m_opened; ///< what the tree was made to be last
+    NodeParams m_opened; ///< the last variation that the tree was turned into
     std::vector<const ParamDef*> m_touched;
     NodeId m_tree = noNode;
     std::int64_t m_first = 1;
+    /// The oldest tree's camera if ages vary: the others are drawn to its scale.
+    std::optional<Camera> m_scale;
     bool m_isStopped = false;
     QString m_said; ///< until something else happens
 

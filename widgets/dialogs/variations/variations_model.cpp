@@ -59,11 +59,25 @@ void VariationsModel::setStarred(int row, bool starred)
     emit dataChanged(index(row), index(row), {StarRole});
 }
 
-int VariationsModel::nextUndrawn() const
+/// Where ages vary.
+static std::optional<double> ageOf(const Variation& variation)
 {
-    const auto found = std::ranges::find_if(
-        m_items, [](const Item& item) { return item.picture.isNull() && item.problem.isEmpty(); });
-    return found == m_items.end() ? -1 : int(found - m_items.begin());
+    const auto age = std::ranges::find(variation.values, findParam("growth.age"),
+                                       &std::pair<const ParamDef*, ParamValue>::first);
+    return age == variation.values.end() ? std::nullopt : std::optional(std::get<double>(age->second));
+}
+
+int VariationsModel::nextUndrawn(bool oldest) const
+{
+    int next = -1;
+    for (int row = 0; row < rowCount(); ++row) {
+        const Item& item = m_items[std::size_t(row)];
+        if (!item.picture.isNull() || !item.problem.isEmpty())
+            continue;
+        if (next < 0 || (oldest && ageOf(item.variation) > ageOf(at(next))))
+            next = row;
+    }
+    return next;
 }
 
 int VariationsModel::drawn() const
@@ -107,6 +121,10 @@ QVariant VariationsModel::data(const QModelIndex& index, int role) const
     const Item& item = m_items[std::size_t(index.row())];
     switch (role) {
     case Qt::DisplayRole:
+        if (const auto age = ageOf(item.variation))
+            return tr("Seed %1, %2", "2, 40 years")
+                .arg(item.variation.seed)
+                .arg(valueText(*findParam("growth.age"), *age, false));
         return tr("Seed %1").arg(item.variation.seed);
     case Qt::DecorationRole:
         return item.picture;

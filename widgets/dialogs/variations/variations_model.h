@@ -24,8 +24,9 @@ public:
     [[nodiscard]] std::vector<Variation> chosen(Choice choice) const;
     [[nodiscard]] bool isStarred(int row) const { return m_items[std::size_t(row)].starred; }
     void setStarred(int row, bool starred);
-    /// The first row without a picture and without a problem; -1: there is none.
-    [[nodiscard]] int nextUndrawn() const;
+    /// The first row without a picture and without a problem, or the one of the oldest tree; -1: there is
+    /// none.
+    [[nodiscard]] int nextUndrawn(bool oldest = false) const;
     [[nodiscard]] int drawn() const; ///< with a picture or a problem
     void setPicture(int row, const QPixmap& picture);
     /// \param problem in the interface's language

@@ -1,6 +1,7 @@
 #include "widgets/dialogs/variations/varied_params_form.h"
 
 #include "widgets/base/fields/number_field.h"
+#include "widgets/base/named.h"
 #include "widgets/base/texts/core_text.h"
 #include "widgets/base/theme/icons.h"
 #include <QComboBox>
@@ -44,9 +45,7 @@ VariedParamsForm::VariedParamsForm(QWidget* parent)
     m_picker->completer()->setFilterMode(Qt::MatchContains);
     m_picker->completer()->setCaseSensitivity(Qt::CaseInsensitive);
     m_none->setWordWrap(true);
-    auto* rows = new QVBoxLayout(m_list);
-    rows->setContentsMargins(0, 0, 0, 0);
-    rows->setSpacing(10);
+    auto* rows = layoutOf<QVBoxLayout>(m_list, 10);
     rows->addWidget(m_none);
     rows->addStretch(1);
     auto* area = new QScrollArea(this);
@@ -54,8 +53,7 @@ VariedParamsForm::VariedParamsForm(QWidget* parent)
     area->setFrameShape(QFrame::NoFrame);
     area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     area->setWidget(m_list);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
+    auto* layout = layoutOf<QVBoxLayout>(this);
     layout->addWidget(m_picker);
     layout->addWidget(area, 1);
     setFocusProxy(m_picker);
@@ -140,15 +138,12 @@ void VariedParamsForm::add(const ParamDef& def)
         return;
     }
     Row row{usualRange(m_tree, def), new QWidget(m_list)};
-    auto* grid = new QGridLayout(row.widget);
-    grid->setContentsMargins(0, 0, 0, 0);
+    auto* grid = layoutOf<QGridLayout>(row.widget);
     grid->setHorizontalSpacing(6);
     grid->setVerticalSpacing(3);
-    auto* title = new QLabel(row.widget);
-    title->setObjectName(QStringLiteral("title"));
+    auto* title = named(new QLabel(row.widget), "title");
     title->setWordWrap(true);
-    auto* remove = new QToolButton(row.widget);
-    remove->setObjectName(QStringLiteral("remove"));
+    auto* remove = named(new QToolButton(row.widget), "remove");
     remove->setAutoRaise(true);
     remove->setIcon(icon("close"));
     connect(remove, &QToolButton::clicked, this, [this, &def] { this->remove(def); });
@@ -172,8 +167,7 @@ void VariedParamsForm::addFields(Row& row)
 {
     auto* grid = static_cast<QGridLayout*>(row.widget->layout());
     const ParamDef& def = *row.param.def;
-    auto* between = new QLabel(row.widget);
-    between->setObjectName(QStringLiteral("between"));
+    auto* between = named(new QLabel(row.widget), "between");
     if (def.type == ParamType::Bool || def.type == ParamType::Enum) {
         grid->addWidget(between, 1, 0, 1, 4);
         return;

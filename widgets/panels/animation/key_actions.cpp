@@ -40,7 +40,7 @@ KeyActions::KeyActions(KeyCommands* commands, ActionSet* set, QObject* parent)
                Actions::tr("Take out all keys that the selected nodes have at this frame"),
                [c] { c->removeAtPlayhead(); }},
               {"keys.auto", Actions::tr("Auto-ke&y"), "key-auto", noKeys,
-               Actions::tr("Parameters without keys get one, too, where they are changed")},
+               Actions::tr("A changed parameter without keys gets one, too")},
               {"keys.previous", Actions::tr("Pre&vious key"), "key-previous", Qt::ALT | Qt::Key_Comma,
                Actions::tr("Go to the key before this frame"), [c] { c->seekKey(false); }},
               {"keys.next", Actions::tr("&Next key"), "key-next", Qt::ALT | Qt::Key_Period,
@@ -141,7 +141,7 @@ QMenu* KeyActions::easingMenu(QWidget* parent) const
                 menu->addAction(keyModeIcon(KeyMode::Cubic, easing, menu->palette()), easingText(easing));
             if (easing != Easing::Auto)
                 action->setIcon(keyModeIcon(KeyMode::Quart, easing, menu->palette()));
-            action->setToolTip(tr("Where the easing shows its character"));
+            action->setToolTip(tr("End of the segment on which the easing acts"));
             connect(action, &QAction::triggered, c, [c, easing] { c->setEasing(easing); });
         }
     });
@@ -153,7 +153,7 @@ QMenu* KeyActions::handleMenu(QWidget* parent) const
         for (int i = 0; i < handleTypeCount; ++i) {
             const auto type = static_cast<HandleType>(i);
             QAction* action = menu->addAction(handleTypeText(type));
-            action->setToolTip(tr("Where the handles of Bézier keys stand"));
+            action->setToolTip(tr("Position of the handles of Bézier keys"));
             connect(action, &QAction::triggered, c, [c, type] { c->setHandles(type); });
         }
     });

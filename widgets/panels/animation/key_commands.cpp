@@ -3,7 +3,6 @@
 #include "core/qt/session/motion/player.h"
 #include "widgets/base/targets.h"
 #include "widgets/base/texts/core_text.h"
-#include <cmath>
 
 namespace ramure {
 namespace {

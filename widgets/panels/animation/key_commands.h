@@ -1,6 +1,6 @@
 /// \file
 /// The commands of menus, tool buttons and keys for the selected keys, at the player's playhead. Each is one
-/// step of undo; what is refused is said.
+/// step of undo, and a refused command says why.
 #pragma once
 
 #include "widgets/panels/animation/key_model.h"
@@ -9,7 +9,7 @@ namespace ramure {
 
 class Player;
 
-/// What gets a key.
+/// The channels that get a key.
 enum class KeyParts : std::uint8_t {
     Transform, ///< location, rotation and scale
     Location,
@@ -28,16 +28,16 @@ public:
     /// Nothing is owned; all must outlive the object.
     KeyCommands(KeyModel* model, Player* player, QObject* parent = nullptr);
 
-    [[nodiscard]] Ticks now() const; ///< of the playhead
+    [[nodiscard]] Ticks now() const; ///< time of the playhead
     [[nodiscard]] Ticks frameTicks() const;
     [[nodiscard]] bool canPaste() const { return !m_clip.tracks.empty(); }
     [[nodiscard]] KeySnap snapping() const { return m_snap; }
-    /// Where dragged keys land.
+    /// Sets the snapping of dragged keys.
     void setSnapping(KeySnap snap);
     [[nodiscard]] Ticks snapped(Ticks time) const;
 
     void insert(KeyParts parts);
-    void removeAtPlayhead(); ///< of the selected nodes
+    void removeAtPlayhead(); ///< keys of the selected nodes
     void remove();
     void duplicate(); ///< right behind the selection, with a frame between
     void copy();
@@ -46,11 +46,11 @@ public:
     void mirror(); ///< about the playhead
     void snap(KeySnap to);
     void nudge(int frames);
-    /// Of a drag: \p copies leave the keys where they are.
+    /// Moves keys of a drag in time. \p copies: the old keys stay.
     void retime(const Retiming& retiming, bool copies);
     /// In time, and by each curve's share of \p values.
     void shift(Ticks offset, const std::map<CurveRef, double>& values);
-    /// Of a handle that is dragged: one step per gesture.
+    /// Replaces the key whose handle is dragged: one step per gesture.
     void replaceKey(const TrackRef& ref, const Key& key, GestureId gesture);
     void setMode(KeyMode mode);
     void setEasing(Easing easing);

@@ -19,13 +19,13 @@ public:
     [[nodiscard]] const CurveRef& ref() const { return m_ref; }
     [[nodiscard]] const NodeAnimation::TrackPtr& track() const { return m_track; }
     [[nodiscard]] bool isAngle() const { return m_angles != nullptr; }
-    /// Of the track's values in one of the curve: angles are shown in degrees.
+    /// Returns the track's value for one unit of the curve: angles are shown in degrees.
     [[nodiscard]] double unit() const;
     /// How its values are shown; they are degrees already where it is an angle.
     [[nodiscard]] NumberFormat format() const;
     /// "Location X", "Rotation Z".
     [[nodiscard]] QString text() const;
-    /// Of the colours: that of the axis.
+    /// Returns the channel whose colour the curve has: that of its axis.
     [[nodiscard]] Channel colourChannel() const;
     [[nodiscard]] std::size_t size() const;
     [[nodiscard]] Ticks timeOf(std::size_t key) const;

@@ -32,13 +32,14 @@ public:
     void fit() { fitKeys(m_model->selection().empty()); }
     /// Shows all keys.
     void fitAll() { fitKeys(true); }
-    /// Of orientations the angle about X.
+    /// Returns the place of a value; for orientations the value is the angle about X.
     [[nodiscard]] QPointF placeOf(const TrackRef& ref, Ticks time, double value) const;
     [[nodiscard]] QPointF placeOf(const CurveRef& ref, Ticks time, double value) const;
     [[nodiscard]] const std::vector<KeyCurve>& curves() const { return m_curves; }
     /// "Values: m · °" where curves of several units stand on one axis; else empty.
     [[nodiscard]] QString axisUnits() const;
-    /// What a key, a handle or a line of a curve here is; with its value and unit. Empty where there is none.
+    /// Returns the name of a key, a handle or a line of a curve at this place, with its value and unit. Empty
+    /// if there is none.
     [[nodiscard]] QString tipAt(const QPointF& place) const;
 
 signals:
@@ -65,7 +66,7 @@ private:
         Ticks time = 0;
         int side = 0; ///< -1, 1: the handle before, behind
     };
-    /// Where the keys of one curve are, for very many of them.
+    /// Converts the keys of one curve to pixels, fast enough for very many of them.
     struct Scale
     {
         double left = 0.0;    ///< x of 0 s
@@ -119,10 +120,10 @@ private:
     TimelineRuler* m_ruler;
     std::vector<Curve> m_curves;
     bool m_dense = false; ///< very many keys are in sight
-    bool m_stale = false; ///< the tracks have changed since, nobody having looked
+    bool m_stale = false; ///< the tracks have changed since the last look
     // Where there are very many keys:
     QImage m_lines;                    ///< all but the keys, kept while only those move
-    std::array<double, 6> m_linesOf{}; ///< what of the view it was drawn for
+    std::array<double, 6> m_linesOf{}; ///< the view for which it was drawn
     QImage m_dots;                     ///< with the keys
     qint64 m_frame = 0;
     double m_low = -1.0, m_high = 1.0; ///< at the lower and upper edge
@@ -132,7 +133,7 @@ private:
     bool m_moved = false;
     QPointF m_press, m_at;
     Hit m_hit;
-    Ticks m_offset = 0;    ///< of the dragged keys
+    Ticks m_offset = 0;    ///< offset of the dragged keys
     double m_pixels = 0.0; ///< they are dragged down by
     GestureId m_gesture = 0;
 };

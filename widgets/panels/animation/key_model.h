@@ -35,7 +35,8 @@ public:
 
     [[nodiscard]] Document* document() const { return m_document; }
     [[nodiscard]] const TimelineSettings& timeline() const { return m_document->scene().timeline(); }
-    /// Of the selected nodes, or of all nodes with keys where none is selected or all are wanted.
+    /// Returns the rows of the selected nodes, or of all nodes with keys if none is selected or all are
+    /// wanted.
     [[nodiscard]] const std::vector<KeyRow>& rows() const { return m_rows; }
     /// All tracks in sight, those in folded rows too.
     [[nodiscard]] std::vector<TrackRef> tracks() const;

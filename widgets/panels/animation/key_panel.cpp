@@ -2,7 +2,7 @@
 
 #include "core/qt/session/motion/player.h"
 #include "widgets/base/empty_page.h"
-#include "widgets/base/theme/icons.h"
+#include "widgets/base/named.h"
 #include "widgets/base/timeline_ruler.h"
 #include "widgets/panels/animation/key_actions.h"
 #include "widgets/panels/animation/key_curves.h"
@@ -30,9 +30,7 @@ KeyPanel::KeyPanel(KeyModel* model, KeyCommands* commands, KeyActions* actions, 
     setObjectName(QStringLiteral("keyPanel"));
     buildTools();
     buildSheet();
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(6, 4, 6, 6);
-    layout->setSpacing(4);
+    auto* layout = layoutOf<QVBoxLayout>(this, 4, {6, 4, 6, 6});
     layout->addWidget(m_tools);
     layout->addWidget(m_pages, 1);
     layout->setSizeConstraint(QLayout::SetNoConstraint); // see minimumSizeHint
@@ -58,9 +56,7 @@ QToolButton* KeyPanel::addMenuButton(QMenu* menu, const QString& text, const QSt
 void KeyPanel::buildTools()
 {
     m_tools = new QWidget(this);
-    auto* rows = new QVBoxLayout(m_tools);
-    rows->setContentsMargins(0, 0, 0, 0);
-    rows->setSpacing(4);
+    auto* rows = layoutOf<QVBoxLayout>(m_tools, 4);
     m_row = new QHBoxLayout;
     m_below = new QHBoxLayout;
     rows->addLayout(m_row);
@@ -89,9 +85,10 @@ void KeyPanel::buildTools()
     m_easings = addMenuButton(m_actions->easingMenu(m_tools), tr("Easing"),
                               tr("At which end the easings of the selected keys show their character"));
     m_handles = addMenuButton(m_actions->handleMenu(m_tools), tr("Handles"),
-                              tr("Where the handles of the selected Bézier keys stand"));
-    m_extrapolations = addMenuButton(m_actions->extrapolationMenu(m_tools), tr("Ends"),
-                                     tr("What the channels do before their first key and behind their last"));
+                              tr("Position of the handles of the selected Bézier keys"));
+    m_extrapolations =
+        addMenuButton(m_actions->extrapolationMenu(m_tools), tr("Ends"),
+                      tr("Values of the channels before their first key and after their last"));
     buildChoices();
     row->addStretch(1);
     m_values = new KeyValues(m_model, m_tools);
@@ -106,7 +103,7 @@ void KeyPanel::buildChoices()
     m_snap = new QComboBox(m_tools);
     m_snap->addItems({tr("nothing"), tr("frames"), tr("seconds")});
     m_snap->setCurrentIndex(static_cast<int>(m_commands->snapping()));
-    m_snap->setToolTip(tr("Where dragged keys land; hold Shift to drag freely"));
+    m_snap->setToolTip(tr("Snapping of dragged keys; hold Shift to drag freely"));
     m_snap->setAccessibleName(tr("Snapping"));
     m_snapLabel->setBuddy(m_snap);
     m_row->addWidget(m_snapLabel);
@@ -159,9 +156,7 @@ void KeyPanel::buildSheet()
         tr("No keys here. Select a node and press I to insert keys of its position, rotation and "
            "scale at the frame on show."));
     auto* page = new QWidget(m_pages);
-    auto* row = new QHBoxLayout(page);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(0);
+    auto* row = layoutOf<QHBoxLayout>(page, 0);
     m_splitter = new QSplitter(page);
     m_splitter->setChildrenCollapsible(false);
     m_scroll = new QScrollBar(page);
@@ -170,19 +165,15 @@ void KeyPanel::buildSheet()
     m_ruler = new TimelineRuler(m_splitter);
     const auto column = [this](QWidget* top, QWidget* below) {
         auto* holder = new QWidget(m_splitter);
-        auto* layout = new QVBoxLayout(holder);
-        layout->setContentsMargins(0, 0, 0, 0);
-        layout->setSpacing(0);
+        auto* layout = layoutOf<QVBoxLayout>(holder, 0);
         layout->addWidget(top);
         layout->addWidget(below, 1);
         m_splitter->addWidget(holder);
     };
     auto* corner = new QWidget(this);
     corner->setFixedHeight(m_ruler->sizeHint().height());
-    auto* beside = new QHBoxLayout(corner);
-    beside->setContentsMargins(8, 0, 4, 0);
-    m_count = new QLabel(corner);
-    m_count->setObjectName(QStringLiteral("dim"));
+    auto* beside = layoutOf<QHBoxLayout>(corner, -1, {8, 0, 4, 0});
+    m_count = named(new QLabel(corner), "dim");
     m_count->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // names decide the width
     beside->addWidget(m_count);
     m_names = new KeyRowList(m_model, m_scroll, m_splitter);

@@ -61,7 +61,7 @@ private:
     KeyActions* m_actions;
     Player* m_player;
     QWidget* m_tools = nullptr;
-    QHBoxLayout* m_row = nullptr;   ///< of the tools
+    QHBoxLayout* m_row = nullptr;   ///< row of the tools
     QHBoxLayout* m_below = nullptr; ///< the values, where the row has no room for them
     bool m_valuesBelow = false;
     QToolButton* m_modes = nullptr;

@@ -16,7 +16,7 @@ class KeyRowsView : public QWidget
 public:
     KeyRowsView(KeyModel* model, QScrollBar* scroll, QWidget* parent);
 
-    /// Of the strip above the rows; in the sheet it holds the bar that scales the selection.
+    /// Height of the strip above the rows; in the sheet it holds the bar that scales the selection.
     static constexpr int strip = 14;
     [[nodiscard]] int rowHeight() const;
     [[nodiscard]] double rowTop(std::size_t row) const;

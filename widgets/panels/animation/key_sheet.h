@@ -58,7 +58,7 @@ private:
 
     void collect(const KeyRow& row, bool selected);
     void paintMarks(QPainter& painter, std::size_t index, bool selected);
-    /// What stays of a row where others come and go.
+    /// Identifies a row when others come and go.
     using RowName = std::tuple<KeyRow::Kind, NodeId, Channel>;
     [[nodiscard]] static RowName nameOf(const KeyRow& row);
     [[nodiscard]] std::size_t rowOfCurrent() const;
@@ -93,7 +93,7 @@ private:
     double m_dragX = 0.0;
     Ticks m_grabbed = 0; ///< time of the pressed key
     std::size_t m_grabbedRow = 0;
-    std::pair<Ticks, Ticks> m_span{0, 0}; ///< of the selection when the drag began
+    std::pair<Ticks, Ticks> m_span{0, 0}; ///< span of the selection when the drag began
     Retiming m_preview;
     std::vector<Mark> m_marks;
     std::map<int, QPixmap> m_glyphs;

@@ -1,6 +1,7 @@
 #include "widgets/panels/animation/key_values.h"
 
 #include "widgets/base/fields/number_field.h"
+#include "widgets/base/named.h"
 #include "widgets/base/texts/core_text.h"
 #include "widgets/panels/animation/key_model.h"
 #include "widgets/panels/animation/key_texts.h"
@@ -43,9 +44,7 @@ KeyValues::KeyValues(KeyModel* model, QWidget* parent)
     , m_model(model)
 {
     auto* label = new QLabel(tr("Value"), this);
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(3);
+    auto* row = layoutOf<QHBoxLayout>(this, 3);
     row->addWidget(label);
     for (int i = 0; i < 3; ++i) {
         auto* field = new NumberField(this);

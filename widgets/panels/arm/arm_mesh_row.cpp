@@ -1,5 +1,6 @@
 #include "widgets/panels/arm/arm_mesh_row.h"
 
+#include "widgets/base/named.h"
 #include "widgets/base/texts/core_text.h"
 #include <QCheckBox>
 #include <QComboBox>
@@ -22,25 +23,21 @@ ArmMeshRow::ArmMeshRow(Document* document, QWidget* parent)
     , m_dresser(new ArmDresser(document, this))
     , m_choice(new QComboBox(this))
     , m_fit(new QCheckBox(tr("Fit"), this))
-    , m_axis(new QComboBox(this))
+    , m_axis(named(new QComboBox(this), "wornAxis"))
     , m_import(new QPushButton(tr("From a file…"), this))
-    , m_again(new QPushButton(tr("Fit again"), this))
-    , m_problem(new QLabel(this))
+    , m_again(named(new QPushButton(tr("Fit again"), this), "fitAgain"))
+    , m_problem(named(new QLabel(this), "problem"))
 {
     auto* label = new QLabel(tr("Skin"), this);
     label->setBuddy(m_choice);
     m_choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_fit->setChecked(true);
-    m_axis->setObjectName(QStringLiteral("wornAxis"));
     m_axis->addItems({tr("The longest along"), tr("X along"), tr("Y along"), tr("Z along")});
     connect(m_fit, &QCheckBox::toggled, m_axis, &QWidget::setEnabled);
     connect(m_axis, &QComboBox::activated, this, [this](int index) { turn(static_cast<MeshAxis>(index)); });
-    m_again->setObjectName(QStringLiteral("fitAgain"));
-    m_problem->setObjectName(QStringLiteral("problem"));
     m_problem->setWordWrap(true);
     m_problem->hide();
-    auto* grid = new QGridLayout(this);
-    grid->setContentsMargins(0, 0, 0, 0);
+    auto* grid = layoutOf<QGridLayout>(this);
     grid->addWidget(label, 0, 0);
     grid->addWidget(m_choice, 0, 1, 1, 2);
     grid->addWidget(m_fit, 1, 1);
@@ -63,9 +60,8 @@ ArmMeshRow::ArmMeshRow(Document* document, QWidget* parent)
             takeArm();
     });
     m_choice->setAccessibleName(tr("Skin"));
-    m_choice->setToolTip(
-        tr("What is bound to the arm: the cylinder, or a copy of an imported mesh, whose vertices "
-           "follow the segments that are nearest to them. The object itself is hidden."));
+    m_choice->setToolTip(tr("Outer shape of the arm: the cylinder, or a copy of an imported mesh whose "
+                            "vertices follow the nearest segments. The object itself is hidden."));
     m_fit->setToolTip(tr(
         "Makes the mesh as long as the arm and stands it on the foot; otherwise it is bound where it stands "
         "around the straight arm"));

@@ -1,5 +1,5 @@
 /// \file
-/// What the arm wears: the cylinder, or the mesh of an imported object.
+/// Chooses the arm's outer shape: the cylinder, or the mesh of an imported object.
 #pragma once
 
 #include "core/qt/session/arm/arm_dresser.h"
@@ -23,7 +23,7 @@ public:
     void setWaiting(bool waiting) { m_waiting = waiting; }
     /// An import has added this node and those below it.
     void takeImported(ramure::NodeId top);
-    /// Of putting on a large mesh.
+    /// The job that puts on a large mesh.
     [[nodiscard]] Job* job() { return m_dresser->job(); }
 
 signals:

@@ -4,6 +4,7 @@
 #include "core/qt/session/motion/player.h"
 #include "core/rig/arm/arm_chain.h"
 #include "widgets/base/empty_page.h"
+#include "widgets/base/named.h"
 #include "widgets/base/texts/core_text.h"
 #include "widgets/panels/arm/arm_mesh_row.h"
 #include "widgets/panels/arm/bake_keys_dialog.h"
@@ -33,23 +34,20 @@ ArmPanel::ArmPanel(Document* document, QWidget* parent)
     , m_go(new QPushButton(tr("Reach"), m_content))
     , m_pause(new QPushButton(tr("Pause"), m_content))
     , m_step(new QPushButton(tr("Step"), m_content))
-    , m_status(new QLabel(m_content))
-    , m_keyPose(new QPushButton(tr("Key the pose"), m_content))
-    , m_bake(new QPushButton(tr("Bake to keys…"), m_content))
+    , m_status(named(new QLabel(m_content), "armStatus"))
+    , m_keyPose(named(new QPushButton(tr("Key the pose"), m_content), "keyPose"))
+    , m_bake(named(new QPushButton(tr("Bake to keys…"), m_content), "bakeToKeys"))
     , m_baker(new ArmBaker(document, this))
     , m_worn(new ArmMeshRow(document, m_content))
 {
     m_list->setFixedHeight(130); // what is below it would take and give its height
     m_list->setSpacing(2);
-    m_status->setObjectName(QStringLiteral("armStatus"));
     m_status->setWordWrap(true);
     m_status->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     // The first way must not move what is below, and not bring a scroll bar.
     m_status->setFixedHeight(statusLines * m_status->fontMetrics().lineSpacing());
     m_pause->setCheckable(true);
-    m_keyPose->setObjectName(QStringLiteral("keyPose"));
     m_keyPose->setEnabled(false);
-    m_bake->setObjectName(QStringLiteral("bakeToKeys"));
     layOut();
     connect(m_add, &QPushButton::clicked, this, &ArmPanel::addJoint);
     connect(m_remove, &QPushButton::clicked, this, &ArmPanel::removeJoint);
@@ -88,6 +86,7 @@ void ArmPanel::layOut()
     inner->addWidget(m_list);
     inner->addLayout(edits);
     inner->addWidget(m_joint);
+    connect(m_joint, &JointForm::messageRaised, this, &ArmPanel::messageRaised);
     inner->addWidget(m_keyPose);
     inner->addWidget(m_worn);
     inner->addLayout(way);
@@ -97,8 +96,7 @@ void ArmPanel::layOut()
     m_scroll->setWidget(m_content);
     m_scroll->setWidgetResizable(true);
     m_scroll->setFrameShape(QFrame::NoFrame);
-    auto* outer = new QVBoxLayout(this);
-    outer->setContentsMargins(0, 0, 0, 0);
+    auto* outer = layoutOf<QVBoxLayout>(this);
     outer->addWidget(m_none);
     outer->addWidget(m_scroll);
 }

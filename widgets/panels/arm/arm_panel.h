@@ -32,7 +32,7 @@ public:
     void setReach(ArmReach* reach);
     /// Numbers of joints can have keys. Must outlive the panel.
     void setKeys(AutoKey* keys);
-    /// Of baking to keys, for a bar of its progress.
+    /// The job that bakes to keys, for a progress bar.
     [[nodiscard]] Job* bakeJob() { return m_baker->job(); }
     /// The arm that is shown; noNode where there is none.
     [[nodiscard]] NodeId arm() const { return m_arm; }
@@ -73,8 +73,7 @@ private:
     QPushButton *m_keyPose, *m_bake;
     AutoKey* m_keys = nullptr;
     ArmBaker* m_baker;
-    ArmBakeOptions
-        m_bakeOptions; ///< as they were given last; without a range as long as it is the timeline's
+    ArmBakeOptions m_bakeOptions; ///< the last options; without a range it is as long as the timeline's
     ArmMeshRow* m_worn;
 };
 

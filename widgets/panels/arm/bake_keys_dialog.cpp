@@ -1,6 +1,7 @@
 #include "widgets/panels/arm/bake_keys_dialog.h"
 
 #include "widgets/base/fields/number_field.h"
+#include "widgets/base/named.h"
 #include <QCheckBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -26,11 +27,11 @@ BakeKeysDialog::BakeKeysDialog(const QString& arm, const TimelineSettings& timel
                                const ArmBakeOptions& options, QWidget* parent)
     : QDialog(parent)
     , m_timeline(timeline)
-    , m_whole(new QPushButton(this))
+    , m_whole(named(new QPushButton(this), "wholeTimeline"))
     , m_tolerance(new NumberField(this))
     , m_target(new QCheckBox(this))
-    , m_note(new QLabel(this))
-    , m_bake(new QPushButton(this))
+    , m_note(named(new QLabel(this), "bakeNote"))
+    , m_bake(named(new QPushButton(this), "bake"))
     , m_cancel(new QPushButton(this))
 {
     const ArmBakeRange range =
@@ -38,15 +39,12 @@ BakeKeysDialog::BakeKeysDialog(const QString& arm, const TimelineSettings& timel
     m_first = frameBox(range.firstFrame, leastFrame, "firstFrame", this);
     m_last = frameBox(range.lastFrame, leastFrame, "lastFrame", this);
     m_every = frameBox(range.every, 1, "everyFrame", this);
-    m_whole->setObjectName(QStringLiteral("wholeTimeline"));
     m_whole->setAutoDefault(false);
     m_tolerance->setRange(0.0, std::numbers::pi);
     m_tolerance->setStep(0.1 * std::numbers::pi / 180.0);
     m_tolerance->setValue(options.toleranceRad);
     m_target->setChecked(options.target);
-    m_note->setObjectName(QStringLiteral("bakeNote"));
     m_note->setWordWrap(true);
-    m_bake->setObjectName(QStringLiteral("bake"));
     m_bake->setDefault(true);
     m_cancel->setAutoDefault(false);
     layOut(arm);
@@ -94,9 +92,7 @@ void BakeKeysDialog::layOut(const QString& arm)
     buttons->addStretch(1);
     buttons->addWidget(m_bake);
     buttons->addWidget(m_cancel);
-    auto* outer = new QVBoxLayout(this);
-    outer->setContentsMargins(18, 18, 18, 14);
-    outer->setSpacing(12);
+    auto* outer = layoutOf<QVBoxLayout>(this, 12, {18, 18, 18, 14});
     outer->addLayout(form);
     outer->addWidget(m_note);
     outer->addStretch(1);
@@ -124,8 +120,7 @@ void BakeKeysDialog::setTexts()
         tr("Keys that a straight line comes as near to are left out, degrees; 0 keeps all"));
     m_tolerance->setAccessibleName(tr("Tolerance"));
     m_target->setText(tr("The target &gets a key too"));
-    m_target->setToolTip(
-        tr("Where the target has no keys yet, so that it stays where it was while the arm was baked"));
+    m_target->setToolTip(tr("If the target has no keys yet. It then stays in place, as during the baking"));
     m_bake->setText(tr("&Bake"));
     m_cancel->setText(tr("Cancel"));
 }

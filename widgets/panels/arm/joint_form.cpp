@@ -5,6 +5,7 @@
 #include "widgets/base/fields/key_button.h"
 #include "widgets/base/fields/number_field.h"
 #include "widgets/base/fields/number_slider.h"
+#include "widgets/base/named.h"
 #include "widgets/base/texts/core_text.h"
 #include <QCheckBox>
 #include <QFormLayout>
@@ -43,17 +44,15 @@ struct JointForm::Row
 JointForm::JointForm(Document* document, QWidget* parent)
     : QWidget(parent)
     , m_document(document)
-    , m_message(new QLabel(this))
+    , m_message(named(new QLabel(this), "problem"))
 {
-    auto* form = new QFormLayout(this);
-    form->setContentsMargins(0, 0, 0, 0);
+    auto* form = layoutOf<QFormLayout>(this);
     const auto table = jointTable();
     for (std::size_t i = 0; i < table.size(); ++i) {
         addRow(form, table[i], i);
         if (table[i].member == &ArmAngle::angleRad)
             addLimited(form, table[i].angle == &ArmJoint::phi);
     }
-    m_message->setObjectName(QStringLiteral("problem"));
     m_message->setWordWrap(true);
     m_message->hide();
     form->addRow(m_message);
@@ -88,9 +87,7 @@ void JointForm::addRow(QFormLayout* form, const JointDef& def, std::size_t numbe
                             static_cast<QWidget*>(made.slider)})
         widget->setToolTip(coreText(def.tooltip));
     auto* named = new QWidget(this);
-    auto* name = new QHBoxLayout(named);
-    name->setContentsMargins(0, 0, 0, 0);
-    name->setSpacing(2);
+    auto* name = layoutOf<QHBoxLayout>(named, 2);
     name->addWidget(made.key);
     name->addWidget(made.label, 1);
     auto* line = new QHBoxLayout;
@@ -107,8 +104,13 @@ void JointForm::addRow(QFormLayout* form, const JointDef& def, std::size_t numbe
     connect(made.field, &NumberField::valueEdited, this, edited);
     connect(made.slider, &NumberSlider::numberEdited, this, edited);
     connect(made.key, &QToolButton::clicked, this, [this, &made] {
-        if (m_keys && joints())
-            take(m_keys->toggle(m_arm, channelOf(made)));
+        if (!m_keys || !joints())
+            return;
+        const KeyState before = m_keys->state(m_arm, channelOf(made));
+        const auto done = m_keys->toggle(m_arm, channelOf(made));
+        take(done);
+        if (done)
+            emit messageRaised(keyToggledText(coreText(made.def->label), before, m_keys->player()->frame()));
     });
     m_rows.push_back(std::move(row));
     showKeyState(made);
@@ -179,13 +181,7 @@ void JointForm::showKeyState(const Row& row)
     row.key->setVisible(m_keys != nullptr);
     if (!m_keys || !joints())
         return;
-    const KeyState state = m_keys->state(m_arm, channelOf(row));
-    row.key->setIcon(keyIcon(state));
-    const QString name = coreText(row.def->label);
-    row.key->setToolTip(state == KeyState::Here       ? tr("%1: take the key at this frame away").arg(name)
-                        : state == KeyState::Animated ? tr("%1 has keys: insert one at this frame").arg(name)
-                                                      : tr("%1: insert a key at this frame").arg(name));
-    row.key->setAccessibleName(row.key->toolTip());
+    ramure::showKeyState(row.key, coreText(row.def->label), m_keys->state(m_arm, channelOf(row)));
 }
 
 void JointForm::set(Row& row, double value, GestureId gesture)

@@ -30,6 +30,9 @@ public:
     void setJoint(NodeId arm, int joint);
     void showValues();
 
+signals:
+    void messageRaised(const QString& text);
+
 private:
     struct Row;
     void addRow(QFormLayout* form, const JointDef& def, std::size_t number);

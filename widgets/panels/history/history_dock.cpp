@@ -129,7 +129,7 @@ HistoryDock::HistoryDock(Document* document, QWidget* parent)
     drawCleanIcon();
     m_model->setStart(tr("Start"));
     m_view->setAccessibleName(tr("History of changes"));
-    m_view->setToolTip(tr("Click a step to go back or forth to it. The dot marks what is in the file."));
+    m_view->setToolTip(tr("Click a step to go back or forth to it. The dot marks the saved state."));
 }
 
 QSize HistoryDock::sizeHint() const

@@ -10,7 +10,7 @@ namespace {
 enum Row {
     Parent,
     Children,
-    Level,
+    Order,
     Start,
     End,
     StartRadius,
@@ -49,7 +49,7 @@ BranchFactForm::BranchFactForm(QWidget* parent)
     m_form->setName(Parent, tr("Parent"), tr("The branch at whose end this one starts. Click to select it."));
     m_form->setName(Children, tr("Children"),
                     tr("The branches that start at this one's end. Click to select one."));
-    m_form->setName(Level, tr("Level"),
+    m_form->setName(Order, tr("Order"),
                     tr("How many brackets of the grammar are around the branch: 0 is the trunk."));
     m_form->setName(Start, tr("Start (p0)"), tr("In the tree's space, Y up."));
     m_form->setName(End, tr("End (p1)"), tr("In the tree's space, Y up."));
@@ -101,7 +101,7 @@ void BranchFactForm::showFacts()
                     tr("and %n more", nullptr, static_cast<int>(m_facts.children.size() - shown));
         m_form->setRichValue(Children, text);
     }
-    m_form->setValue(Level, QString::number(m_facts.level));
+    m_form->setValue(Order, QString::number(m_facts.order));
     m_form->setValue(Start, facttext::point(m_facts.p0, pointDecimals));
     m_form->setValue(End, facttext::point(m_facts.p1, pointDecimals));
     m_form->setValue(StartRadius, facttext::length(m_facts.a0));

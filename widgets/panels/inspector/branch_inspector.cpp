@@ -4,6 +4,7 @@
 #include "core/skeleton/branch_facts.h"
 #include "core/surface/foliage/branch_masses.h"
 #include "widgets/base/empty_page.h"
+#include "widgets/base/named.h"
 #include "widgets/base/only_branch.h"
 #include "widgets/base/texts/branch_names.h"
 #include "widgets/base/texts/core_text.h"
@@ -108,8 +109,7 @@ BranchInspector::~BranchInspector() = default;
 
 void BranchInspector::Private::build()
 {
-    auto* outer = new QVBoxLayout(q);
-    outer->setContentsMargins(0, 0, 0, 0);
+    auto* outer = layoutOf<QVBoxLayout>(q);
     pages = new QStackedWidget(q);
     outer->addWidget(pages);
     empty = new EmptyPage(pages);
@@ -123,15 +123,13 @@ void BranchInspector::Private::build()
     scroll->setWidgetResizable(true);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setFocusPolicy(Qt::NoFocus);
-    content = new QWidget(scroll);
-    content->setObjectName(QStringLiteral("inspectorContent"));
+    content = named(new QWidget(scroll), "inspectorContent");
     scroll->setWidget(content);
     scroll->setMinimumHeight(leastScroll);
     parts->addWidget(scroll);
 
     auto* below = new QWidget(parts);
-    auto* belowLayout = new QVBoxLayout(below);
-    belowLayout->setContentsMargins(12, 6, 12, 8);
+    auto* belowLayout = layoutOf<QVBoxLayout>(below, -1, {12, 6, 12, 8});
     sections = new SectionBrowser(below);
     belowLayout->addWidget(sections);
     buildContent();
@@ -153,11 +151,8 @@ void BranchInspector::Private::build()
 /// What scrolls: the branch, its roll, and the section looked at.
 void BranchInspector::Private::buildContent()
 {
-    auto* layout = new QVBoxLayout(content);
-    layout->setContentsMargins(12, 8, 12, 8);
-    layout->setSpacing(6);
-    title = new QLabel(content);
-    title->setObjectName(QStringLiteral("panelTitle"));
+    auto* layout = layoutOf<QVBoxLayout>(content, 6, {12, 8, 12, 8});
+    title = named(new QLabel(content), "panelTitle");
     title->setTextFormat(Qt::PlainText);
     title->setTextInteractionFlags(Qt::TextSelectableByMouse);
     title->setWordWrap(true);
@@ -167,8 +162,7 @@ void BranchInspector::Private::buildContent()
     subtitle->setWordWrap(true);
     form = new BranchFactForm(content);
     roll = new RollEditor(document, content);
-    detailsTitle = new QLabel(content);
-    detailsTitle->setObjectName(QStringLiteral("partTitle"));
+    detailsTitle = named(new QLabel(content), "partTitle");
     layout->addWidget(title);
     layout->addWidget(subtitle);
     layout->addWidget(roll);

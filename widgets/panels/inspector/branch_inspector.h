@@ -35,12 +35,12 @@ public slots:
     void copyCsv();
 
 signals:
-    /// The section to show in the viewport: Viewport::setInspectedSection. Sent anew whenever its place may
+    /// The section to show in the viewport: ViewMarks::inspect. Sent anew whenever its place may
     /// have moved, only while the inspector is visible.
     void sectionInspected(ramure::NodeId node, ramure::Index branch, ramure::Index section);
-    /// Nothing to show any more: Viewport::setInspectedSection with noNode.
+    /// Nothing to show any more: ViewMarks::inspect with noNode.
     void sectionLeft();
-    /// For the status bar: what was copied, why an edit was refused.
+    /// Messages for the status bar: a copied text, the reason against an edit.
     void messageRaised(const QString& text);
 
 protected:

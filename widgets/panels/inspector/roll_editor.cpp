@@ -3,6 +3,7 @@
 #include "core/math/angle.h"
 #include "widgets/base/fields/number_field.h"
 #include "widgets/base/fields/number_slider.h"
+#include "widgets/base/named.h"
 #include "widgets/base/texts/core_text.h"
 #include "widgets/base/texts/fact_text.h"
 #include "widgets/base/theme/icons.h"
@@ -43,19 +44,15 @@ RollEditor::RollEditor(Document* document, QWidget* parent)
     , m_document(document)
     , m_gesture(newGesture())
 {
-    auto* grid = new QGridLayout(this);
-    grid->setContentsMargins(0, 0, 0, 0);
+    auto* grid = layoutOf<QGridLayout>(this);
     grid->setHorizontalSpacing(6);
     grid->setVerticalSpacing(4);
     m_name = new QLabel(tr("Roll by hand"), this);
-    m_slider = new NumberSlider(this);
-    m_slider->setObjectName(QStringLiteral("rollSlider"));
-    m_field = new NumberField(this);
-    m_field->setObjectName(QStringLiteral("rollField"));
+    m_slider = named(new NumberSlider(this), "rollSlider");
+    m_field = named(new NumberField(this), "rollField");
     m_field->setRange(-mostTyped, mostTyped);
     m_field->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
-    m_reset = new QToolButton(this);
-    m_reset->setObjectName(QStringLiteral("rollReset"));
+    m_reset = named(new QToolButton(this), "rollReset");
     m_reset->setAutoRaise(true);
     m_reset->setIcon(icon("reset"));
     m_hint = new QLabel(this);

@@ -1,6 +1,7 @@
 #include "widgets/panels/inspector/section_browser.h"
 
 #include "widgets/base/fields/number_field.h"
+#include "widgets/base/named.h"
 #include "widgets/base/theme/icons.h"
 #include "widgets/panels/inspector/fact_form.h"
 #include <QClipboard>
@@ -45,9 +46,7 @@ SectionBrowser::SectionBrowser(QWidget* parent)
     : QWidget(parent)
     , m_model(new SectionModel(this))
 {
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(6);
+    layoutOf<QVBoxLayout>(this, 6);
     buildStepper();
     m_form = new FactForm(SectionModel::columnTotal - firstFormColumn, this);
     buildTable();
@@ -73,12 +72,10 @@ void SectionBrowser::buildStepper()
     auto* row = new QHBoxLayout;
     row->setSpacing(6);
     auto* title = new QLabel(tr("Section"), this);
-    m_slider = new QSlider(Qt::Horizontal, this);
-    m_slider->setObjectName(QStringLiteral("sectionSlider"));
+    m_slider = named(new QSlider(Qt::Horizontal, this), "sectionSlider");
     m_slider->setPageStep(1);
     m_slider->setMinimumWidth(leastSlider);
-    m_field = new NumberField(this);
-    m_field->setObjectName(QStringLiteral("sectionField"));
+    m_field = named(new NumberField(this), "sectionField");
     NumberFormat whole;
     whole.whole = true;
     whole.decimals = 0;
@@ -91,8 +88,7 @@ void SectionBrowser::buildStepper()
     row->addWidget(m_slider, 1);
     row->addWidget(m_field);
     row->addWidget(m_total);
-    m_copy = new QToolButton(this);
-    m_copy->setObjectName(QStringLiteral("copyCsv"));
+    m_copy = named(new QToolButton(this), "copyCsv");
     m_copy->setIcon(icon("copy"));
     m_copy->setAutoRaise(true);
     row->addWidget(m_copy);
@@ -106,8 +102,7 @@ void SectionBrowser::buildStepper()
 
 void SectionBrowser::buildTable()
 {
-    m_table = new SectionTable(this);
-    m_table->setObjectName(QStringLiteral("sectionTable"));
+    m_table = named(new SectionTable(this), "sectionTable");
     m_table->setModel(m_model);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setSelectionMode(QAbstractItemView::ExtendedSelection);

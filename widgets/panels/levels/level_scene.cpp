@@ -2,6 +2,7 @@
 
 #include "core/lod/level_leaves.h"
 #include "core/qt/session/export/level_export.h"
+#include "core/surface/foliage/place_foliage.h"
 #include <algorithm>
 #include <cmath>
 

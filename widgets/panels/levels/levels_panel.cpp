@@ -5,6 +5,7 @@
 #include "widgets/base/fields/level_form.h"
 #include "widgets/base/fields/number_field.h"
 #include "widgets/base/fields/number_slider.h"
+#include "widgets/base/named.h"
 #include "widgets/base/progress_steps.h"
 #include "widgets/base/texts/core_text.h"
 #include "widgets/base/theme/icons.h"
@@ -111,8 +112,7 @@ LevelsPanel::LevelsPanel(Document* document, LevelWatch* watch, Preferences* pre
 void LevelsPanel::build()
 {
     m_pages = new QStackedWidget(this);
-    auto* outer = new QVBoxLayout(this);
-    outer->setContentsMargins(0, 0, 0, 0);
+    auto* outer = layoutOf<QVBoxLayout>(this);
     outer->addWidget(m_pages);
     m_empty = new EmptyPage(m_pages);
     auto* content = new QWidget;
@@ -123,15 +123,11 @@ void LevelsPanel::build()
     scroll->setWidget(content);
     m_pages->addWidget(m_empty);
     m_pages->addWidget(scroll);
-    auto* column = new QVBoxLayout(content);
-    column->setContentsMargins(10, 8, 10, 8);
-    column->setSpacing(7);
+    auto* column = layoutOf<QVBoxLayout>(content, 7, {10, 8, 10, 8});
     buildState(column);
     buildTable(column);
     m_below = new QWidget(content);
-    auto* below = new QVBoxLayout(m_below);
-    below->setContentsMargins(0, 0, 0, 0);
-    below->setSpacing(7);
+    auto* below = layoutOf<QVBoxLayout>(m_below, 7);
     buildDistance(below);
     buildChoices(below);
     buildPictures(below);
@@ -145,8 +141,7 @@ void LevelsPanel::build()
 void LevelsPanel::buildState(QVBoxLayout* column)
 {
     QWidget* content = column->parentWidget();
-    m_title = new QLabel(content);
-    m_title->setObjectName(QStringLiteral("partTitle"));
+    m_title = named(new QLabel(content), "partTitle");
     m_title->setTextFormat(Qt::PlainText);
     m_form = new LevelForm(content);
     m_form->setNarrow();
@@ -166,17 +161,14 @@ void LevelsPanel::buildState(QVBoxLayout* column)
     m_state->setTextFormat(Qt::PlainText);
     m_state->setWordWrap(true);
     m_state->setMinimumHeight(m_state->fontMetrics().height() + 8);
-    m_progress = new QProgressBar(content);
-    m_progress->setObjectName(QStringLiteral("levelProgress"));
+    m_progress = named(new QProgressBar(content), "levelProgress");
     m_progress->setRange(0, progressSteps);
     m_progress->setTextVisible(false);
-    m_cancel = new QToolButton(content);
-    m_cancel->setObjectName(QStringLiteral("cancelLevels"));
+    m_cancel = named(new QToolButton(content), "cancelLevels");
     m_cancel->setIcon(icon("cancel"));
     m_cancel->setIconSize({14, 14});
     m_cancel->setAutoRaise(true);
-    m_again = new QPushButton(tr("Make the levels"), content);
-    m_again->setObjectName(QStringLiteral("startLevels"));
+    m_again = named(new QPushButton(tr("Make the levels"), content), "startLevels");
     auto* work = new QHBoxLayout;
     work->setSpacing(6);
     work->addWidget(m_state, 1);
@@ -192,8 +184,7 @@ void LevelsPanel::buildState(QVBoxLayout* column)
 
 void LevelsPanel::buildTable(QVBoxLayout* column)
 {
-    m_table = new QTreeView(column->parentWidget());
-    m_table->setObjectName(QStringLiteral("levelTable"));
+    m_table = named(new QTreeView(column->parentWidget()), "levelTable");
     m_table->setModel(m_model);
     m_table->setRootIsDecorated(false);
     m_table->setUniformRowHeights(true);
@@ -224,10 +215,8 @@ void LevelsPanel::buildTable(QVBoxLayout* column)
 void LevelsPanel::buildDistance(QVBoxLayout* column)
 {
     m_distanceLabel = new QLabel(tr("Distance"), m_below);
-    m_slider = new NumberSlider(m_below);
-    m_slider->setObjectName(QStringLiteral("levelDistance"));
-    m_field = new NumberField(m_below);
-    m_field->setObjectName(QStringLiteral("levelMetres"));
+    m_slider = named(new NumberSlider(m_below), "levelDistance");
+    m_field = named(new NumberField(m_below), "levelMetres");
     NumberFormat format;
     format.unit = ParamUnit::Metre;
     format.suffix = QStringLiteral(" m");
@@ -247,11 +236,9 @@ void LevelsPanel::buildDistance(QVBoxLayout* column)
 
 void LevelsPanel::buildChoices(QVBoxLayout* column)
 {
-    m_enlarged = new QCheckBox(tr("Zoom to the tree"), m_below);
-    m_enlarged->setObjectName(QStringLiteral("levelsEnlarged"));
+    m_enlarged = named(new QCheckBox(tr("Zoom to the tree"), m_below), "levelsEnlarged");
     m_enlarged->setChecked(true); // trees are larger than these pictures where levels change
-    m_export = new QPushButton(tr("Export these levels…"), m_below);
-    m_export->setObjectName(QStringLiteral("exportTheseLevels"));
+    m_export = named(new QPushButton(tr("Export these levels…"), m_below), "exportTheseLevels");
     auto* row = new QHBoxLayout;
     row->addWidget(m_enlarged);
     row->addStretch(1);
@@ -280,8 +267,7 @@ void LevelsPanel::buildPictures(QVBoxLayout* column)
     side(pair, m_levelView, m_levelText, "levelPicture");
     side(pair, m_wholeView, m_wholeText, "wholePicture");
     column->addLayout(pair, 1);
-    m_sizeText = new QLabel(m_below);
-    m_sizeText->setObjectName(QStringLiteral("dim"));
+    m_sizeText = named(new QLabel(m_below), "dim");
     m_sizeText->setWordWrap(true);
     column->addWidget(m_sizeText);
 }

@@ -40,7 +40,7 @@ public:
     [[nodiscard]] QTreeView* table() const { return m_table; }
     [[nodiscard]] LevelView* levelView() const { return m_levelView; }
     [[nodiscard]] LevelView* wholeView() const { return m_wholeView; }
-    /// What an export for a game takes; nothing where nobody has chosen or seen levels yet.
+    /// The levels for an export for games; nothing if nobody has chosen or seen levels yet.
     [[nodiscard]] std::optional<LevelOptions> chosen() const;
     /// m, from the eye to the tree.
     [[nodiscard]] double distance() const { return m_distance; }
@@ -51,7 +51,7 @@ public:
 public slots:
     /// Held to the range of the slider; shows the level that a game shows there.
     void setDistance(double metres);
-    /// Behind another tab a panel counts as visible, though nobody sees it. Shown, it is seen.
+    /// A panel behind another tab counts as visible to Qt. This says whether it is really seen.
     void setSeen(bool seen);
 
 signals:
@@ -94,10 +94,10 @@ private:
     double m_distance = 0.0;
     double m_least = 0.0, m_most = 0.0; ///< m, of the slider
     std::optional<std::size_t> m_level;
-    NodeId m_tree = noNode;                         ///< whose distance is kept
-    NodeId m_metresOf = noNode;                     ///< whose distances stand in the form
-    std::map<NodeId, std::vector<double>> m_metres; ///< of the other trees, where somebody has said some
-    QString m_formProblem;                          ///< why what is written there is no budget
+    NodeId m_tree = noNode;                         ///< the tree whose distance is kept
+    NodeId m_metresOf = noNode;                     ///< the tree whose distances stand in the form
+    std::map<NodeId, std::vector<double>> m_metres; ///< distances that were set for the other trees
+    QString m_formProblem;                          ///< why the written text is no budget
     QString m_editProblem;                          ///< and why a cell of the table stayed as it was
     bool m_shows = false;                           ///< the row is being chosen by the distance
     QStackedWidget* m_pages = nullptr;

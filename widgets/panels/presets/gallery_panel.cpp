@@ -3,6 +3,7 @@
 #include "core/qt/document/commands.h"
 #include "core/qt/document/document.h"
 #include "core/qt/session/jobs/planting.h"
+#include "widgets/base/named.h"
 #include "widgets/base/targets.h"
 #include "widgets/base/texts/core_text.h"
 #include "widgets/base/texts/preset_title.h"
@@ -25,8 +26,8 @@ GalleryPanel::GalleryPanel(Document* document, Preferences* preferences, QWidget
     : QWidget(parent)
     , m_document(document)
     , m_gallery(new PresetGallery(PictureButton::smallWidth, preferences, this))
-    , m_problem(new QLabel(this))
-    , m_what(new QLabel(tr("Click: add to the scene"), this))
+    , m_problem(named(new QLabel(this), "problem"))
+    , m_what(named(new QLabel(tr("Click: add to the scene"), this), "dim"))
     , m_add(new QAction(tr("&Add to the scene"), this))
     , m_new(new QAction(tr("&New scene with it"), this))
     , m_give(new QAction(tr("&Give its numbers to the selected trees"), this))
@@ -36,12 +37,10 @@ GalleryPanel::GalleryPanel(Document* document, Preferences* preferences, QWidget
     , m_reveal(new QAction(tr("Show in the &folder"), this))
     , m_keep(new QPushButton(tr("&Save as preset…"), this))
 {
-    m_problem->setObjectName(QStringLiteral("problem"));
     m_problem->setWordWrap(true);
     m_problem->hide();
     auto* content = new QWidget;
-    auto* inside = new QVBoxLayout(content);
-    inside->setContentsMargins(8, 8, 8, 8);
+    auto* inside = layoutOf<QVBoxLayout>(content, -1, {8, 8, 8, 8});
     inside->addWidget(m_gallery);
     auto* scroll = new QScrollArea(this);
     scroll->setWidgetResizable(true);
@@ -49,11 +48,8 @@ GalleryPanel::GalleryPanel(Document* document, Preferences* preferences, QWidget
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setFocusPolicy(Qt::NoFocus); // a press on what it shows gives the keys to the view
     scroll->setWidget(content);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    auto* above = new QHBoxLayout;
-    above->setContentsMargins(8, 8, 8, 0);
-    m_what->setObjectName(QStringLiteral("dim"));
+    auto* layout = layoutOf<QVBoxLayout>(this);
+    auto* above = layoutOf<QHBoxLayout>(nullptr, -1, {8, 8, 8, 0});
     m_what->setWordWrap(true);
     above->addWidget(m_what, 1);
     above->addWidget(m_keep);
@@ -195,13 +191,14 @@ void GalleryPanel::drawMissing()
             m_pictures = std::make_unique<TreePictures>();
         else if (m_pictures->isBusy())
             return;
-        m_pictures->draw(
-            tree->params, QSize(2 * PictureButton::usualWidth, 220), [this, name](Expected<QImage>&& made) {
-                if (!made || !made->save(m_own.pictureFile(name)))
-                    m_undrawn += name;
-                m_gallery->showOwn(m_own);
-                QMetaObject::invokeMethod(this, &GalleryPanel::drawMissing, Qt::QueuedConnection);
-            });
+        m_pictures->draw(tree->params, QSize(2 * PictureButton::usualWidth, 220),
+                         [this, name](Expected<TreePicture>&& made) {
+                             if (!made || !made->image.save(m_own.pictureFile(name)))
+                                 m_undrawn += name;
+                             m_gallery->showOwn(m_own);
+                             QMetaObject::invokeMethod(this, &GalleryPanel::drawMissing,
+                                                       Qt::QueuedConnection);
+                         });
         return;
     }
 }

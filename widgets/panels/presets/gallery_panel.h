@@ -36,7 +36,6 @@ public:
     [[nodiscard]] QPushButton* keepButton() const { return m_keep; }
     [[nodiscard]] QAction* renameAction() const { return m_rename; }
     [[nodiscard]] QAction* removeAction() const { return m_remove; }
-    [[nodiscard]] QAction* moreAction() const { return m_more; }
     /// The user's presets were changed elsewhere.
     void refreshOwn();
     [[nodiscard]] QSize sizeHint() const override;
@@ -77,7 +76,7 @@ private:
     QPushButton* m_keep;
     OwnPresets m_own;
     std::unique_ptr<TreePictures> m_pictures; ///< once one was missing
-    QSet<QString> m_undrawn;                  ///< names of those that have no picture as they cannot be drawn
+    QSet<QString> m_undrawn; ///< names of presets without a picture, because they cannot be drawn
 };
 
 } // namespace ramure

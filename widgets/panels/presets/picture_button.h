@@ -22,7 +22,7 @@ public:
     [[nodiscard]] const QPixmap& picture() const { return m_picture; }
     [[nodiscard]] bool hasPicture() const { return !m_picture.isNull(); }
     [[nodiscard]] QSize pictureSize() const { return m_size; } ///< logical pixels
-    /// From now on it has a star: always seen where it is \p on, else under the mouse.
+    /// Gives the picture a star: always visible if \p on, else under the mouse only.
     void setStar(bool on);
     [[nodiscard]] QRect starPlace() const;
     static constexpr int usualWidth = 176, smallWidth = 108;
@@ -46,7 +46,7 @@ protected:
 private:
     QString m_preset;
     QPixmap m_picture;
-    QSize m_size; ///< of the picture as it is shown
+    QSize m_size; ///< size of the picture as it is shown
     QPoint m_pressed;
     bool m_hasStar = false, m_isStarred = false;
 };
@@ -56,7 +56,7 @@ QRect pictureStarPlace(const QPoint& corner);
 /// On a disc, so that it is seen before a sky as well as before leaves.
 void paintPictureStar(QPainter& painter, const QRect& place, bool starred);
 
-/// Of what is dragged: what namedTree takes, in UTF-8.
+/// MIME type of a dragged preset; the data are a name for namedTree in UTF-8.
 inline constexpr const char* presetMimeType = "application/x-ramure-preset";
 
 } // namespace ramure

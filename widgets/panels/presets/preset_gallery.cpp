@@ -2,6 +2,7 @@
 
 #include "core/presets/presets.h"
 #include "core/qt/document/project/own_presets.h"
+#include "widgets/base/named.h"
 #include "widgets/base/texts/core_text.h"
 #include "widgets/base/texts/preset_title.h"
 #include "widgets/base/texts/search_text.h"
@@ -46,18 +47,14 @@ PresetGallery::PresetGallery(int pictureWidth, Preferences* preferences, QWidget
     : QWidget(parent)
     , m_pictureWidth(pictureWidth)
     , m_preferences(preferences)
-    , m_search(new QLineEdit(this))
-    , m_none(new QLabel(this))
+    , m_search(named(new QLineEdit(this), "presetSearch"))
+    , m_none(named(new QLabel(this), "dim"))
 {
-    m_search->setObjectName(QStringLiteral("presetSearch"));
     m_search->setClearButtonEnabled(true);
     m_search->setPlaceholderText(tr("Search trees"));
     m_search->setAccessibleName(m_search->placeholderText());
-    m_none->setObjectName(QStringLiteral("dim"));
     m_none->setWordWrap(true);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(6);
+    auto* layout = layoutOf<QVBoxLayout>(this, 6);
     layout->addWidget(m_search);
     layout->addWidget(m_none);
     addGroup(RAMURE_NOOP("Favourites"));
@@ -85,8 +82,7 @@ PresetGallery::PresetGallery(int pictureWidth, Preferences* preferences, QWidget
 
 void PresetGallery::addGroup(const char* name)
 {
-    auto* heading = new QLabel(presetGroupTitle(name), this);
-    heading->setObjectName(QStringLiteral("galleryGroup"));
+    auto* heading = named(new QLabel(presetGroupTitle(name), this), "galleryGroup");
     auto* grid = new QGridLayout;
     grid->setSpacing(gap);
     auto* all = static_cast<QVBoxLayout*>(layout());

@@ -1,6 +1,6 @@
 /// \file
-/// The trees that ship with the program as pictures, group by group, with a search; those of the user before
-/// them, and before all the favourites, which stand in their own groups as well.
+/// The trees that ship with the program as pictures, group by group, with a search. The user's own presets
+/// come before them, and the favourites come first of all; they also stay in their own groups.
 #pragma once
 
 #include <QWidget>
@@ -29,14 +29,14 @@ public:
     [[nodiscard]] QLineEdit* search() const { return m_search; }
     /// The first picture that is shown, or null.
     [[nodiscard]] QWidget* first() const;
-    /// What a click on a picture does, for its tip.
+    /// Sets the tip's text about a click on a picture.
     void setClickText(const QString& text);
-    /// Of a picture's menu, beside what a click does. \param own of the user's pictures alone
+    /// Adds an entry to the pictures' menu. \param own only for the user's own pictures
     void addChoice(QAction* action, bool own = false);
     void showOwn(const OwnPresets& presets);
     /// A favourite stays one under its new name.
     void followRename(const QString& from, const QString& to);
-    /// Whose menu was opened last, as namedTree takes it.
+    /// Name of the preset whose menu was opened last, for namedTree.
     [[nodiscard]] const QString& menuPreset() const { return m_menuPreset; }
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;
@@ -80,7 +80,7 @@ private:
     std::vector<Group> m_groups; ///< the favourites, the user's, then those of the program
     QList<QAction*> m_choices, m_ownChoices;
     QString m_menuPreset;
-    QStringList m_favourites; ///< as they are shown
+    QStringList m_favourites; ///< in the order in which they are shown
     int m_columns = 0;
 };
 

@@ -1,5 +1,6 @@
 #include "widgets/panels/properties/color_editor.h"
 
+#include "widgets/base/named.h"
 #include <QAbstractButton>
 #include <QColorDialog>
 #include <QHBoxLayout>
@@ -78,9 +79,7 @@ ColorEditor::ColorEditor(const ParamDef& def, QWidget* parent)
     , m_swatch(new Swatch(this))
     , m_text(new QLineEdit(this))
 {
-    auto* layout = new QHBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(6);
+    auto* layout = layoutOf<QHBoxLayout>(this, 6);
     layout->addWidget(m_swatch);
     layout->addWidget(m_text, 1);
     m_text->setMaxLength(32);

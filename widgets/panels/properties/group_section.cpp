@@ -1,5 +1,6 @@
 #include "widgets/panels/properties/group_section.h"
 
+#include "widgets/base/named.h"
 #include "widgets/base/texts/core_text.h"
 #include "widgets/base/theme/icons.h"
 #include "widgets/panels/properties/param_row.h"
@@ -17,22 +18,15 @@ GroupSection::GroupSection(const char* group, QWidget* parent)
     , m_group(group)
 {
     setObjectName(QStringLiteral("group/%1").arg(QString::fromLatin1(group)));
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
+    auto* layout = layoutOf<QVBoxLayout>(this, 0);
 
-    auto* bar = new QWidget(this);
-    bar->setObjectName(QStringLiteral("groupBar"));
-    auto* barLayout = new QHBoxLayout(bar);
-    barLayout->setContentsMargins(0, 0, 0, 0);
-    barLayout->setSpacing(0);
-    m_heading = new QToolButton(bar);
-    m_heading->setObjectName(QStringLiteral("groupHeading"));
+    auto* bar = named(new QWidget(this), "groupBar");
+    auto* barLayout = layoutOf<QHBoxLayout>(bar, 0);
+    m_heading = named(new QToolButton(bar), "groupHeading");
     m_heading->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_heading->setIconSize({12, 12});
     m_heading->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    m_menuButton = new QToolButton(bar);
-    m_menuButton->setObjectName(QStringLiteral("groupMenu"));
+    m_menuButton = named(new QToolButton(bar), "groupMenu");
     m_menuButton->setAutoRaise(true);
     m_menuButton->setIcon(icon("more"));
     m_menuButton->setIconSize({14, 14});
@@ -46,11 +40,8 @@ GroupSection::GroupSection(const char* group, QWidget* parent)
     layout->addWidget(bar);
 
     m_content = new QWidget(this);
-    m_contentLayout = new QVBoxLayout(m_content);
-    m_contentLayout->setContentsMargins(12, 6, 8, 10);
-    m_contentLayout->setSpacing(6);
-    m_advanced = new QToolButton(m_content);
-    m_advanced->setObjectName(QStringLiteral("advanced"));
+    m_contentLayout = layoutOf<QVBoxLayout>(m_content, 6, {12, 6, 8, 10});
+    m_advanced = named(new QToolButton(m_content), "advanced");
     m_advanced->setAutoRaise(true);
     m_advanced->setText(tr("More…"));
     m_advanced->hide();

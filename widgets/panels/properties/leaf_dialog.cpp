@@ -1,5 +1,6 @@
 #include "widgets/panels/properties/leaf_dialog.h"
 
+#include "widgets/base/named.h"
 #include "widgets/panels/properties/leaf_view.h"
 #include <QDialogButtonBox>
 #include <QHBoxLayout>
@@ -14,14 +15,12 @@ LeafDialog::LeafDialog(Document* document, QWidget* parent)
     , m_document(document)
     , m_view(new LeafView(this))
 {
-    auto* hint = new QLabel(tr("Drag: turn · wheel: nearer · the properties shape the leaf"), this);
+    auto* hint =
+        named(new QLabel(tr("Drag: turn · wheel: nearer · the properties shape the leaf"), this), "hint");
     setObjectName(QStringLiteral("leafDialog"));
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
+    auto* layout = layoutOf<QVBoxLayout>(this);
     layout->addWidget(m_view, 1);
-    auto* foot = new QHBoxLayout;
-    foot->setContentsMargins(12, 0, 12, 8);
-    hint->setObjectName(QStringLiteral("hint"));
+    auto* foot = layoutOf<QHBoxLayout>(nullptr, -1, {12, 0, 12, 8});
     hint->setWordWrap(true);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     foot->addWidget(hint, 1);

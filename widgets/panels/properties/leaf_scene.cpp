@@ -1,6 +1,7 @@
 #include "widgets/panels/properties/leaf_scene.h"
 
 #include "core/surface/foliage/leaf_table.h"
+#include "core/surface/foliage/place_foliage.h"
 #include "core/surface/mesher/rough_model.h"
 #include <algorithm>
 

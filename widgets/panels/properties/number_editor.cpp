@@ -2,6 +2,7 @@
 
 #include "widgets/base/fields/number_field.h"
 #include "widgets/base/fields/number_slider.h"
+#include "widgets/base/named.h"
 #include "widgets/base/theme/icons.h"
 #include <QHBoxLayout>
 #include <QRandomGenerator>
@@ -27,9 +28,7 @@ std::optional<double> asNumber(const std::optional<ParamValue>& value)
 NumberEditor::NumberEditor(const ParamDef& def, QWidget* parent)
     : ParamEditor(def, parent)
 {
-    auto* layout = new QHBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(6);
+    auto* layout = layoutOf<QHBoxLayout>(this, 6);
     m_field = new NumberField(this);
     m_field->setRange(def.hardMin, def.hardMax);
     m_field->setStep(def.step);

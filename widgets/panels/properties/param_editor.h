@@ -21,7 +21,7 @@ public:
     ParamEditor(const ParamDef& def, QWidget* parent);
 
     [[nodiscard]] const ParamDef& def() const { return m_def; }
-    /// Of the parameter, in the interface's language.
+    /// Returns the parameter's name in the interface's language.
     [[nodiscard]] QString name() const;
     /// Shows the values of the selected nodes, one each, and never emits.
     virtual void showValues(std::span<const ParamValue> values) = 0;

@@ -2,6 +2,7 @@
 
 #include "core/presets/presets.h"
 #include "widgets/base/fields/key_button.h"
+#include "widgets/base/named.h"
 #include "widgets/base/targets.h"
 #include "widgets/base/texts/core_text.h"
 #include "widgets/base/theme/icons.h"
@@ -35,10 +36,9 @@ ParamRow::ParamRow(const ParamDef& def, QWidget* parent)
     , m_label(new QLabel(coreText(def.label), this))
     , m_editor(makeParamEditor(def, this))
     , m_reset(new QToolButton(this))
-    , m_message(new QLabel(this))
+    , m_message(named(new QLabel(this), "problem"))
 {
-    auto* grid = new QGridLayout(this);
-    grid->setContentsMargins(0, 0, 0, 0);
+    auto* grid = layoutOf<QGridLayout>(this);
     grid->setHorizontalSpacing(6);
     grid->setVerticalSpacing(3);
     auto* name = new QHBoxLayout;
@@ -61,8 +61,7 @@ ParamRow::ParamRow(const ParamDef& def, QWidget* parent)
         grid->addWidget(m_message, 1, 0, 1, 3);
     }
     if (!paramMeaning(def, defaultValue(def)).isEmpty()) {
-        m_meaning = new QLabel(this);
-        m_meaning->setObjectName(QStringLiteral("dim"));
+        m_meaning = named(new QLabel(this), "dim");
         grid->addWidget(m_meaning, grid->rowCount(), 1);
     }
     grid->setColumnStretch(1, 1);
@@ -77,7 +76,6 @@ ParamRow::ParamRow(const ParamDef& def, QWidget* parent)
     keepsPlace.setRetainSizeWhenHidden(true);
     m_reset->setSizePolicy(keepsPlace);
     m_reset->hide();
-    m_message->setObjectName(QStringLiteral("problem"));
     m_message->setWordWrap(true);
     m_message->hide();
     connect(m_reset, &QToolButton::clicked, this, &ParamRow::resetRequested);
@@ -146,12 +144,7 @@ void ParamRow::showKeyState(KeyState state)
     if (!m_key)
         return;
     m_key->show();
-    m_key->setIcon(keyIcon(state));
-    const QString name = coreText(def().label);
-    m_key->setToolTip(state == KeyState::Here       ? tr("%1: take the key at this frame away").arg(name)
-                      : state == KeyState::Animated ? tr("%1 has keys: insert one at this frame").arg(name)
-                                                    : tr("%1: insert a key at this frame").arg(name));
-    m_key->setAccessibleName(m_key->toolTip());
+    ramure::showKeyState(m_key, coreText(def().label), state);
 }
 
 void ParamRow::setActs(bool acts)

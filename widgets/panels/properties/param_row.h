@@ -1,5 +1,5 @@
 /// \file
-/// One parameter in the panel: label, editor, reset arrow, and a line for what is wrong.
+/// One parameter in the panel: label, editor, reset arrow, and a line for errors.
 #pragma once
 
 #include "core/qt/document/key_state.h"
@@ -22,8 +22,8 @@ public:
     /// The message below the editor, empty where all is well.
     [[nodiscard]] QString message() const;
 
-    /// Of the selected nodes, one each: the values, and the presets they came from, which say what a reset
-    /// gives (core/presets/presets.h).
+    /// Shows the values of the selected nodes, one each. The presets that they came from tell a reset's
+    /// values (core/presets/presets.h).
     void showValues(std::span<const ParamValue> values, std::span<const std::string> presets);
     /// The error of the computation that concerns this parameter.
     void showProblem(const std::optional<Error>& error);
@@ -39,7 +39,7 @@ public:
     [[nodiscard]] int labelWidth() const;
     /// \param words lower case; true where label, tooltip, group and key together hold all of them.
     [[nodiscard]] bool matches(const QStringList& words) const;
-    /// Its name alone holds all words.
+    /// True if the name alone contains all words.
     [[nodiscard]] bool isCalled(const QStringList& words) const;
     [[nodiscard]] bool isChanged() const { return m_changed; }
     /// Whether the choices of all nodes use it (core/params/param_relevance.h). The panel hides other rows.
@@ -71,14 +71,14 @@ private:
     std::optional<Error> m_problem;
     QString m_refusal;
     AngleUnit m_angleUnit = AngleUnit::Degrees;
-    std::string m_preset; ///< of all selected nodes, or empty
+    std::string m_preset; ///< preset of all selected nodes, or empty
     bool m_changed = false;
     bool m_relevant = true;
     bool m_acts = true;
 };
 
-/// The tooltip of a parameter: what it does, unit, range, default, what \p preset has in place of it, key.
-/// Rich text.
+/// Returns the tooltip of a parameter: its effect, unit, range, default, the value in \p preset, key. Rich
+/// text.
 QString paramToolTip(const ParamDef& def, AngleUnit unit, const std::string& preset = {});
 
 } // namespace ramure

@@ -1,5 +1,6 @@
 #include "widgets/panels/properties/picture_editor.h"
 
+#include "widgets/base/named.h"
 #include "widgets/base/texts/core_text.h"
 #include "widgets/base/theme/icons.h"
 #include "widgets/view/render/surface_images.h"
@@ -38,16 +39,13 @@ QString draggedPicture(const QMimeData& data)
 
 PictureEditor::PictureEditor(const ParamDef& def, QWidget* parent)
     : ParamEditor(def, parent)
-    , m_button(new QToolButton(this))
+    , m_button(named(new QToolButton(this), "pictureButton"))
     , m_file(new QLineEdit(this))
 {
     setAcceptDrops(true);
-    auto* layout = new QHBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(6);
+    auto* layout = layoutOf<QHBoxLayout>(this, 6);
     layout->addWidget(m_button);
     layout->addWidget(m_file, 1);
-    m_button->setObjectName(QStringLiteral("pictureButton"));
     m_button->setFixedSize(thumbnailSide + 8, thumbnailSide + 8);
     m_button->setIconSize({thumbnailSide, thumbnailSide});
     m_button->setFocusPolicy(Qt::StrongFocus);

@@ -1,6 +1,7 @@
 #include "widgets/panels/properties/profile_editor.h"
 
 #include "core/generators/colonisation/crown_shape.h"
+#include "widgets/base/named.h"
 #include "widgets/base/texts/core_text.h"
 #include "widgets/panels/properties/profile_curve.h"
 #include <QLineEdit>
@@ -13,9 +14,7 @@ ProfileEditor::ProfileEditor(const ParamDef& def, QWidget* parent)
     , m_curve(new ProfileCurve(this))
     , m_text(new QLineEdit(this))
 {
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(4);
+    auto* layout = layoutOf<QVBoxLayout>(this, 4);
     layout->addWidget(m_curve);
     layout->addWidget(m_text);
     m_curve->setAccessibleName(name());

@@ -5,6 +5,8 @@
 #include "core/qt/document/commands.h"
 #include "core/qt/session/motion/auto_key.h"
 #include "core/qt/session/motion/player.h"
+#include "widgets/base/fields/key_button.h"
+#include "widgets/base/named.h"
 #include "widgets/base/targets.h"
 #include "widgets/base/texts/core_text.h"
 #include "widgets/base/theme/icons.h"
@@ -28,7 +30,6 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <functional>
 #include <string_view>
 
 namespace ramure {
@@ -44,24 +45,18 @@ PropertiesPanel::PropertiesPanel(Document* document, Preferences* preferences, Q
     , m_preferences(preferences)
 {
     setObjectName(QStringLiteral("propertiesPanel"));
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
+    auto* layout = layoutOf<QVBoxLayout>(this, 0);
 
     auto* head = new QWidget(this);
-    auto* headLayout = new QVBoxLayout(head);
-    headLayout->setContentsMargins(12, 8, 8, 8);
-    headLayout->setSpacing(6);
-    m_title = new QLabel(head);
-    m_title->setObjectName(QStringLiteral("panelTitle"));
+    auto* headLayout = layoutOf<QVBoxLayout>(head, 6, {12, 8, 8, 8});
+    m_title = named(new QLabel(head), "panelTitle");
     m_title->setTextFormat(Qt::PlainText);
     m_search = new QLineEdit(head);
     m_search->setClearButtonEnabled(true);
     m_search->setPlaceholderText(tr("Search parameters"));
     m_search->setAccessibleName(tr("Search parameters"));
     m_search->addAction(icon("search"), QLineEdit::LeadingPosition);
-    m_problem = new QLabel(head);
-    m_problem->setObjectName(QStringLiteral("problem"));
+    m_problem = named(new QLabel(head), "problem");
     m_problem->setWordWrap(true);
     m_problem->hide();
     headLayout->addWidget(m_title);
@@ -75,8 +70,7 @@ PropertiesPanel::PropertiesPanel(Document* document, Preferences* preferences, Q
     m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_scroll->setFocusPolicy(Qt::NoFocus);
     m_scroll->setAccessibleName(tr("Parameters"));
-    m_content = new QWidget(m_scroll);
-    m_content->setObjectName(QStringLiteral("propertiesContent"));
+    m_content = named(new QWidget(m_scroll), "propertiesContent");
     m_scroll->setWidget(m_content);
     buildEmpty();
     layout->addWidget(m_empty);
@@ -98,22 +92,18 @@ PropertiesPanel::PropertiesPanel(Document* document, Preferences* preferences, Q
 /// What stands in the place of the parameters where there are none.
 void PropertiesPanel::buildEmpty()
 {
-    m_empty = new QLabel(this);
-    m_empty->setObjectName(QStringLiteral("hint"));
+    m_empty = named(new QLabel(this), "hint");
     m_empty->setAlignment(Qt::AlignHCenter | Qt::AlignTop);
     m_empty->setWordWrap(true);
     m_empty->setContentsMargins(24, 32, 24, 24);
-    m_clear = new QPushButton(tr("Clear the search"), this);
-    m_clear->setObjectName(QStringLiteral("clearSearch"));
+    m_clear = named(new QPushButton(tr("Clear the search"), this), "clearSearch");
     m_clear->setFocusPolicy(Qt::TabFocus); // it hides when it is pressed: the focus would go anywhere
     connect(m_clear, &QPushButton::clicked, m_search, &QLineEdit::clear);
 }
 
 void PropertiesPanel::buildRows()
 {
-    auto* layout = new QVBoxLayout(m_content);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
+    auto* layout = layoutOf<QVBoxLayout>(m_content, 0);
     m_step = new StepForm(m_document, m_content);
     layout->addWidget(m_step);
     for (const ParamDef& def : paramTable()) {
@@ -305,9 +295,12 @@ void PropertiesPanel::setKeys(AutoKey* keys)
     connect(keys->player(), &Player::frameChanged, this, &PropertiesPanel::showKeys);
     for (ParamRow* row : m_rows)
         connect(row, &ParamRow::keyToggled, this, [this, row] {
+            const KeyState before = m_keys->state(m_nodes, row->def());
             const auto done = m_keys->toggle(m_nodes, row->def());
-            if (!done)
-                row->showRefusal(errorText(done.error()));
+            report(row, done);
+            if (done)
+                emit messageRaised(
+                    keyToggledText(coreText(row->def().label), before, m_keys->player()->frame()));
         });
     showValues({});
     for (ParamRow* row : m_rows)
@@ -360,7 +353,7 @@ void PropertiesPanel::applyFilter()
     m_clear->setVisible(m_kinds != 0 && shown == 0);
     m_empty->setText(m_kinds == 0
                          ? tr("Select a tree in the scene or in the view to change it.")
-                         : tr("No parameter of what is selected is called “%1”.").arg(m_search->text()));
+                         : tr("No parameter of the selection is called “%1”.").arg(m_search->text()));
 }
 
 void PropertiesPanel::applyPreferences()
@@ -425,22 +418,17 @@ void PropertiesPanel::resetRow(ParamRow* row)
     std::vector<ParamValue> standards;
     for (const std::string& preset : m_presets)
         standards.push_back(presetValue(preset, row->def()));
-    if (const auto common = commonValue(standards)) {
-        setValue(row, *common, 0);
-        return;
-    }
+    if (const auto common = commonValue(standards))
+        return setValue(row, *common, 0);
     const QString text = tr("Reset %1").arg(coreText(row->def().label));
-    const auto done = edit::resetParams(*m_document, m_nodes, {&row->def()}, text);
-    if (!done)
-        row->showRefusal(errorText(done.error()));
+    report(row, edit::resetParams(*m_document, m_nodes, {&row->def()}, text));
 }
 
 void PropertiesPanel::showMenu(ParamRow* row, const QPoint& at)
 {
     if (m_nodes.empty())
         return;
-    auto* menu = new QMenu(this);
-    menu->setObjectName(QStringLiteral("rowMenu"));
+    auto* menu = named(new QMenu(this), "rowMenu");
     menu->setAttribute(Qt::WA_DeleteOnClose);
     menu->addAction(icon("reset"), row->resetButton()->toolTip(), row, &ParamRow::resetRequested)
         ->setEnabled(row->isChanged() && row->acts());
@@ -498,10 +486,9 @@ void PropertiesPanel::copyGroup(const GroupSection* section)
     // The active node's values: the last one selected.
     const Node* node = m_document->scene().find(m_nodes.back());
     ParamList values;
-    for (const ParamRow* row : section->rowsInReach()) {
+    for (const ParamRow* row : section->rowsInReach())
         if (hasParam(node->kind, row->def()))
             values.emplace_back(&row->def(), row->def().get(node->params));
-    }
     QGuiApplication::clipboard()->setText(writeParamList(values));
 }
 

@@ -36,15 +36,17 @@ public:
     /// The row of a parameter; every row of the table has one.
     [[nodiscard]] ParamRow* row(const ParamDef& def) const;
     [[nodiscard]] const std::vector<NodeId>& nodes() const { return m_nodes; }
-    /// Parameters that may have keys get buttons, and show what they are at the frame on show. Not owned.
+    /// Gives buttons to parameters that may have keys, and lets fields show the values at the frame on show.
+    /// Not owned.
     void setKeys(AutoKey* keys);
-    /// What an edit of one node's parameter does instead of setting it; nothing where it does nothing else.
+    /// Replaces the setting of one node's parameter by another edit; returns nothing to set the parameter as
+    /// usual.
     using OwnEdit = std::function<std::optional<Expected<void>>(NodeId, const ParamValue&, quint64 gesture)>;
     void setOwnEdit(const ParamDef& def, OwnEdit edit) { m_ownEdits[&def] = std::move(edit); }
     /// The values of a step of a recipe, above the parameters of its tree.
     [[nodiscard]] StepForm* stepForm() const { return m_step; }
     [[nodiscard]] QSize sizeHint() const override { return {360, 640}; }
-    /// As wide as the widest row in sight needs.
+    /// Wide enough for the widest visible row.
     [[nodiscard]] QSize minimumSizeHint() const override;
 
 public slots:
@@ -54,6 +56,9 @@ public slots:
     /// Unfolds what hides a parameter, scrolls to it and gives it the focus. Does nothing where the selected
     /// nodes do not use it.
     void showParam(const QString& key);
+
+signals:
+    void messageRaised(const QString& text);
 
 private:
     void buildEmpty();
@@ -95,7 +100,7 @@ private:
     AutoKey* m_keys = nullptr;
     std::map<const ParamDef*, OwnEdit> m_ownEdits;
     std::vector<NodeId> m_nodes;
-    std::vector<std::string> m_presets; ///< that m_nodes came from
+    std::vector<std::string> m_presets; ///< presets of m_nodes
     KindBits m_kinds = 0;               ///< bits of the kinds of m_nodes
     std::vector<ParamRow*> m_rows;      ///< by ParamId
     std::vector<GroupSection*> m_sections;
@@ -110,7 +115,7 @@ private:
     SurfacePreview* m_object = nullptr;
     LeafDialog* m_largeLeaf = nullptr; ///< once it was wished for; the window owns it
     QLabel* m_empty = nullptr;
-    QPushButton* m_clear = nullptr; ///< where a search finds nothing
+    QPushButton* m_clear = nullptr; ///< shown if a search finds nothing
     QLineEdit* m_search = nullptr;
     QScrollArea* m_scroll = nullptr;
     QWidget* m_content = nullptr;

@@ -2,9 +2,9 @@
 
 #include "core/scene/material.h"
 #include "core/surface/bark/bark_maps.h"
-#include "core/surface/foliage/foliage.h"
 #include "core/surface/foliage/foliage_texture.h"
 #include "core/surface/foliage/leaf_maps.h"
+#include "core/surface/foliage/place_foliage.h"
 #include "widgets/view/render/surface_images.h"
 #include <algorithm>
 #include <cmath>

@@ -27,7 +27,7 @@ public:
     /// Null until the first one is made.
     [[nodiscard]] const QImage& picture() const { return m_picture; }
     [[nodiscard]] QSize sizeHint() const override;
-    /// Of the leaf: opens its large view. Others have none.
+    /// Returns the button that opens the large view of the leaf; null for other surfaces.
     [[nodiscard]] QToolButton* largerButton() const { return m_larger; }
 
 signals:

@@ -1,6 +1,7 @@
 #include "widgets/panels/properties/vector_editor.h"
 
 #include "widgets/base/fields/number_field.h"
+#include "widgets/base/named.h"
 #include <QHBoxLayout>
 #include <QLabel>
 
@@ -14,9 +15,7 @@ constexpr const char* axisNames[] = {"X", "Y", "Z"};
 VectorEditor::VectorEditor(const ParamDef& def, QWidget* parent)
     : ParamEditor(def, parent)
 {
-    auto* layout = new QHBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(5);
+    auto* layout = layoutOf<QHBoxLayout>(this, 5);
     for (int axis = 0; axis < 3; ++axis) {
         auto* letter = new QLabel(QString::fromLatin1(axisNames[axis]), this);
         letter->setObjectName(QStringLiteral("axis%1").arg(QString::fromLatin1(axisNames[axis])));

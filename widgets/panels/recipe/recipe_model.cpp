@@ -356,7 +356,7 @@ QVariant RecipeModel::groupData(const Group& group, int column, int role) const
     case Qt::TextAlignmentRole:
         return column == Time ? QVariant(int(Qt::AlignRight | Qt::AlignVCenter)) : QVariant();
     case Qt::ToolTipRole:
-        return tr("Hand edits that follow each other. What is done to this row is done to all of them.");
+        return tr("Consecutive hand edits. A change of this row changes all of them.");
     default:
         return {};
     }
@@ -369,6 +369,7 @@ QVariant RecipeModel::stepData(int place, int column, int role) const
     const bool isByHand =
         infoOf(edit.operation).group == StepGroup::Hand && edit.operation != EditOperation::Frozen;
     const bool lost = edit.enabled && isLost(place);
+    const bool said = !lost && outcome(place) && !outcome(place)->why.plain().empty();
     const bool waits = outcome(place) && outcome(place)->state == EditState::Waits;
     switch (role) {
     case Qt::DisplayRole:
@@ -386,9 +387,9 @@ QVariant RecipeModel::stepData(int place, int column, int role) const
     case Qt::CheckStateRole:
         return column == Name ? QVariant(edit.enabled ? Qt::Checked : Qt::Unchecked) : QVariant();
     case Qt::DecorationRole:
-        return column == Name           ? QVariant(icon(iconOf(edit)))
-               : lost && column == Limb ? QVariant(icon("warning"))
-                                        : QVariant();
+        return column == Name                     ? QVariant(icon(iconOf(edit)))
+               : (lost || said) && column == Limb ? QVariant(icon("warning"))
+                                                  : QVariant();
     case Qt::TextAlignmentRole:
         return column == Time ? QVariant(int(Qt::AlignRight | Qt::AlignVCenter)) : QVariant();
     case Qt::ForegroundRole:
@@ -401,9 +402,11 @@ QVariant RecipeModel::stepData(int place, int column, int role) const
                                   .arg(errorText(outcome(place)->why))
                             : tr("It changes nothing now: %1").arg(errorText(outcome(place)->why));
         if (isFrozen(place))
-            return tr("It does not run: a step below holds what it has made");
+            return tr("It does not run, because a step below holds its result");
         if (waits)
             return tr("The tree is younger: it acts from the year %1 on").arg(edit.year);
+        if (said)
+            return errorText(outcome(place)->why);
         if (*infoOf(edit.operation).tip != '\0')
             return coreText(infoOf(edit.operation).tip);
         return edit.name.empty() ? limb : editText(edit);
@@ -421,7 +424,7 @@ QVariant RecipeModel::sourceData(int column, int role) const
     if (role == Qt::ForegroundRole && isFrozen(0))
         return QApplication::palette().brush(QPalette::PlaceholderText);
     if (role == Qt::ToolTipRole)
-        return tr("The source that the recipe begins with: its values are those of the tree");
+        return tr("The recipe's first source: its values are the tree's parameters");
     return {};
 }
 

@@ -23,7 +23,7 @@ class RecipeModel : public QAbstractItemModel
     Q_OBJECT
 public:
     enum Column { Name, Limb, Time, Columns };
-    /// Of the first row, whose values are the tree's own. No step and no bend has it.
+    /// Id of the first row, whose values are the tree's own. No step and no bend has it.
     static constexpr std::uint64_t sourceId = 0;
 
     /// \p document is not owned and must outlive the model.
@@ -40,7 +40,7 @@ public:
     [[nodiscard]] QModelIndex indexOf(int place, int column = Name) const;
     [[nodiscard]] bool isGroup(const QModelIndex& index) const;
     [[nodiscard]] bool hasGroups() const { return !m_groups.empty(); }
-    /// Of a source, a step, or a bend; all of them.
+    /// Counts all places: the source, steps and bends.
     [[nodiscard]] int placeCount() const;
     /// Steps behind the source; the rows of bends follow.
     [[nodiscard]] int editCount() const { return static_cast<int>(m_edits.size()); }
@@ -48,13 +48,13 @@ public:
     [[nodiscard]] const BendRow* bendAt(int place) const;
     /// \pre it is a step's, from 1 on.
     [[nodiscard]] const TreeEdit& editAt(int place) const { return m_edits[std::size_t(place - 1)]; }
-    /// Of the simplified skeleton: what the row is about.
+    /// Returns the branches of the simplified skeleton that the row is about.
     [[nodiscard]] std::vector<Index> branchesAt(int place) const;
     /// Without a place in the tree as it is now.
     [[nodiscard]] bool isLost(int place) const;
-    /// Of the source or a step: a step below holds what it has made, and it does not run.
+    /// Whether the source or step does not run, because a step below holds its result.
     [[nodiscard]] bool isFrozen(int place) const;
-    /// Of the axis that the edit acts on; 0: none.
+    /// Returns the address of the axis that the edit acts on; 0: none.
     [[nodiscard]] std::uint64_t addressAt(int place) const;
 
     [[nodiscard]] QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
@@ -86,7 +86,7 @@ private:
 
     void follow(const Change& change);
     void fillGroups();
-    /// Of a row that is no group's.
+    /// \pre the row is not that of a group
     [[nodiscard]] int placeOf(const QModelIndex& index) const;
     [[nodiscard]] const Group& groupOf(const QModelIndex& index) const;
     [[nodiscard]] QVariant groupData(const Group& group, int column, int role) const;

@@ -5,6 +5,7 @@
 #include "core/qt/document/commands.h"
 #include "core/recipe/axis_filter.h"
 #include "widgets/base/empty_page.h"
+#include "widgets/base/named.h"
 #include "widgets/base/texts/core_text.h"
 #include "widgets/base/theme/icons.h"
 #include "widgets/panels/recipe/recipe_model.h"
@@ -59,8 +60,8 @@ RecipePanel::RecipePanel(Document* document, QWidget* parent)
         button->setToolTip(text);
         button->setAccessibleName(text);
     };
-    name(m_up, tr("Earlier (Alt+Up): it acts before the one above"));
-    name(m_down, tr("Later (Alt+Down): it acts after the one below"));
+    name(m_up, tr("Move up (Alt+Up): the step acts before the one above"));
+    name(m_down, tr("Move down (Alt+Down): the step acts after the one below"));
     name(m_copy, tr("Copy the selected steps to another tree"));
     name(m_delete, tr("Delete the selected steps (Del)"));
     name(m_add, tr("Add a step to the recipe"));
@@ -88,9 +89,7 @@ void RecipePanel::build()
     m_view->setColumnWidth(RecipeModel::Name, 170);
     m_view->setColumnWidth(RecipeModel::Time, 56);
     m_view->installEventFilter(this);
-    auto* row = new QHBoxLayout;
-    row->setContentsMargins(10, 6, 6, 6);
-    row->setSpacing(2);
+    auto* row = layoutOf<QHBoxLayout>(nullptr, 2, {10, 6, 6, 6});
     row->addWidget(m_title, 1);
     m_title->setObjectName(QStringLiteral("partTitle"));
     const auto button = [&](const char* name, const char* picture) {
@@ -112,15 +111,12 @@ void RecipePanel::build()
     connect(m_up, &QToolButton::clicked, this, [this] { moveCurrent(-1); });
     connect(m_down, &QToolButton::clicked, this, [this] { moveCurrent(1); });
     connect(m_delete, &QToolButton::clicked, this, &RecipePanel::removeSelected);
-    auto* column = new QVBoxLayout(m_list);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    auto* column = layoutOf<QVBoxLayout>(m_list, 0);
     column->addLayout(row);
     column->addWidget(m_view, 1);
     m_pages->addWidget(m_empty);
     m_pages->addWidget(m_list);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
+    auto* layout = layoutOf<QVBoxLayout>(this);
     layout->addWidget(m_pages);
 }
 
@@ -358,10 +354,13 @@ void RecipePanel::showMenu(const QPoint& at)
         addFreeze();
     addAnswer(menu);
     menu.addSeparator();
-    menu.addAction(m_up->icon(), tr("Earlier"), this, [this] { moveCurrent(-1); })
-        ->setEnabled(m_up->isEnabled());
-    menu.addAction(m_down->icon(), tr("Later"), this, [this] { moveCurrent(1); })
-        ->setEnabled(m_down->isEnabled());
+    const auto addMove = [&](const QToolButton* button, const QString& text, int rows, Qt::Key key) {
+        QAction* move = menu.addAction(button->icon(), text, this, [this, rows] { moveCurrent(rows); });
+        move->setShortcut(Qt::ALT | key);
+        move->setEnabled(button->isEnabled());
+    };
+    addMove(m_up, tr("Move up"), -1, Qt::Key_Up);
+    addMove(m_down, tr("Move down"), 1, Qt::Key_Down);
     m_copyMenu->setTitle(tr("Copy to"));
     menu.addMenu(m_copyMenu)->setEnabled(m_copy->isEnabled());
     menu.addAction(icon("save"), tr("Keep as a preset of steps"), this,

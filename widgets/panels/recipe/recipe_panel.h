@@ -1,6 +1,6 @@
 /// \file
 /// The recipe of the active tree, a list of steps: add, rename, switch off, reorder, duplicate, delete,
-/// select what a step acts on, copy to another tree.
+/// select a step's branches, copy to another tree.
 #pragma once
 
 #include "core/qt/document/document.h"
@@ -29,14 +29,14 @@ public:
     [[nodiscard]] QTreeView* view() const { return m_view; }
     /// Selects a step of the list by its id.
     void select(quint64 step);
-    /// What its button offers. Not owned.
+    /// Sets the menu of its button. Not owned.
     void setAddMenu(QMenu* menu);
 
 public slots:
     void removeSelected();
     void moveCurrent(int rows); ///< up where negative
-    void selectBranches();      ///< of the selected edits, in the document
-    void freeze();              ///< what the current row and those above it have made
+    void selectBranches();      ///< branches of the selected edits, in the document
+    void freeze();              ///< freezes the result of the current row and the rows above it
     void addAnswer(QMenu& menu);
 
 signals:
@@ -56,12 +56,12 @@ private:
     void showMenu(const QPoint& at);
     [[nodiscard]] bool hasBend(const std::vector<std::uint64_t>& ids) const;
     void chooseStep();
-    /// Of the branches that are selected in the tree.
+    /// Addresses of the axes whose branches are selected in the tree.
     [[nodiscard]] std::vector<std::uint64_t> chosenAxes() const;
     void actOnChosenAxes(std::uint64_t step);
     void updateButtons();
     void report(const Expected<void>& done);
-    /// Without the source, which stays where it is.
+    /// Ids of the selected steps without the source, which cannot be moved.
     [[nodiscard]] std::vector<std::uint64_t> selectedIds() const;
 
     Document* m_document;

@@ -25,8 +25,8 @@ public:
     /// then the whole tree is shown.
     [[nodiscard]] const std::vector<Index>& branches() const { return m_branches; }
 
-    /// Shows the selected branches alone. Where they are alone already, or no branch is selected, everything
-    /// is shown again.
+    /// Shows the selected branches alone. If they are alone already, or no branch is selected, everything is
+    /// shown again.
     void toggleSelected();
 
 public slots:
@@ -45,7 +45,7 @@ private:
     Document* m_document;
     NodeId m_node = noNode;
     std::vector<BranchPlace> m_places;
-    std::shared_ptr<const SimplifiedSkeleton> m_seen; ///< that m_branches are of
+    std::shared_ptr<const SimplifiedSkeleton> m_seen; ///< the skeleton that m_branches index
     std::vector<Index> m_branches;
 };
 

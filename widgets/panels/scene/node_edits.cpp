@@ -61,8 +61,7 @@ Expected<void> edit::shiftNodes(Document& document, const std::vector<NodeId>& n
         all.emplace(document, stepText(QT_TRANSLATE_NOOP("NodeEdits", "Move nodes")));
     for (const Shift& shift : shifts) {
         const NodeId parent = document.scene().find(shift.node)->parent;
-        if (const auto done = moveNode(document, shift.node, parent, shift.row, false); !done)
-            return done;
+        RAMURE_TRY(moveNode(document, shift.node, parent, shift.row, false));
     }
     return {};
 }
@@ -91,8 +90,7 @@ Expected<void> edit::isolateNodes(Document& document, const std::vector<NodeId>&
         return showAllNodes(document);
     const OneStep step(document, stepText(QT_TRANSLATE_NOOP("NodeEdits", "Isolate")));
     if (!hide.empty()) {
-        if (const auto done = setNodeVisible(document, hide, false); !done)
-            return done;
+        RAMURE_TRY(setNodeVisible(document, hide, false));
     }
     return show.empty() ? Expected<void>() : setNodeVisible(document, show, true);
 }

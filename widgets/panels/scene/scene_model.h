@@ -43,7 +43,7 @@ public:
         LengthColumn,
         RadiusColumn,
         ChildrenColumn,
-        LevelColumn
+        OrderColumn
     };
     static constexpr int columns = 7;
     /// Besides Qt's roles: is this the eye or the lock of a node?
@@ -130,7 +130,6 @@ private:
     [[nodiscard]] std::size_t countBelow(const SceneRow& row) const;
     [[nodiscard]] std::size_t countToTell(const SceneRow& row) const;
     [[nodiscard]] const Item& item(NodeId node) const { return m_items.at(node); }
-    /// Of the name, %1 stands for it.
     [[nodiscard]] QVariant nodeData(const Node& node, int column, int role) const;
     [[nodiscard]] QVariant axisData(const BranchRows& rows, Index axis, int column, int role) const;
     [[nodiscard]] QVariant branchData(const BranchRows& rows, Index branch, int column, int role) const;

@@ -128,7 +128,7 @@ QVariant SceneModel::axisData(const BranchRows& rows, Index axis, int column, in
         return metres(rows.length(axis));
     case RadiusColumn:
         return metres(rows.skeleton().a0[foot]);
-    case LevelColumn:
+    case OrderColumn:
         return QLocale().toString(rows.skeleton().level[foot]);
     default:
         return {};
@@ -162,7 +162,7 @@ QVariant SceneModel::branchData(const BranchRows& rows, Index branch, int column
         return metres(bones.length(branch));
     case RadiusColumn:
         return metres(bones.a0[branch]);
-    case LevelColumn:
+    case OrderColumn:
         return QLocale().toString(bones.level[branch]);
     default:
         return {};
@@ -185,8 +185,8 @@ QVariant SceneModel::headerData(int section, Qt::Orientation orientation, int ro
             return tr("Radius (m)");
         case ChildrenColumn:
             return tr("Children");
-        case LevelColumn:
-            return tr("Level");
+        case OrderColumn:
+            return tr("Order");
         default:
             return {};
         }
@@ -204,7 +204,7 @@ QVariant SceneModel::headerData(int section, Qt::Orientation orientation, int ro
         case ChildrenColumn:
             return tr("Rows below it; of a single branch that was searched for: the branches that begin at "
                       "its end");
-        case LevelColumn:
+        case OrderColumn:
             return tr("Depth of brackets: 0 is the trunk");
         default:
             break;

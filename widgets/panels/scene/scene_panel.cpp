@@ -2,6 +2,7 @@
 
 #include "core/qt/document/commands.h"
 #include "widgets/base/empty_page.h"
+#include "widgets/base/named.h"
 #include "widgets/base/targets.h"
 #include "widgets/base/texts/core_text.h"
 #include "widgets/base/theme/icons.h"
@@ -37,9 +38,7 @@ ScenePanel::ScenePanel(Document* document, Preferences* preferences, QWidget* pa
     , m_list(new SceneTree(this))
 {
     setObjectName(QStringLiteral("scenePanel"));
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
+    auto* layout = layoutOf<QVBoxLayout>(this, 0);
     layout->addWidget(m_search);
     m_stack = new QStackedLayout;
     layout->addLayout(m_stack, 1);

@@ -30,15 +30,15 @@ public:
 
     [[nodiscard]] SceneModel* model() const { return m_model; }
     [[nodiscard]] SceneTree* view() const { return m_view; }
-    /// What a search found.
+    /// Results of a search.
     [[nodiscard]] SceneResults* results() const { return m_results; }
     [[nodiscard]] SceneTree* resultView() const { return m_list; }
     [[nodiscard]] SceneSearch* search() const { return m_search; }
-    /// The menu of a right click: actions on nodes, those of the Select menu, and what is offered where
-    /// branches are selected.
+    /// Sets the context menu: actions on nodes, those of the Select menu, and further ones if branches are
+    /// selected.
     void setMenuActions(const QList<QAction*>& actions, const SelectActions* selects = nullptr,
                         const QList<QAction*>& branches = {});
-    /// Where the playhead is, in seconds: see SceneModel::setTime.
+    /// Sets the function that returns the playhead's time in seconds: see SceneModel::setTime.
     void setTime(std::function<double()> time);
     [[nodiscard]] QSize sizeHint() const override { return {360, 260}; }
 
@@ -87,7 +87,7 @@ private:
     void noteExpanded(const QModelIndex& index, bool expanded);
     void restoreExpanded(NodeId node);
     void showMenu(const QPoint& position);
-    void showColumns(); ///< those of the preferences
+    void showColumns(); ///< shows the columns chosen in the preferences
     void fillColumnMenu(QMenu* menu);
     void showHeaderMenu(const QPoint& position);
 
@@ -103,7 +103,7 @@ private:
     const SelectActions* m_selects = nullptr;
     bool m_syncing = false;
     bool m_searching = false;
-    /// Of axes and the rows of their branches, by node and key of the first: they stay unfolded when the tree
+    /// Unfolded axes and branch rows, by node and key of the first branch. They stay unfolded when the tree
     /// is computed anew.
     using Unfolded = std::tuple<NodeId, std::uint64_t, SceneRow::Kind>;
     std::set<Unfolded> m_expanded;

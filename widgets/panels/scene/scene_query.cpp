@@ -18,7 +18,7 @@ struct QuantityWord
 constexpr QuantityWord quantityWords[] = {
     {BranchQuantity::Length, QT_TRANSLATE_NOOP("SceneQuery", "length")},
     {BranchQuantity::Radius, QT_TRANSLATE_NOOP("SceneQuery", "radius")},
-    {BranchQuantity::Level, QT_TRANSLATE_NOOP("SceneQuery", "level")},
+    {BranchQuantity::Order, QT_TRANSLATE_NOOP("SceneQuery", "order")},
     {BranchQuantity::Children, QT_TRANSLATE_NOOP("SceneQuery", "children")},
     {BranchQuantity::Number, QT_TRANSLATE_NOOP("SceneQuery", "number")},
 };
@@ -45,11 +45,11 @@ bool isTerminal(const QString& word)
            word.compare(terminalName(), Qt::CaseInsensitive) == 0;
 }
 
-/// "level 2" is "level = 2": of whole words only, for names of nodes may have both.
+/// "order 2" is "order = 2": of whole words only, for names of nodes may have both.
 QString withEquals(const QString& text)
 {
     QStringList words;
-    for (const BranchQuantity counted : {BranchQuantity::Level, BranchQuantity::Children}) {
+    for (const BranchQuantity counted : {BranchQuantity::Order, BranchQuantity::Children}) {
         const char* english = quantityWords[static_cast<int>(counted)].english;
         for (const QString& word : {QString::fromLatin1(english), translated(english)})
             words += QRegularExpression::escape(word);
@@ -136,7 +136,7 @@ bool SceneQuery::Condition::holds(const BranchRows& rows, Index branch) const
         have = bones.a0[branch];
         same = sameLength;
         break;
-    case BranchQuantity::Level:
+    case BranchQuantity::Order:
         have = bones.level[branch];
         break;
     case BranchQuantity::Children:

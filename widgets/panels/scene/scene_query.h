@@ -2,8 +2,8 @@
 /// What is typed into the search field of the scene panel, as a question about nodes and branches.
 ///
 ///     query      = { word | condition }                all must hold
-///     condition  = quantity comparison number [ unit ] | ( "level" | "children" ) number | "terminal"
-///     quantity   = "length" | "radius" | "level" | "children" | "number", or its name in the interface's
+///     condition  = quantity comparison number [ unit ] | ( "order" | "children" ) number | "terminal"
+///     quantity   = "length" | "radius" | "order" | "children" | "number", or its name in the interface's
 ///                  language, or the beginning of either
 ///     comparison = "<" | "<=" | "=" | "!=" | ">=" | ">"
 ///
@@ -25,7 +25,7 @@ namespace ramure {
 enum class BranchQuantity {
     Length,
     Radius,
-    Level,
+    Order,
     Children, ///< branches that begin at its end
     Number,   ///< its index, as reports and files count
 };
@@ -44,7 +44,7 @@ public:
     [[nodiscard]] bool matchesNode(const QString& name) const;
     /// With a condition it finds branches, otherwise axes.
     [[nodiscard]] bool findsBranches() const { return !m_conditions.empty(); }
-    /// Of one tree, ascending.
+    /// Returns the matching branches of one tree, ascending.
     [[nodiscard]] std::vector<Index> matches(const BranchRows& rows, const BranchNames& names) const;
 
 private:

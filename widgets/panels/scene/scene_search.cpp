@@ -1,5 +1,6 @@
 #include "widgets/panels/scene/scene_search.h"
 
+#include "widgets/base/named.h"
 #include "widgets/base/texts/core_text.h"
 #include "widgets/base/theme/icons.h"
 #include "widgets/base/theme/theme.h"
@@ -15,28 +16,22 @@ namespace ramure {
 
 SceneSearch::SceneSearch(QWidget* parent)
     : QWidget(parent)
-    , m_field(new QLineEdit(this))
+    , m_field(named(new QLineEdit(this), "sceneSearch"))
     , m_below(new QWidget(this))
-    , m_label(new QLabel(m_below))
-    , m_selectAll(new QToolButton(m_below))
+    , m_label(named(new QLabel(m_below), "sceneFound"))
+    , m_selectAll(named(new QToolButton(m_below), "sceneSelectFound"))
 {
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(8, 6, 8, 6);
-    layout->setSpacing(4);
+    auto* layout = layoutOf<QVBoxLayout>(this, 4, {8, 6, 8, 6});
     layout->addWidget(m_field);
     layout->addWidget(m_below);
-    auto* row = new QHBoxLayout(m_below);
-    row->setContentsMargins(2, 0, 0, 0);
+    auto* row = layoutOf<QHBoxLayout>(m_below, -1, {2, 0, 0, 0});
     row->addWidget(m_label, 1);
     row->addWidget(m_selectAll);
-    m_field->setObjectName(QStringLiteral("sceneSearch"));
     m_field->setClearButtonEnabled(true);
     m_field->addAction(icon("search"), QLineEdit::LeadingPosition);
     m_field->installEventFilter(this);
-    m_label->setObjectName(QStringLiteral("sceneFound"));
     m_label->setTextFormat(Qt::PlainText);
     m_label->setWordWrap(true);
-    m_selectAll->setObjectName(QStringLiteral("sceneSelectFound"));
     m_selectAll->setAutoRaise(true);
     m_below->hide();
     connect(m_field, &QLineEdit::textChanged, this, &SceneSearch::ask);
@@ -44,7 +39,7 @@ SceneSearch::SceneSearch(QWidget* parent)
     connect(m_selectAll, &QToolButton::clicked, this, &SceneSearch::selectAllRequested);
     const QLocale locale;
     const QString length = quantityName(BranchQuantity::Length),
-                  radius = quantityName(BranchQuantity::Radius), level = quantityName(BranchQuantity::Level),
+                  radius = quantityName(BranchQuantity::Radius), order = quantityName(BranchQuantity::Order),
                   children = quantityName(BranchQuantity::Children),
                   number = quantityName(BranchQuantity::Number);
     m_field->setPlaceholderText(
@@ -60,12 +55,12 @@ SceneSearch::SceneSearch(QWidget* parent)
         example(QStringLiteral("%1 > %2").arg(length, locale.toString(0.3)),
                 tr("of limbs longer than that, in metres")) +
         example(QStringLiteral("%1 < 5 mm").arg(radius), tr("thinner at the lower end; mm, cm, m, in, ft")) +
-        example(QStringLiteral("%1 2").arg(level), tr("of this depth of brackets; 0 is the trunk")) +
+        example(QStringLiteral("%1 2").arg(order), tr("of this depth of brackets; 0 is the trunk")) +
         example(QStringLiteral("%1 >= 3").arg(children), tr("with so many branches at the end")) +
         example(QStringLiteral("%1 = 12").arg(number), tr("the branch of that number in reports and files")) +
         example(terminalName(), tr("with none at the end")) + QStringLiteral("</table><p>") +
         tr("Several must all hold: %1. Enter selects everything found.")
-            .arg(QStringLiteral("<b>%1 2 %2 &lt; %3</b>").arg(level, length, locale.toString(0.3))) +
+            .arg(QStringLiteral("<b>%1 2 %2 &lt; %3</b>").arg(order, length, locale.toString(0.3))) +
         QStringLiteral("</p>"));
     m_selectAll->setText(tr("Select all"));
     m_selectAll->setToolTip(tr("Select everything found (Enter in the field)"));

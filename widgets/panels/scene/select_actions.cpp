@@ -53,15 +53,15 @@ void SelectActions::addSteps()
     m_set->add(
         this,
         {{"select.parent", Actions::tr("&Parents"), nullptr, Qt::ALT | Qt::Key_Left,
-          Actions::tr("Select what the selected ones spring from"), step(SelectionStep::Parent), any},
+          Actions::tr("Select the parents of the selected branches"), step(SelectionStep::Parent), any},
          {"select.children", Actions::tr("&Children"), nullptr, Qt::ALT | Qt::Key_Right,
-          Actions::tr("Select what springs from the selected ones"), step(SelectionStep::Children), any},
+          Actions::tr("Select the children of the selected branches"), step(SelectionStep::Children), any},
          {"select.siblings", Actions::tr("&Siblings"), nullptr, Qt::SHIFT | Qt::Key_S,
           Actions::tr("Select all with the same parent"), step(SelectionStep::Siblings), any},
          {"select.subtree", Actions::tr("Sub&tree"), nullptr, Qt::SHIFT | Qt::Key_T,
           Actions::tr("Add everything that grows from the selected ones"), step(SelectionStep::Subtree), any},
-         {"select.level", Actions::tr("All of the &level"), nullptr, Qt::SHIFT | Qt::Key_L,
-          Actions::tr("Select all as deep as the selected ones"), step(SelectionStep::Level), any}});
+         {"select.level", Actions::tr("All of the same &order"), nullptr, Qt::SHIFT | Qt::Key_L,
+          Actions::tr("Select all as deep as the selected ones"), step(SelectionStep::Order), any}});
 }
 
 void SelectActions::fillMenu(QMenu* menu)

@@ -23,7 +23,7 @@ public:
     SelectActions(Document* document, Isolation* isolation, ActionSet* set, QObject* parent);
 
     void fillMenu(QMenu* menu);
-    /// What a right click on a row offers besides the actions on nodes.
+    /// Entries of a row's context menu besides the actions on nodes.
     [[nodiscard]] QList<QAction*> stepActions() const;
     [[nodiscard]] QList<QAction*> rowActions() const;
 

@@ -87,7 +87,7 @@ Marks stepped(const Hierarchy& all, const Marks& from, SelectionStep step)
         return siblingsOf(all, from);
     case SelectionStep::Subtree:
         return subtreesOf(all, from);
-    case SelectionStep::Level:
+    case SelectionStep::Order:
         return levelsOf(all, from);
     }
     return from;

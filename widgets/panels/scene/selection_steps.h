@@ -1,5 +1,5 @@
 /// \file
-/// From one selection to the next: up to the parents, down to the children, all of a level. Where branches
+/// From one selection to the next: up to the parents, down to the children, all of an order. Where branches
 /// are selected the steps go from branch to branch, otherwise from node to node.
 #pragma once
 
@@ -12,7 +12,7 @@ enum class SelectionStep {
     Children, ///< of each; what has none stays
     Siblings, ///< all with the same parent, itself included
     Subtree,  ///< with all below it
-    Level,    ///< all as deep as one of them: depth of brackets for branches, depth in the scene for nodes
+    Order,    ///< all as deep as one of them: depth of brackets for branches, depth in the scene for nodes
 };
 
 /// The document's selection, one step further. Nodes that are selected beside branches stay.

@@ -18,8 +18,8 @@ struct ArmResiduals
         way; ///< m, the same by ticks of the solver up to now; empty where nothing has moved yet
 };
 
-/// Of the arms on show that follow a target; nothing where there are none. Cheap: it takes what the player or
-/// \p reach (may be null) has computed; of an arm at rest only where its tip is.
+/// Returns the residuals of the visible arms that follow a target; nothing if there are none. It is cheap: it
+/// takes what the player or \p reach (may be null) has computed, and for an arm at rest only its tip.
 std::optional<ArmResiduals> armResiduals(const Scene& scene, const Player& player, const ArmReach* reach);
 
 } // namespace ramure

@@ -22,15 +22,15 @@ class BakeActions : public QObject
 {
     Q_OBJECT
 public:
-    /// Nothing is owned; all must outlive the object. \param chooser hears of what went wrong.
+    /// Nothing is owned; all must outlive the object. \param chooser reports errors
     BakeActions(Document* document, Player* player, Chooser* chooser, ActionSet* set,
                 QObject* parent = nullptr);
 
-    /// Called where the project has no file yet: true where it has one afterwards.
+    /// Sets the function that saves a project without a file; it returns true if there is a file afterwards.
     void setSave(std::function<bool()> save) { m_save = std::move(save); }
     [[nodiscard]] Job* job() { return m_baker.job(); }
     void fillMenu(QMenu* menu) const;
-    /// Its menu bakes and frees. Its picture and tooltip tell how the bake stands.
+    /// Makes the button whose menu bakes and frees. Its icon and tooltip tell the state of the bake.
     QToolButton* makeButton(QWidget* parent);
 
 signals:

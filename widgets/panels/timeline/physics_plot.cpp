@@ -263,7 +263,7 @@ void PhysicsPlot::buildMenu()
     };
     m_copyCsv = m_menu->addAction(icon("copy"), tr("Copy the values as CSV"), this, [copy] { copy(u','); });
     m_copyTsv = m_menu->addAction(tr("Copy the values for a spreadsheet"), this, [copy] { copy(u'\t'); });
-    m_copyTsv->setToolTip(tr("As columns with tabs between them"));
+    m_copyTsv->setToolTip(tr("Copies the columns, separated by tabs"));
     m_menu->addSeparator();
     for (const Curve curve : {Energy, LengthError, StepTime}) {
         QAction*& shown = m_shown[curve];
@@ -297,15 +297,14 @@ void PhysicsPlot::updateToolTip()
 {
     const bool arms = m_content == Content::Arms;
     setAccessibleName(arms ? tr("Residual") : tr("Physics"));
-    setToolTip(
-        arms ? tr("The largest distance from an arm's tip to its target (m), now and over the last ten "
-                  "seconds of "
-                  "its way; there is a curve once an arm has moved: played, or sent to a target by "
-                  "Ctrl+click on a "
-                  "surface")
-             : tr("Of all trees, over the latest frames: kinetic energy, the largest relative error of a "
-                  "branch's length, "
-                  "and the time that one step of the physics takes (ms)"));
+    setToolTip(arms
+                   ? tr("The largest distance from an arm's tip to its target (m), now and over the last ten "
+                        "seconds of "
+                        "its way; there is a curve once an arm has moved: played, or sent to a target by "
+                        "Ctrl+click on a "
+                        "surface")
+                   : tr("Figures of all trees over the latest frames: kinetic energy, the largest relative "
+                        "error of a branch's length, and the time of one physics step (ms)"));
 }
 
 } // namespace ramure

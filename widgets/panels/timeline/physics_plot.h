@@ -30,9 +30,10 @@ public:
     void setContent(Content content);
     [[nodiscard]] Content content() const { return m_content; }
 
-    /// Of trees: adds the sums over all (of errors the largest). A frame before the last one starts anew.
+    /// Adds the sums over all trees, and the largest of their errors. A frame before the last one starts
+    /// anew.
     void add(const MotionFrame& frame);
-    /// Of arms: in the place of what was shown; nothing = no arm has a target.
+    /// Replaces the shown residuals of arms; nothing: no arm has a target.
     void setResiduals(std::optional<ArmResiduals> residuals);
     /// What stands where there is no curve; empty where there is one.
     [[nodiscard]] QString hint() const;

@@ -54,13 +54,13 @@ void PlayActions::addTransport()
                        Actions::tr("Back to the first frame; pulls and fallen apples are forgotten"),
                        [p] { p->stop(); }},
                       {"play.forward", Actions::tr("&Next frame"), "step-forward", Qt::Key_Period, QString(),
-                       [p] { p->stepForward(); }},
+                       [p] { p->seek(p->frame() + 1); }},
                       {"play.back", Actions::tr("Pre&vious frame"), "step-back", Qt::Key_Comma, QString(),
-                       [p] { p->stepBack(); }},
+                       [p] { p->seek(p->frame() - 1); }},
                       {"play.first", Actions::tr("&First frame"), "to-first", Qt::SHIFT | Qt::Key_Comma,
-                       QString(), [p] { p->toFirst(); }},
+                       QString(), [this] { m_player->seek(m_document->scene().timeline().firstFrame); }},
                       {"play.last", Actions::tr("&Last frame"), "to-last", Qt::SHIFT | Qt::Key_Period,
-                       QString(), [p] { p->toLast(); }}});
+                       QString(), [this] { m_player->seek(m_document->scene().timeline().lastFrame); }}});
 }
 
 void PlayActions::addLoops()

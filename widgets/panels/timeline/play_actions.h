@@ -1,5 +1,5 @@
 /// \file
-/// What drives the player: actions with keys for menu, panel and shortcuts dialog.
+/// Actions that drive the player, with keys for menu, panel and shortcuts dialog.
 #pragma once
 
 #include <QList>
@@ -29,7 +29,7 @@ public:
     [[nodiscard]] QList<QAction*> transport() const;
     /// Once, loop, ping-pong: one of them is on.
     [[nodiscard]] QList<QAction*> loops() const { return m_loops; }
-    /// What happens at the last frame: loops, and whether the seam shows.
+    /// Adds the choices for the last frame: whether to loop, and whether to show the seam.
     void fillLoopMenu(QMenu* menu) const;
     void fillMenu(QMenu* menu) const;
 

@@ -1,5 +1,5 @@
 /// \file
-/// What a right click on a ruler of frames offers, about the frame that was clicked.
+/// The context menu of a ruler of frames, for the frame that was clicked.
 #pragma once
 
 #include "widgets/base/texts/time_text.h"
@@ -27,7 +27,7 @@ public:
     /// None is owned; all must outlive the menu. \param parent the widget that the menu belongs to.
     RulerMenu(Document* document, Player* player, PlayActions* plays, QWidget* parent);
 
-    /// What else it offers: to be called once each.
+    /// Adds further entries; each is called once.
     void addBake(const BakeActions* bakes);
     void addInsert(QAction* insert);
     void setDisplay(TimeDisplay display);

@@ -5,6 +5,7 @@
 #include "core/qt/session/motion/player.h"
 #include "widgets/base/action_set.h"
 #include "widgets/base/fields/number_field.h"
+#include "widgets/base/named.h"
 #include "widgets/base/silence.h"
 #include "widgets/base/timeline_ruler.h"
 #include "widgets/panels/timeline/bake_actions.h"
@@ -66,9 +67,7 @@ TimelinePanel::TimelinePanel(Document* document, Player* player, PlayActions* ac
     left->addLayout(m_controls);
     left->addWidget(m_ruler);
     left->addStretch(1);
-    auto* layout = new QHBoxLayout(this);
-    layout->setContentsMargins(6, 4, 6, 6);
-    layout->setSpacing(8);
+    auto* layout = layoutOf<QHBoxLayout>(this, 8, {6, 4, 6, 6});
     layout->setSizeConstraint(QLayout::SetNoConstraint); // see minimumSizeHint
     layout->addLayout(left, 3);
     layout->addWidget(m_plot, 1);
@@ -82,7 +81,7 @@ TimelinePanel::TimelinePanel(Document* document, Player* player, PlayActions* ac
     m_rates->setToolTip(tr("Common frame rates"));
     m_speed->setToolTip(tr("How fast time passes while playing, 0.1 to 4 times"));
     m_displays->setToolTip(tr("How moments are shown"));
-    m_loop->setToolTip(tr("What happens at the last frame"));
+    m_loop->setToolTip(tr("Behaviour at the last frame"));
     m_cancel->setToolTip(tr("Give up computing; the frame on show stays"));
     m_dropped->setToolTip(tr("Frames that came too late since playing began"));
     // Its room is kept: the text must neither be cut nor move anything while it plays.
@@ -101,13 +100,10 @@ TimelinePanel::~TimelinePanel()
 void TimelinePanel::buildTransport()
 {
     m_transport = new QWidget(this);
-    auto* row = new QHBoxLayout(m_transport);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(1);
+    auto* row = layoutOf<QHBoxLayout>(m_transport, 1);
     for (QAction* action : m_actions->transport())
         row->addWidget(toolButton(action, m_transport));
-    m_loop = new QToolButton(m_transport);
-    m_loop->setObjectName(QStringLiteral("loopButton"));
+    m_loop = named(new QToolButton(m_transport), "loopButton");
     m_loop->setAutoRaise(true);
     m_loop->setIconSize({16, 16});
     m_loop->setPopupMode(QToolButton::InstantPopup);
@@ -116,16 +112,14 @@ void TimelinePanel::buildTransport()
     m_loop->setMenu(menu);
     row->addWidget(m_loop);
     row->addWidget(toolButton(m_actions->set()->find("play.everyFrame"), m_transport));
-    m_frame = new TimeField(m_transport);
-    m_frame->setObjectName(QStringLiteral("frameField"));
+    m_frame = named(new TimeField(m_transport), "frameField");
     auto* label = new QLabel(tr("Frame"), m_transport);
     label->setBuddy(m_frame);
     row->addSpacing(8);
     row->addWidget(label);
     row->addSpacing(3);
     row->addWidget(m_frame);
-    m_dropped = new QLabel(m_transport);
-    m_dropped->setObjectName(QStringLiteral("droppedFrames"));
+    m_dropped = named(new QLabel(m_transport), "droppedFrames");
     m_progress = new QProgressBar(m_transport);
     m_progress->setRange(0, 1000);
     m_progress->setTextVisible(false);
@@ -150,15 +144,10 @@ void TimelinePanel::setBakeActions(BakeActions* actions)
 void TimelinePanel::buildSettings()
 {
     m_settings = new QWidget(this);
-    auto* row = new QHBoxLayout(m_settings);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(4);
-    m_first = new TimeField(m_settings);
-    m_first->setObjectName(QStringLiteral("firstFrameField"));
-    m_last = new TimeField(m_settings);
-    m_last->setObjectName(QStringLiteral("lastFrameField"));
-    m_rate = new NumberField(m_settings);
-    m_rate->setObjectName(QStringLiteral("frameRateField"));
+    auto* row = layoutOf<QHBoxLayout>(m_settings, 4);
+    m_first = named(new TimeField(m_settings), "firstFrameField");
+    m_last = named(new TimeField(m_settings), "lastFrameField");
+    m_rate = named(new NumberField(m_settings), "frameRateField");
     m_rate->setRange(leastFrameRate, mostFrameRate);
     m_rate->setStep(1.0);
     connect(m_rate, &NumberField::gestureBegan, this, [this] { m_rateGesture = newGesture(); });
@@ -177,8 +166,7 @@ void TimelinePanel::buildSettings()
         });
     }
     m_rates->setMenu(menu);
-    m_speed = new NumberField(m_settings);
-    m_speed->setObjectName(QStringLiteral("speedField"));
+    m_speed = named(new NumberField(m_settings), "speedField");
     m_speed->setFormat(plainFormat(QStringLiteral(" ×"), 1));
     m_speed->setRange(Player::leastSpeed, Player::mostSpeed);
     m_speed->setStep(0.1);

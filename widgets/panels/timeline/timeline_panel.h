@@ -39,7 +39,7 @@ public:
     void setReach(ArmReach* reach);
 
     [[nodiscard]] TimelineRuler* ruler() const { return m_ruler; }
-    /// Of a right click on this ruler or on that of the keys.
+    /// The context menu that this ruler shares with that of the keys.
     [[nodiscard]] RulerMenu* rulerMenu() const { return m_rulerMenu; }
     [[nodiscard]] TimeDisplay display() const { return m_display; }
     void setDisplay(TimeDisplay display);

@@ -1,6 +1,7 @@
 #include "widgets/panels/validation/analysis_strip.h"
 
 #include "core/qt/session/jobs/shape_checks.h"
+#include "widgets/base/named.h"
 #include "widgets/base/progress_steps.h"
 #include "widgets/base/texts/core_text.h"
 #include "widgets/base/theme/icons.h"
@@ -13,7 +14,6 @@
 #include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
-#include <numbers>
 
 namespace ramure {
 namespace {
@@ -34,31 +34,22 @@ QLabel* textLabel(QWidget* parent)
 AnalysisStrip::AnalysisStrip(Analysis* analysis, QWidget* parent)
     : QWidget(parent)
     , m_analysis(analysis)
-    , m_text(textLabel(this))
-    , m_shape(textLabel(this))
-    , m_hash(textLabel(this))
+    , m_text(named(textLabel(this), "analysisText"))
+    , m_shape(named(textLabel(this), "qualityText"))
+    , m_hash(named(textLabel(this), "hashText"))
     , m_histogram(new HistogramView(this))
-    , m_progress(new QProgressBar(this))
-    , m_cancel(new QToolButton(this))
-    , m_again(new QPushButton(tr("Look again"), this))
-    , m_separate(new QPushButton(tr("Move apart…"), this))
+    , m_progress(named(new QProgressBar(this), "analysisProgress"))
+    , m_cancel(named(new QToolButton(this), "cancelAnalysis"))
+    , m_again(named(new QPushButton(tr("Look again"), this), "startAnalysis"))
+    , m_separate(named(new QPushButton(tr("Move apart…"), this), "separateCollisions"))
 {
-    m_text->setObjectName(QStringLiteral("analysisText"));
-    m_shape->setObjectName(QStringLiteral("qualityText"));
-    m_hash->setObjectName(QStringLiteral("hashText"));
     m_hash->setForegroundRole(QPalette::PlaceholderText);
-    m_progress->setObjectName(QStringLiteral("analysisProgress"));
     m_progress->setRange(0, progressSteps);
     m_progress->setTextVisible(false);
-    m_cancel->setObjectName(QStringLiteral("cancelAnalysis"));
     m_cancel->setIcon(icon("cancel"));
     m_cancel->setIconSize({14, 14});
     m_cancel->setAutoRaise(true);
-    m_again->setObjectName(QStringLiteral("startAnalysis"));
-    m_separate->setObjectName(QStringLiteral("separateCollisions"));
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(12, 2, 8, 8);
-    layout->setSpacing(5);
+    auto* layout = layoutOf<QVBoxLayout>(this, 5, {12, 2, 8, 8});
     auto* work = new QHBoxLayout;
     work->setSpacing(6);
     work->addWidget(m_progress, 1);
@@ -156,7 +147,7 @@ void AnalysisStrip::refresh()
     const Analysis::State now = state();
     const auto found = findings();
     setVisible(now != Analysis::State::None);
-    m_text->setText(found ? crossingsText(*found) : stateText(now));
+    m_text->setText(found ? ReportTexts::crossings(*found) : stateText(now));
     m_text->setVisible(!m_text->text().isEmpty());
     showWork(now);
     showFindings(found.get());
@@ -201,7 +192,7 @@ void AnalysisStrip::showFindings(const MeshAnalysis* findings)
     m_hash->setText(tr("Hash %1").arg(QString::fromStdString(findings->hash.text())));
     if (!measured)
         return;
-    m_shape->setText(qualityText(findings->quality));
+    m_shape->setText(ReportTexts::quality(findings->quality));
     m_histogram->setCounts({findings->quality.angles.begin(), findings->quality.angles.end()}, sliverBins);
 }
 

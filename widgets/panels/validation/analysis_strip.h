@@ -23,7 +23,7 @@ public:
     /// \param analysis is not owned and must outlive the strip.
     explicit AnalysisStrip(Analysis* analysis, QWidget* parent = nullptr);
 
-    /// Of what is no tree; not owned, must outlive the strip.
+    /// Checks of nodes that are no trees. Not owned; must outlive the strip.
     void setShapes(ShapeChecks* shapes);
     /// \param isShape whether the shapes' checks tell of it.
     void setNode(NodeId node, bool isShape);

@@ -1,28 +1,6 @@
 #include "widgets/panels/validation/kind_texts.h"
 
-#include <QCoreApplication>
-
 namespace ramure {
-namespace {
-
-/// The context under which the translators find these texts.
-struct KindTexts
-{
-    Q_DECLARE_TR_FUNCTIONS(KindTexts)
-public:
-    static KindText edges(DefectKind kind);
-    static KindText vertices(DefectKind kind);
-    static KindText faces(DefectKind kind);
-    static KindText repair(SkeletonRepair kind);
-    static KindText crossing(PairKind kind);
-    static KindText finding(FindingKind kind);
-    static KindText clean();
-    static KindText crossed();
-    static KindText cleanSolid();
-    static KindText cleanSurface();
-    static KindText crossing();
-    static QString rich(const KindText& text);
-};
 
 KindText KindTexts::edges(DefectKind kind)
 {
@@ -39,8 +17,8 @@ KindText KindTexts::edges(DefectKind kind)
                 tr("Smoothing, subdividing and unwrapping go wrong around it; the shading shows a seam.")};
     return {tr("Inconsistent edges"), tr("Two neighbouring faces do not agree on which side is outside."),
             tr("Inside and outside change places: parts come out hollow or missing."),
-            tr("Where back faces are not drawn, one of the two is a hole; the light falls on it from the "
-               "wrong side.")};
+            tr("One of the two faces shows its back. Programs that do not draw back faces show a hole there, "
+               "others light it from the wrong side.")};
 }
 
 KindText KindTexts::vertices(DefectKind kind)
@@ -74,7 +52,7 @@ KindText KindTexts::faces(DefectKind kind)
             tr("It cannot be seen, costs time and has no normal: dark specks, and normal maps fail.")};
 }
 
-KindText KindTexts::repair(SkeletonRepair kind)
+KindText KindTexts::of(SkeletonRepair kind)
 {
     switch (kind) {
     case SkeletonRepair::ZeroLengthContracted:
@@ -120,7 +98,7 @@ KindText KindTexts::repair(SkeletonRepair kind)
     return {};
 }
 
-KindText KindTexts::crossing(PairKind kind)
+KindText KindTexts::of(PairKind kind)
 {
     if (kind == PairKind::Same)
         return {tr("Crossings within a branch"),
@@ -146,21 +124,21 @@ KindText KindTexts::crossing(PairKind kind)
             tr("They go through each other, and do so when the wind moves them.")};
 }
 
-KindText KindTexts::finding(FindingKind kind)
+KindText KindTexts::of(FindingKind kind)
 {
     if (kind == FindingKind::Collision)
         return {
             tr("Branches that collide"),
-            tr("Two branches far from each other in the tree run through each other. That is no fault of the "
-               "mesh: the tree grew so. “Move apart” turns the thinner one away as little as it takes."),
+            tr("Two branches far from each other in the tree run through each other. The mesh is correct: "
+               "the tree grew so. “Move apart” turns the thinner branch away, as little as possible."),
             tr("They come out as one body, joined where they cross. Slicers that do not join overlapping "
                "walls "
                "leave a hollow there."),
             tr("Up close one sees a branch go through another; in the wind both move through each other.")};
     return {tr("Thinnest triangles"),
             tr("The triangles with the smallest angles. They are no defects: every mesh has some."),
-            tr("Of no importance, as long as they have an area."),
-            tr("Long thin triangles shade in streaks, subdivide badly and slow down what computes on the "
+            tr("They do no harm as long as they have an area."),
+            tr("Long thin triangles shade in streaks, subdivide badly and slow down computations on the "
                "surface.")};
 }
 
@@ -180,7 +158,7 @@ KindText KindTexts::crossed()
         tr("What this means"),
         tr("The surface has no holes or seams, but parts of it run through each other. Each such place is "
            "listed above."),
-        tr("Most slicers join what overlaps; some leave a hollow there."),
+        tr("Most slicers join overlapping parts; some leave a hollow there."),
         tr("A hard crease where they meet, and false edges for tools that cut the mesh.")};
 }
 
@@ -204,10 +182,12 @@ KindText KindTexts::cleanSurface()
         tr("Smooth shading, subdividing and physics work; from below one sees its back.")};
 }
 
-KindText KindTexts::crossing()
+KindText KindTexts::ofCrossing(PairKind kind, const MeshAnalysis& analysis)
 {
+    if (analysis.crossings.kindsKnown)
+        return of(kind);
     return {tr("Crossings"), tr("Triangles of the mesh run through each other."),
-            tr("Most slicers join what overlaps; some leave a hollow there."),
+            tr("Most slicers join overlapping parts; some leave a hollow there."),
             tr("A hard crease where they meet, and false edges for tools that cut the mesh.")};
 }
 
@@ -224,69 +204,22 @@ QString KindTexts::rich(const KindText& text)
            paragraph(tr("In a print:"), text.print) + paragraph(tr("In a game or a renderer:"), text.game);
 }
 
-} // namespace
-
-KindText kindText(DefectKind kind)
+KindText KindTexts::of(DefectKind kind)
 {
     switch (kind) {
     case DefectKind::BoundaryEdge:
     case DefectKind::NonManifoldEdge:
     case DefectKind::InconsistentEdge:
-        return KindTexts::edges(kind);
+        return edges(kind);
     case DefectKind::NonManifoldVertex:
     case DefectKind::DuplicateVertex:
     case DefectKind::IsolatedVertex:
-        return KindTexts::vertices(kind);
+        return vertices(kind);
     case DefectKind::DuplicateFace:
     case DefectKind::DegenerateFace:
         break;
     }
-    return KindTexts::faces(kind);
-}
-
-KindText kindText(SkeletonRepair kind)
-{
-    return KindTexts::repair(kind);
-}
-
-KindText kindText(PairKind kind)
-{
-    return KindTexts::crossing(kind);
-}
-
-KindText kindText(FindingKind kind)
-{
-    return KindTexts::finding(kind);
-}
-
-KindText cleanText()
-{
-    return KindTexts::clean();
-}
-
-KindText crossedText()
-{
-    return KindTexts::crossed();
-}
-
-KindText cleanSolidText()
-{
-    return KindTexts::cleanSolid();
-}
-
-KindText cleanSurfaceText()
-{
-    return KindTexts::cleanSurface();
-}
-
-KindText crossingText(PairKind kind, const MeshAnalysis& analysis)
-{
-    return analysis.crossings.kindsKnown ? KindTexts::crossing(kind) : KindTexts::crossing();
-}
-
-QString richText(const KindText& text)
-{
-    return KindTexts::rich(text);
+    return faces(kind);
 }
 
 } // namespace ramure

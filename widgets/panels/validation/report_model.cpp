@@ -100,8 +100,8 @@ KindText ReportModel::textOf(const Kind& kind) const
 {
     const auto* crossing = std::get_if<PairKind>(&kind);
     if (crossing && m_source.analysis)
-        return crossingText(*crossing, *m_source.analysis);
-    return std::visit([](auto one) { return kindText(one); }, kind);
+        return KindTexts::ofCrossing(*crossing, *m_source.analysis);
+    return std::visit([](auto one) { return KindTexts::of(one); }, kind);
 }
 
 void ReportModel::makeGroups()

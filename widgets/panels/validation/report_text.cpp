@@ -1,37 +1,16 @@
 #include "widgets/panels/validation/report_text.h"
 
+#include "core/surface/mesher/build_branch_mesh.h"
 #include "widgets/base/defect_place.h"
 #include "widgets/base/texts/core_text.h"
 #include "widgets/base/texts/fact_text.h"
 #include "widgets/panels/validation/kind_texts.h"
-#include <QCoreApplication>
 #include <QLocale>
-#include <QStringList>
 
 namespace ramure {
 namespace {
 
 constexpr int placeDecimals = 4;
-
-/// The context under which the translators find these texts.
-struct ReportTexts
-{
-    Q_DECLARE_TR_FUNCTIONS(ReportTexts)
-public:
-    static QString counts(const MeshReport& report, CheckedShape shape);
-    static QString openMesh(const MeshReport& report, bool draft);
-    static QString fault(const MeshReport& report, Index roots);
-    static ReportSummary judge(const MeshReport& report, Index roots, const MeshAnalysis* analysis,
-                               CheckedShape shape);
-    static ReportSummary summary(const NodeResult* result, const MeshAnalysis* analysis, CheckedShape shape);
-    static QString crossings(const MeshAnalysis& analysis);
-    static QString quality(const MeshQuality& quality);
-    static QStringList findingLines(const MeshAnalysis& analysis);
-    static QStringList defectLines(const TreeResult& tree);
-    static QStringList repairLines(const TreeResult& tree);
-    static QString whole(const QString& nodeName, const NodeResult* result, const MeshAnalysis* analysis,
-                         CheckedShape shape);
-};
 
 qulonglong defectTotal(const MeshReport& report)
 {
@@ -40,6 +19,8 @@ qulonglong defectTotal(const MeshReport& report)
         total += report.count(static_cast<DefectKind>(kind));
     return total;
 }
+
+} // namespace
 
 QString ReportTexts::counts(const MeshReport& report, CheckedShape shape)
 {
@@ -175,7 +156,7 @@ QStringList ReportTexts::findingLines(const MeshAnalysis& analysis)
     for (int k = 0; k < (analysis.crossings.kindsKnown ? pairKindCount : 1); ++k) {
         const auto kind = static_cast<PairKind>(k);
         lines += QStringLiteral("%1: %2")
-                     .arg(crossingText(kind, analysis).name)
+                     .arg(KindTexts::ofCrossing(kind, analysis).name)
                      .arg(analysis.crossings.count(kind));
         if (kind == PairKind::Far)
             continue;
@@ -185,7 +166,7 @@ QStringList ReportTexts::findingLines(const MeshAnalysis& analysis)
     }
     if (analysis.crossings.kindsKnown)
         lines += QStringLiteral("%1: %2")
-                     .arg(kindText(FindingKind::Collision).name)
+                     .arg(KindTexts::of(FindingKind::Collision).name)
                      .arg(analysis.collisions.size());
     for (const Collision& collision : analysis.collisions)
         lines += QStringLiteral("    %1, %2")
@@ -202,7 +183,7 @@ QStringList ReportTexts::defectLines(const TreeResult& tree)
     QStringList lines;
     for (int k = 0; k < defectKindCount; ++k) {
         const auto kind = static_cast<DefectKind>(k);
-        lines += QStringLiteral("%1: %2").arg(kindText(kind).name).arg(tree.report->count(kind));
+        lines += QStringLiteral("%1: %2").arg(KindTexts::of(kind).name).arg(tree.report->count(kind));
         for (const Defect& defect : tree.report->defects) {
             if (defect.kind != kind)
                 continue;
@@ -227,7 +208,7 @@ QStringList ReportTexts::repairLines(const TreeResult& tree)
             if (note.kind == kind)
                 notes += QStringLiteral("    ") + repairName(note);
         if (!notes.empty())
-            lines += QStringLiteral("%1: %2").arg(kindText(kind).name).arg(notes.size());
+            lines += QStringLiteral("%1: %2").arg(KindTexts::of(kind).name).arg(notes.size());
         lines += notes;
     }
     if (lines.empty())
@@ -254,29 +235,6 @@ QString ReportTexts::whole(const QString& nodeName, const NodeResult* result, co
         lines += findingLines(*analysis);
     }
     return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
-}
-
-} // namespace
-
-ReportSummary summarise(const NodeResult* result, const MeshAnalysis* analysis, CheckedShape shape)
-{
-    return ReportTexts::summary(result, analysis, shape);
-}
-
-QString crossingsText(const MeshAnalysis& analysis)
-{
-    return ReportTexts::crossings(analysis);
-}
-
-QString qualityText(const MeshQuality& quality)
-{
-    return ReportTexts::quality(quality);
-}
-
-QString reportText(const QString& nodeName, const NodeResult* result, const MeshAnalysis* analysis,
-                   CheckedShape shape)
-{
-    return ReportTexts::whole(nodeName, result, analysis, shape);
 }
 
 } // namespace ramure

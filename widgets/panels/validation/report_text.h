@@ -7,7 +7,8 @@
 #include "core/surface/check/verdict.h"
 #include "widgets/panels/validation/report_model.h"
 #include "widgets/panels/validation/status_badge.h"
-#include <QString>
+#include <QCoreApplication>
+#include <QStringList>
 
 namespace ramure {
 
@@ -23,18 +24,32 @@ struct ReportSummary
     std::optional<MeshVerdict> verdict; ///< none where there is no mesh
 };
 
-/// \param result null where nothing was computed yet.
-/// \param analysis null where there is none yet: then freedom from crossings is not claimed.
-ReportSummary summarise(const NodeResult* result, const MeshAnalysis* analysis = nullptr,
-                        CheckedShape shape = CheckedShape::Tree);
-/// What runs through what, in a sentence or two.
-QString crossingsText(const MeshAnalysis& analysis);
-/// Smallest angle and largest aspect ratio.
-QString qualityText(const MeshQuality& quality);
+class ReportTexts
+{
+    Q_DECLARE_TR_FUNCTIONS(ReportTexts)
+public:
+    /// \param result null where nothing was computed yet.
+    /// \param analysis null where there is none yet: then freedom from crossings is not claimed.
+    static ReportSummary summary(const NodeResult* result, const MeshAnalysis* analysis = nullptr,
+                                 CheckedShape shape = CheckedShape::Tree);
+    /// What runs through what, in a sentence or two.
+    static QString crossings(const MeshAnalysis& analysis);
+    /// Smallest angle and largest aspect ratio.
+    static QString quality(const MeshQuality& quality);
+    /// Everything as plain text: state, counts of every kind, each listed defect and repair with branch and
+    /// place.
+    static QString whole(const QString& nodeName, const NodeResult* result,
+                         const MeshAnalysis* analysis = nullptr, CheckedShape shape = CheckedShape::Tree);
 
-/// Everything as plain text: state, counts of every kind, each listed defect and repair with branch and
-/// place.
-QString reportText(const QString& nodeName, const NodeResult* result, const MeshAnalysis* analysis = nullptr,
-                   CheckedShape shape = CheckedShape::Tree);
+private:
+    static QString counts(const MeshReport& report, CheckedShape shape);
+    static QString openMesh(const MeshReport& report, bool draft);
+    static QString fault(const MeshReport& report, Index roots);
+    static ReportSummary judge(const MeshReport& report, Index roots, const MeshAnalysis* analysis,
+                               CheckedShape shape);
+    static QStringList findingLines(const MeshAnalysis& analysis);
+    static QStringList defectLines(const TreeResult& tree);
+    static QStringList repairLines(const TreeResult& tree);
+};
 
 } // namespace ramure

@@ -1,5 +1,6 @@
 #include "widgets/panels/validation/separate_dialog.h"
 
+#include "widgets/base/named.h"
 #include "widgets/base/progress_steps.h"
 #include "widgets/base/texts/core_text.h"
 #include <QLabel>
@@ -17,9 +18,7 @@ SeparateDialog::SeparateDialog(Document* document, NodeId tree, QWidget* parent)
     , m_cancel(new QPushButton(this))
 {
     setWindowTitle(tr("Move colliding branches apart"));
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(18, 18, 18, 14);
-    layout->setSpacing(12);
+    auto* layout = layoutOf<QVBoxLayout>(this, 12, {18, 18, 18, 14});
     m_text->setWordWrap(true);
     m_text->setMinimumWidth(360);
     m_text->setText(

@@ -19,11 +19,11 @@ public:
     SeparateDialog(Document* document, NodeId tree, QWidget* parent = nullptr);
 
 signals:
-    /// What was reached, for the status bar.
+    /// Reports the result for the status bar.
     void messageRaised(const QString& text);
 
 public slots:
-    void reject() override; ///< stops what is running first
+    void reject() override; ///< stops a running job first
 
 private:
     void finish(const std::optional<Error>& error);

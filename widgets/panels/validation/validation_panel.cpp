@@ -6,6 +6,7 @@
 #include "core/qt/session/jobs/shape_checks.h"
 #include "core/scene/object_mesh.h"
 #include "widgets/base/empty_page.h"
+#include "widgets/base/named.h"
 #include "widgets/base/only_branch.h"
 #include "widgets/base/theme/icons.h"
 #include "widgets/panels/validation/analysis_strip.h"
@@ -133,8 +134,7 @@ ValidationPanel::~ValidationPanel() = default;
 
 void ValidationPanel::Private::build()
 {
-    auto* outer = new QVBoxLayout(q);
-    outer->setContentsMargins(0, 0, 0, 0);
+    auto* outer = layoutOf<QVBoxLayout>(q);
     pages = new QStackedWidget(q);
     outer->addWidget(pages);
     empty = new EmptyPage(pages);
@@ -147,9 +147,7 @@ void ValidationPanel::Private::build()
     scroll->setFocusPolicy(Qt::NoFocus);
     content = new QWidget(scroll);
     scroll->setWidget(content);
-    auto* layout = new QVBoxLayout(content);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
+    auto* layout = layoutOf<QVBoxLayout>(content, 0);
     layout->addWidget(buildHead(content));
     if (analysis) {
         strip = new AnalysisStrip(analysis, content);
@@ -176,7 +174,7 @@ void ValidationPanel::Private::build()
         explain();
     });
     QObject::connect(copy, &QToolButton::clicked, q, &ValidationPanel::copyReport);
-    empty->setText(tr("The check of a mesh stands here. There is none in the scene."));
+    empty->setText(tr("The check of a mesh is shown here. The scene has no mesh."));
     copy->setToolTip(tr("Copy the report as text"));
     copy->setAccessibleName(copy->toolTip());
     view->setAccessibleName(tr("Defects and repairs"));
@@ -186,22 +184,17 @@ void ValidationPanel::Private::build()
 QWidget* ValidationPanel::Private::buildHead(QWidget* parent)
 {
     auto* head = new QWidget(parent);
-    auto* row = new QHBoxLayout(head);
-    row->setContentsMargins(12, 8, 8, 8);
-    row->setSpacing(10);
+    auto* row = layoutOf<QHBoxLayout>(head, 10, {12, 8, 8, 8});
     badge = new StatusBadge(head);
     row->addWidget(badge, 0, Qt::AlignTop);
     auto* texts = new QVBoxLayout;
     texts->setSpacing(2);
-    headline = new QLabel(head);
-    headline->setObjectName(QStringLiteral("panelTitle"));
+    headline = named(new QLabel(head), "panelTitle");
     headline->setWordWrap(true);
-    name = new QLabel(head);
-    name->setObjectName(QStringLiteral("checkedNode"));
+    name = named(new QLabel(head), "checkedNode");
     name->setTextFormat(Qt::PlainText);
     name->setForegroundRole(QPalette::PlaceholderText);
-    details = new QLabel(head);
-    details->setObjectName(QStringLiteral("reportDetails"));
+    details = named(new QLabel(head), "reportDetails");
     details->setTextFormat(Qt::PlainText);
     details->setWordWrap(true);
     details->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -209,8 +202,7 @@ QWidget* ValidationPanel::Private::buildHead(QWidget* parent)
     texts->addWidget(name);
     texts->addWidget(details);
     row->addLayout(texts, 1);
-    copy = new QToolButton(head);
-    copy->setObjectName(QStringLiteral("copyReport"));
+    copy = named(new QToolButton(head), "copyReport");
     copy->setIcon(icon("copy"));
     copy->setAutoRaise(true);
     row->addWidget(copy, 0, Qt::AlignTop);
@@ -224,8 +216,7 @@ QWidget* ValidationPanel::Private::buildExplanation(QWidget* parent)
     scroll->setWidgetResizable(true);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setMinimumHeight(48);
-    explanation = new QLabel(scroll);
-    explanation->setObjectName(QStringLiteral("explanation"));
+    explanation = named(new QLabel(scroll), "explanation");
     explanation->setTextFormat(Qt::RichText);
     explanation->setWordWrap(true);
     explanation->setAlignment(Qt::AlignTop | Qt::AlignLeft);
@@ -296,7 +287,7 @@ std::shared_ptr<const MeshAnalysis> ValidationPanel::Private::findings() const
 void ValidationPanel::Private::showSummary()
 {
     const Node* shown = document->scene().find(node);
-    const ReportSummary state = summarise(result(), findings().get(), shape());
+    const ReportSummary state = ReportTexts::summary(result(), findings().get(), shape());
     verdict = state.verdict;
     badge->setStatus(state.status);
     badge->setAccessibleName(state.headline);
@@ -311,16 +302,16 @@ void ValidationPanel::Private::explain()
     const QModelIndex current = view->currentIndex();
     QString text;
     if (current.isValid())
-        text = richText(model->textOf(model->kind(current)));
+        text = KindTexts::rich(model->textOf(model->kind(current)));
     else if (verdict == MeshVerdict::Crossing)
-        text = richText(crossedText());
+        text = KindTexts::rich(KindTexts::crossed());
     else if (verdict == MeshVerdict::Clean)
-        text = richText(shape() == CheckedShape::Tree    ? cleanText()
-                        : shape() == CheckedShape::Solid ? cleanSolidText()
-                                                         : cleanSurfaceText());
+        text = KindTexts::rich(shape() == CheckedShape::Tree    ? KindTexts::clean()
+                               : shape() == CheckedShape::Solid ? KindTexts::cleanSolid()
+                                                                : KindTexts::cleanSurface());
     else if (model->rowCount() > 0)
-        text = richText(
-            {tr("What this means"), tr("Choose a kind above to read what it is and what it does."), {}, {}});
+        text = KindTexts::rich(
+            {tr("What this means"), tr("Choose a kind above to read its meaning and its effect."), {}, {}});
     explanation->setText(text);
 }
 
@@ -407,7 +398,8 @@ void ValidationPanel::copyReport()
         return;
     const Node* shown = d->document->scene().find(d->node);
     const QString name = shown ? QString::fromStdString(shown->name) : QString();
-    QGuiApplication::clipboard()->setText(reportText(name, d->result(), d->findings().get(), d->shape()));
+    QGuiApplication::clipboard()->setText(
+        ReportTexts::whole(name, d->result(), d->findings().get(), d->shape()));
     emit messageRaised(tr("Report copied as text"));
 }
 

@@ -1,7 +1,8 @@
 /// \file
-/// Content of the validation dock: is the mesh of the selected node (a tree, an arm, a terrain, an object)
-/// closed, manifold and oriented, what runs through what, how well shaped are its triangles? Green, or every
-/// defect by kind; below it what the mesher had to repair, and what each kind means for a print or a game.
+/// Content of the validation dock. Is the mesh of the selected node (a tree, an arm, a terrain, an object)
+/// closed, manifold and oriented, which parts cross, and how well shaped are its triangles? The panel is
+/// green, or lists every defect by kind; below follow the mesher's repairs, and the meaning of each kind for
+/// a print or a game.
 #pragma once
 
 #include "core/scene/scene.h"
@@ -19,7 +20,7 @@ class ValidationPanel : public QWidget
     Q_OBJECT
 public:
     /// \param document,analysis are not owned and must outlive the panel. Without an analysis only the
-    /// topology of trees is shown. What is no tree is checked here, as long as the panel is seen.
+    /// topology of trees is shown. Other nodes are checked here, as long as the panel is visible.
     explicit ValidationPanel(Document* document, QWidget* parent = nullptr);
     ValidationPanel(Document* document, Analysis* analysis, QWidget* parent = nullptr);
     ~ValidationPanel() override;
@@ -34,8 +35,8 @@ public slots:
 signals:
     /// A defect was clicked; its branch is selected by now. Frame place.box, draw the rest.
     void defectActivated(ramure::NodeId node, const ramure::DefectPlace& place);
-    /// Another node, another mesh or a repair note: what was highlighted is out of date. Or nobody wants to
-    /// see it any more: Escape in the list, or the panel was hidden.
+    /// The highlighted defect is out of date, because another node, another mesh or a repair note is shown.
+    /// Or it should be hidden: Escape in the list, or the panel was hidden.
     void defectLeft();
     /// The colliding branches of the tree are to be moved apart.
     void separateRequested(ramure::NodeId tree);

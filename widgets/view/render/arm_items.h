@@ -10,11 +10,11 @@ namespace ramure {
 
 class ScenePartCache;
 
-/// Where the mark of a target stands in the arm's node.
+/// Returns the place of the target's mark in the arm's node.
 glm::dmat4 armTargetPlace(const glm::dvec3& target);
 
-/// Appends an arm in the pose of its joints, upright in its node. What cannot be made (a mesh that no arm can
-/// wear) is left out. \param params of the time; \param world of the node's own geometry
+/// Appends an arm in the pose of its joints, upright in its node. A mesh that no arm can wear is left out.
+/// \param params at the scene's time \param world transform of the node's own geometry
 void addArm(RenderScene& scene, ScenePartCache& cache, const Node& node, const NodeParams& params,
             const glm::dmat4& world, DisplayMode mode);
 

@@ -168,6 +168,8 @@ void Camera::pan(const glm::dvec2& deltaNdc, double aspect)
 
 void Camera::zoom(double factor, const glm::dvec3& fixedPoint)
 {
+    if (!(factor > 0.0))
+        return;
     const double next = std::clamp(distance * factor, minDistance, maxDistance);
     const double applied = next / distance;
     target = fixedPoint + applied * (target - fixedPoint);
@@ -261,6 +263,13 @@ void Camera::frameAllAround(std::span<const glm::dvec3> points, double aspect, d
     target.z = middle.z;
     if (!orthographic)
         distance = std::max(distance - along, minDistance);
+}
+
+void Camera::turnOpposite()
+{
+    // Straight above and straight below, left stays left.
+    const bool straight = std::abs(pitchRad) > 0.5 * pi - 1e-6;
+    orbit(straight ? 0.0 : pi, -2.0 * pitchRad);
 }
 
 void Camera::setAxisView(AxisView view)

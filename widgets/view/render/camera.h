@@ -33,7 +33,7 @@ struct DepthRange
 class Camera
 {
 public:
-    static constexpr double usualMargin = 1.06; ///< the picture's size over that of what is framed
+    static constexpr double usualMargin = 1.06; ///< size of the picture relative to the framed objects
 
     glm::dvec3 target{0.0, 1.0, 0.0};
     double distance = 5.0;     ///< from the eye to the target, m
@@ -66,10 +66,9 @@ public:
 
     /// Brings it upright.
     void orbit(double deltaYawRad, double deltaPitchRad);
-    /// Moves the picture so that what is at the target follows the cursor by \p deltaNdc.
+    /// Moves the picture so that the point at the target follows the cursor by \p deltaNdc.
     void pan(const glm::dvec2& deltaNdc, double aspect);
-    /// Scales the distance by \p factor (< 1 comes closer) and keeps \p fixedPoint where it is in the
-    /// picture.
+    /// Scales the distance by \p factor (< 1 comes closer); \p fixedPoint keeps its place in the picture.
     void zoom(double factor, const glm::dvec3& fixedPoint);
     /// The point under the cursor on the plane through the target that faces the eye.
     [[nodiscard]] glm::dvec3 pointAtTargetDepth(const glm::dvec2& ndc, double aspect) const;
@@ -82,6 +81,7 @@ public:
     /// the picture. Keeps yaw and pitch; the target comes to stand in the upright middle of the points.
     void frameAllAround(std::span<const glm::dvec3> points, double aspect, double margin = usualMargin);
     void setAxisView(AxisView view);
+    void turnOpposite(); ///< to the other side, from above to below
 
     bool operator==(const Camera&) const = default;
 };

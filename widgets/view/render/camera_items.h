@@ -1,5 +1,5 @@
 /// \file
-/// Camera nodes: what they see, and what is seen of them.
+/// Camera nodes: their view, and their look in the scene.
 #pragma once
 
 #include "core/evaluate/evaluator.h"
@@ -12,10 +12,10 @@ namespace ramure {
 
 class ScenePartCache;
 
-/// Of a node that stands so in the world. Scales and shears of \p world do not matter. What is sharp is the
-/// target.
+/// Returns the camera of a node with this place in the world. Scales and shears of \p world are ignored. The
+/// target is in focus.
 Camera cameraAt(const glm::dmat4& world, const CameraParams& params);
-/// Where a camera node must stand in the world to see what \p camera sees, without a scale.
+/// Returns the place, without a scale, that a camera node needs to have the view of \p camera.
 glm::dmat4 standingOf(const Camera& camera);
 Lens lensOf(const CameraParams& params);
 
@@ -24,10 +24,10 @@ struct NodeView
     Camera camera;
     Lens lens;
 };
-/// What the camera \p id sees at the scene's time. Nothing where there is no such camera.
+/// Returns the view through the camera \p id at the scene's time. Nothing if there is no such camera.
 std::optional<NodeView> viewThrough(EvaluatedScene& now, NodeId id);
 
-/// A body to click on and lines around what it sees. Not framed, no shadow.
+/// Adds a body to click on and lines around the camera's view. Not framed, no shadow.
 void addCamera(RenderScene& scene, ScenePartCache& cache, const Node& node, const CameraParams& params,
                const glm::dmat4& world, bool isSelected);
 

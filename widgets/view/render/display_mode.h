@@ -1,7 +1,7 @@
 /// \file
-/// What a picture shows of a tree, and how: one row of a table for each mode. The menu, the palette, the list
-/// of keys and `ramure-cli render --mode` are made from the rows. A new mode is a value of the enum, its row
-/// in display_modes.cpp, and its drawing in scene_builder.cpp.
+/// The ways to display a tree: one row of a table for each mode. The menu, the palette, the list of keys and
+/// `ramure-cli render --mode` are made from the rows. A new mode is a value of the enum, its row in
+/// display_modes.cpp, and its drawing in scene_builder.cpp.
 #pragma once
 
 #include "core/params/stage.h"
@@ -32,7 +32,7 @@ enum class Quality : std::uint8_t {
 /// Which sections show their frame as three arrows: tangent blue, normal red, binormal green.
 enum class FrameDisplay : std::uint8_t { None, Selection, All };
 
-/// What a mode shows of the branches.
+/// How a mode shows the branches.
 enum class Shown : std::uint8_t { Lines, Tubes, Surface, Texture };
 
 /// A row: the action's id is "view." and the name.
@@ -40,9 +40,9 @@ template <class Mode> struct ModeRow
 {
     Mode mode;
     const char* action; ///< "view.skeleton"
-    const char* icon;   ///< of resources/icons
+    const char* icon;   ///< name in resources/icons
     const char* text;   ///< English, with a mnemonic, context "Actions"
-    const char* tip;    ///< as the text; null: the text serves
+    const char* tip;    ///< tooltip like the text; null: the text serves
     [[nodiscard]] const char* name() const { return action + std::string_view("view.").size(); }
 };
 struct DisplayModeRow : ModeRow<DisplayMode>
@@ -57,7 +57,7 @@ std::span<const ModeRow<ShadingMode>> shadingModes();
 std::span<const ModeRow<Quality>> qualities();
 
 const DisplayModeRow& rowOf(DisplayMode mode);
-/// Of "mesh", as the command line has it.
+/// Returns the mode with this name on the command line: "mesh".
 std::optional<DisplayMode> displayModeFromName(std::string_view name);
 
 } // namespace ramure

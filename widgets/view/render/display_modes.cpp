@@ -14,7 +14,7 @@ std::span<const DisplayModeRow> displayModes()
         {{DisplayMode::Simplified, "view.simplified", "mode-simplified",
           QT_TRANSLATE_NOOP("Actions", "S&implified skeleton"),
           QT_TRANSLATE_NOOP("Actions",
-                            "The branches as lines, straight runs joined: what the mesh is made of")},
+                            "The skeleton of the mesh: branches as lines, with straight runs joined")},
          Shown::Lines,
          Stage::Simplified},
         {{DisplayMode::Rough, "view.rough", "mode-rough", QT_TRANSLATE_NOOP("Actions", "&Rough model"),

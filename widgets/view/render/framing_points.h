@@ -1,5 +1,5 @@
 /// \file
-/// What a scene takes up while it plays: for framing it so that nothing leaves the view.
+/// Collects the extent of a scene while it plays, to frame it so that nothing leaves the view.
 #pragma once
 
 #include "core/scene/scene.h"
@@ -7,9 +7,9 @@
 
 namespace ramure {
 
-/// Points (world, m) for Camera::frame: those of \p built as it is now (see RenderScene::framePoints), and of
-/// what keys move, in its places over the whole timeline, looked at some tens of times. Trees in the wind,
-/// the bends of arms and what lies outside the timeline's range count only as they are now.
+/// Returns points (world, m) for Camera::frame: the points of \p built as it is now (see
+/// RenderScene::framePoints), and the places of keyed nodes at some tens of times over the whole timeline.
+/// Trees in the wind, the bends of arms and motion outside the timeline's range count only as they are now.
 std::vector<glm::dvec3> framingPoints(const Scene& scene, const RenderScene& built);
 
 /// Moments of the timeline, seconds, from its first to its last frame, for looking at what moves: the more

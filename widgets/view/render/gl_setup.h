@@ -12,15 +12,15 @@ class QOpenGLDebugLogger;
 
 namespace ramure {
 
-/// What every context here asks for: the default format, and 3.3 core. With RAMURE_GL_DEBUG in the
-/// environment the driver also tells of errors and deprecated calls: they become warnings.
+/// The format of every OpenGL context here: the default format, and 3.3 core. With RAMURE_GL_DEBUG in the
+/// environment the driver also reports errors and deprecated calls, which become warnings.
 QSurfaceFormat openGlFormat();
 
 /// Shared contexts and the default surface format (3.3 core, 24-bit depth, 4 samples). Call in main() before
 /// the application object is made.
 void prepareOpenGl();
 
-/// What OpenGL this process can open a window with.
+/// The OpenGL with which this process can open a window.
 struct OpenGlProbe
 {
     bool available = false; ///< a 3.3 core context
@@ -36,7 +36,7 @@ bool openGlAvailable(QString* reason = nullptr);
 /// Does this name of a renderer stand for a software rasteriser?
 bool isSoftwareRenderer(const QByteArray& renderer);
 
-/// Where the context was asked to tell (see openGlFormat), what the driver finds wrong becomes a warning.
+/// If the context was asked to report (see openGlFormat), the driver's messages become warnings.
 std::unique_ptr<QOpenGLDebugLogger> driverMessages(const QOpenGLContext& context);
 
 } // namespace ramure

@@ -28,7 +28,7 @@ struct TreeWind
 TreeWind treeWind(WindProfile profile, double directionRad, const Skeleton& grown,
                   const SimplifiedSkeleton& simplified, const TriangleMesh* leaves, const Foliage* foliage);
 
-/// Of one mesh.
+/// The wind of one mesh.
 struct ItemWind
 {
     std::shared_ptr<const TreeWind> tree;

@@ -29,7 +29,7 @@ LineSet frameArrows(const Skeleton& skeleton, const SectionSet& sections, std::s
 /// One section: its circle, a square of its plane, its frame.
 LineSet inspectedLines(const Skeleton& skeleton, const SectionSet& sections, Index branch, Index section,
                        int radialDivisions);
-/// Of the selection, of what the mouse is over, of what a tool would take away.
+/// Colours for the selection, for branches under the mouse, and for branches that a tool would remove.
 enum class CurveColour : std::uint8_t { Selected, Pointed, Goes };
 /// The curves of these branches, to be seen through leaves and bark; straight where there are more than
 /// mostCurves.

@@ -2,6 +2,7 @@
 
 #include "core/math/box.h"
 #include "core/surface/foliage/foliage_texture.h"
+#include "core/surface/foliage/place_foliage.h"
 #include "widgets/view/render/far_shape.h"
 #include <algorithm>
 #include <map>

@@ -1,6 +1,6 @@
 /// \file
-/// Leaves and apples as copies of one small mesh each: what is drawn in place of the merged mesh that files
-/// and checks have.
+/// Leaves and apples as copies of one small mesh each. They are drawn instead of the merged mesh that files
+/// and checks use.
 #pragma once
 
 #include "core/surface/foliage/foliage.h"
@@ -12,7 +12,7 @@
 
 namespace ramure {
 
-/// As the vertex shader reads it.
+/// One copy, in the layout that the vertex shader reads.
 struct MeshCopy
 {
     glm::vec3 position{0.0f};
@@ -37,7 +37,7 @@ struct MeshCopies
         Index from = 0, count = 0;
     };
     TriangleMesh shape;               ///< once in each detail, the finest first
-    std::array<Faces, 3> detail;      ///< of the shape, by LeafDetail
+    std::array<Faces, 3> detail;      ///< faces of the shape, by LeafDetail
     float reach = 0.0f;               ///< m, across the largest copy
     std::vector<glm::u8vec4> colours; ///< sRGB, per vertex of the shape; empty: white
     std::vector<MeshCopy> copies;

@@ -1,7 +1,7 @@
 /// \file
-/// A line around what is selected, seen through everything that stands before it. What is selected is drawn
-/// into a small mask; distances from it are found there, and the line is where the distance is right: thin
-/// twigs and gaps between leaves, which no wider mesh would do justice to, cost nothing more.
+/// A line around the selection, visible through everything in front of it. The selection is drawn into a
+/// small mask, and the line is drawn at the right distance from it. Thin twigs and gaps between leaves, for
+/// which a wider mesh would fail, cost no more.
 #pragma once
 
 #include "widgets/view/render/camera.h"
@@ -11,7 +11,7 @@
 
 namespace ramure {
 
-/// Where the line may run.
+/// The region in which the line may run.
 struct OutlineExtent
 {
     glm::vec2 low{0.0f}, high{0.0f}; ///< device pixels from the lower left
@@ -59,7 +59,7 @@ private:
     void pass(GLuint framebuffer, GLuint source, ShaderProgram& program);
 
     Gl& m_gl;
-    int m_width = 0, m_height = 0;    ///< of the mask, texels
+    int m_width = 0, m_height = 0;    ///< size of the mask, texels
     GLuint m_textures[3] = {0, 0, 0}; ///< the mask's depths, distances along rows, distances
     GLuint m_framebuffers[3] = {0, 0, 0};
     OutlineExtent m_extent;

@@ -18,7 +18,7 @@ namespace ramure {
 class PictureParts
 {
 public:
-    /// What is drawn into one framebuffer; in the order in which they follow each other.
+    /// The passes that draw into one framebuffer, in their order.
     enum class Pass : std::uint8_t { Occlusion, Shadow, NearShadow, Picture };
 
     explicit PictureParts(Gl& gl)
@@ -110,7 +110,7 @@ private:
     {
         Pass pass = Pass::Occlusion;
         int draw = 0;
-        int first = 0; ///< of what the draw is of
+        int first = 0; ///< first index of the draw's own range
         auto operator<=>(const Place&) const = default;
     };
 

@@ -1,5 +1,5 @@
 /// \file
-/// What a picture is made of: immutable data on the CPU, in shared blocks. The identity of a block is its
+/// The contents of a picture: immutable data on the CPU, in shared blocks. The identity of a block is its
 /// key: the renderer uploads a block it has not seen, frees one that is gone, and can be thrown away and
 /// rebuilt at any time. Knows no document and no OpenGL. Blocks are in the space of their node; metres, Y up.
 #pragma once
@@ -29,7 +29,7 @@ struct LineSegment
     glm::vec3 a, b;
     float widthA = 1.5f, widthB = 1.5f; ///< logical pixels
     glm::u8vec4 colour{255};            ///< sRGB, alpha
-    Index branch = noIndex;             ///< of the simplified skeleton, for the highlight; noIndex = none
+    Index branch = noIndex; ///< index in the simplified skeleton, for the highlight; noIndex = none
 };
 struct LineSet
 {
@@ -51,19 +51,19 @@ struct PointSet
     Box box;
 };
 
-/// Where bones are, and how a mesh follows them. Without bones everything is at rest.
+/// The places of the bones, and the way a mesh follows them. Without bones everything is at rest.
 struct ItemMotion
 {
-    std::shared_ptr<const Skin> skin; ///< of meshes: as many vertices as they have
+    std::shared_ptr<const Skin> skin; ///< for meshes: as many vertices as they have
     std::shared_ptr<const std::vector<RigidTransform>> bones;
     SkinMethod method = SkinMethod::Rigid;
-    std::shared_ptr<const ItemWind> wind{}; ///< of a game, in place of bones; null: none
+    std::shared_ptr<const ItemWind> wind{}; ///< wind of a game, in place of bones; null: none
     [[nodiscard]] bool moves() const { return bones && !bones->empty(); }
     [[nodiscard]] bool isStill() const { return !moves() && !wind; }
     bool operator==(const ItemMotion&) const = default;
 };
 
-/// What gives a surface its colour.
+/// The source of a surface's colour.
 enum class Paint : std::uint8_t {
     Material,
     Checker, ///< squares of texture tiles, larger ones where they would be too small to see
@@ -71,7 +71,7 @@ enum class Paint : std::uint8_t {
     Weights, ///< the first texture coordinate is a bone; between two whole numbers two bones share the place
 };
 
-/// What the texture modes say about all that is shown.
+/// Summary of the texture modes over everything shown.
 struct TextureSummary
 {
     double tileSize = 0.0; ///< m, on the thickest wood; of several trees the smallest
@@ -85,7 +85,7 @@ struct SplitMesh
     std::shared_ptr<const std::vector<Index>> vertex; ///< per vertex the one it copies
 };
 
-/// Of one mesh what an outline goes around.
+/// The faces of one mesh that an outline goes around.
 struct OutlinedFaces
 {
     std::vector<std::pair<Index, Index>> runs; ///< first face and count; none: all faces of a whole mesh
@@ -99,14 +99,14 @@ struct MeshItem
 {
     std::shared_ptr<const TriangleMesh> mesh; ///< at rest
     std::shared_ptr<const MeshCopies> copies; ///< drawn in its place: the same, in pieces; null: it is drawn
-    Box box;                                  ///< of the mesh as it is now, in its own space
-    SplitMesh split;                          ///< whose skin it follows, where it has none of its own
+    Box box;                                  ///< bounds of the mesh as it is now, in its own space
+    SplitMesh split;                          ///< the mesh whose skin it follows if it has none of its own
     ItemMotion motion;                        ///< drawn so; the mesh itself stays as it is
     Material material;
     Paint paint = Paint::Material;
-    std::shared_ptr<const CrownLight> crown;       ///< of the tree that it is part of; null: in the open
-    std::shared_ptr<const BarkMaps> bark;          ///< in place of the material's colour; null: none
-    std::shared_ptr<const LeafMaps> leaf;          ///< what tints the colours of a leaf; null: none
+    std::shared_ptr<const CrownLight> crown; ///< light inside the tree that it is part of; null: in the open
+    std::shared_ptr<const BarkMaps> bark;    ///< in place of the material's colour; null: none
+    std::shared_ptr<const LeafMaps> leaf;    ///< tints of a leaf's colours; null: none
     std::shared_ptr<const SurfaceImages> images;   ///< in place of both; null: none
     float opacity = 1.0f;                          ///< under 1: its nearest surface only, over all the rest
     std::shared_ptr<const OutlinedFaces> outlined; ///< null: nothing of it
@@ -118,7 +118,7 @@ struct MeshItem
     bool closed = false; ///< its back faces are never seen
     bool castsShadow = true;
     bool pickable = true; ///< false for the nodes that are locked
-    bool framed = true;   ///< false: nobody looks for it who looks for all there is
+    bool framed = true;   ///< false: framing the whole scene leaves it out
 };
 enum class OutlinedLines : std::uint8_t { None, Selected, All };
 struct LineItem
@@ -131,8 +131,8 @@ struct LineItem
     ItemMotion motion{};          ///< segments with a branch follow its bone
     float hidden = 0.42f;         ///< opacity of the parts behind a surface
     OutlinedLines outlined = OutlinedLines::None;
-    bool pointed = false; ///< of what is pointed at: it comes and goes with the highlights
-    bool framed = true;   ///< as of a mesh
+    bool pointed = false; ///< marks the object under the mouse and comes and goes with the highlights
+    bool framed = true;   ///< the camera frames it like a mesh
 };
 struct PointItem
 {
@@ -162,7 +162,14 @@ struct Highlight
 {
     NodeId node = noNode;
     std::shared_ptr<const BranchStates> states;
-    bool whole = false; ///< of meshes without branches, too: the first state is theirs
+    bool whole = false; ///< for meshes without branches, too: they use the first state
+};
+
+/// A trunk that stands on roots.
+struct Foot
+{
+    glm::dvec3 place{0.0}; ///< world
+    double reach = 0.0;    ///< m, of its roots
 };
 
 struct RenderScene
@@ -175,8 +182,9 @@ struct RenderScene
     Box box;                       ///< world: all items; what frameAll shows
     Box casters;                   ///< world: what throws shadows
     TextureSummary texture;
-    double ground = 0.0; ///< m: where the plane of the ground lies
-    Box trailBox;        ///< world: what is drawn besides, paths and ghosts; not framed
+    std::vector<Foot> feet; ///< litter lies around them
+    double ground = 0.0;    ///< m: where the plane of the ground lies
+    Box trailBox;           ///< world: bounds of paths and ghosts; not framed
 
     /// Recomputes the two boxes from the items.
     void updateBoxes();

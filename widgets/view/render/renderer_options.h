@@ -11,23 +11,22 @@
 
 namespace ramure {
 
-/// What lies behind and below the scene.
+/// The background of the scene.
 enum class Backdrop : std::uint8_t {
     Landscape,   ///< sky and meadow
     LightStudio, ///< one colour that takes shadows
     DarkStudio,
     Sky, ///< a clear day as it is: light, colours and haze by where the sun stands (sky.h)
 };
-inline constexpr int backdropCount = 4;
 
 struct SceneLight
 {
     static constexpr double leastHeightDeg = 2.0; ///< lower, shadows have no end
 
-    double azimuthDeg = 136.0; ///< of the sun, clockwise from the north (-Z): 90 is the east (+X)
-    double heightDeg = 46.0;   ///< of the sun over the horizon, leastHeightDeg .. 90
+    double azimuthDeg = 136.0; ///< the sun's direction, clockwise from the north (-Z): 90 is the east (+X)
+    double heightDeg = 46.0;   ///< the sun's height over the horizon, leastHeightDeg .. 90
     Backdrop backdrop = Backdrop::Landscape;
-    double turbidity = 3.0; ///< of the air of Backdrop::Sky, Sky::leastTurbidity .. mostTurbidity
+    double turbidity = 3.0; ///< haze of Backdrop::Sky, Sky::leastTurbidity .. mostTurbidity
     double exposure = 0.0;  ///< f-stops, -mostStops .. mostStops
     static constexpr double mostStops = 5.0;
 
@@ -41,7 +40,7 @@ struct SceneLight
     bool operator==(const SceneLight&) const = default;
 };
 
-/// Of a game, on what stands in it (item_wind.h).
+/// The wind of a game at one moment, for trees that are prepared for it (item_wind.h).
 struct WindMoment
 {
     double strength = 0.0; ///< 1: a strong wind
@@ -56,12 +55,12 @@ struct RenderOptions
     bool hurried = false; ///< something moves: leaves of fewer triangles, one sample a pixel
     bool sparing = false; ///< small leaves of fewer triangles, for views that a processor draws
     bool grid = false;    ///< metric grid on the ground
-    bool ground = true;   ///< without: the sky alone, and what lies below the ground is seen
+    bool ground = true;   ///< off: the sky alone, and objects below the ground are visible
     bool shadows = true;
-    bool outline = true; ///< around what is selected
+    bool outline = true; ///< around the selection
     float outlineOpacity = 1.0f;
     bool world = true;       ///< sky and ground; without: a transparent background
-    int samples = 4;         ///< of multisampling, where the renderer owns the target; 0 = none
+    int samples = 4;         ///< samples per pixel if the renderer owns the target; 0 = no multisampling
     int pictures = 1;        ///< drawn in one aside, each a part of a pixel beside the other: finer edges
     bool smoothing = false;  ///< smooth the edges of the finished picture instead of multisampling
     double pixelRatio = 1.0; ///< device pixels per logical pixel: line widths

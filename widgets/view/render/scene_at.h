@@ -1,13 +1,13 @@
 /// \file
-/// A whole scene at one time, computed where needed and made into what a picture shows.
+/// Computes a whole scene at one time as far as needed, and builds its picture's contents.
 #pragma once
 
 #include "widgets/view/render/scene_builder.h"
 
 namespace ramure {
 
-/// Trees that are not shown are not computed. Errors: those of EvaluatedScene::poseArms and of the trees,
-/// Cancelled among them.
+/// Hidden trees are not computed. Errors: those of EvaluatedScene::poseArms and of the trees, including
+/// Cancelled.
 Expected<RenderScene> renderSceneAt(EvaluatedScene& now, const SceneView& view,
                                     const Progress& progress = {});
 

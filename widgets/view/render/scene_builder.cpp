@@ -3,6 +3,7 @@
 #include "core/pipeline/stage_hashes.h"
 #include "core/scene/object_mesh.h"
 #include "core/surface/check/texture_report.h"
+#include "core/surface/foliage/place_foliage.h"
 #include "core/surface/mesh/normals.h"
 #include "core/surface/mesher/rough_model.h"
 #include "core/surface/texture/object_texture.h"
@@ -491,6 +492,18 @@ void addCrowns(RenderScene& built, EvaluatedScene& now, const std::vector<NodeId
     }
 }
 
+void addFeet(RenderScene& built, const TreeResult& tree, const MeshParams& mesh, const glm::dmat4& world)
+{
+    if (!(mesh.roots > 0) || !tree.skeleton)
+        return;
+    const Skeleton& skeleton = *tree.skeleton;
+    const double scale = glm::length(glm::dvec3(world[0]));
+    for (Index i = 0; i < skeleton.size(); ++i)
+        if (skeleton.parent[i] == noIndex)
+            built.feet.push_back({glm::dvec3(world * glm::dvec4(skeleton.p0[i], 1.0)),
+                                  scale * skeleton.a0[i] * (1.0 + 2.0 * mesh.rootLength)});
+}
+
 } // namespace
 
 bool isBarkReady(const TextureStage& texture, const NodeParams& params)
@@ -534,8 +547,10 @@ RenderScene SceneBuilder::build(EvaluatedScene& now, const ResultOf& resultOf, c
             addArm(built, *m_cache, node, now.params(node), world, view.mode);
         else if (isObject(node.kind))
             objects.add(node, now.params(node), world);
-        else if (const TreeResult* tree = resultOf(node.id))
+        else if (const TreeResult* tree = resultOf(node.id)) {
             TreeItems{*m_cache, built, view, node, *tree, world}.all();
+            addFeet(built, *tree, now.params(node).mesh, world);
+        }
     }
     built.ground = m_ground->of(scene, built);
     outlineSelected(built, *m_cache, scene, resultOf, view);

@@ -1,6 +1,6 @@
 /// \file
-/// From a scene and the results of its trees to a RenderScene. Keeps what it made under the identity of what
-/// it was made from, so that building again after a small change makes only what is new.
+/// Builds a RenderScene from a scene and the results of its trees. It keeps its parts under the identity of
+/// their inputs, so that building again after a small change makes only the new parts.
 #pragma once
 
 #include "core/evaluate/evaluator.h"
@@ -17,12 +17,12 @@ class ScenePartCache;
 struct InspectedSection
 {
     NodeId node = noNode; ///< noNode = none
-    Index branch = 0;     ///< of the simplified skeleton
+    Index branch = 0;     ///< index in the simplified skeleton
     Index section = 0;
     bool operator==(const InspectedSection&) const = default;
 };
 
-/// What of the scene is shown.
+/// Selects the parts of the scene that are shown.
 struct SceneView
 {
     DisplayMode mode = DisplayMode::Mesh;
@@ -30,25 +30,24 @@ struct SceneView
     bool apples = true;
     FrameDisplay frames = FrameDisplay::None;
     std::vector<NodeId> selectedNodes; ///< shown with an outline, with all below them
-    bool crowns = false;               ///< what selected trees grow to fill
+    bool crowns = false;               ///< shows the space that selected trees grow to fill
     bool cameras = false;              ///< cameras as things that stand there; pictures have none
     NodeId seenThrough = noNode;       ///< the camera that is not shown, as the picture is its own
     NodeId branchNode = noNode;        ///< the tree whose branches are selected
-    std::vector<Index> branches;       ///< of its simplified skeleton
+    std::vector<Index> branches;       ///< indices in its simplified skeleton
     Index activeBranch = noIndex;
     NodeId hoverNode = noNode;
     std::vector<Index> hoverBranches;
     bool hoverGoes = false;         ///< a tool would take hoverBranches away
     bool hoverThrough = false;      ///< a line shows them through leaves
-    std::vector<NodeId> hoverNodes; ///< as a whole
+    std::vector<NodeId> hoverNodes; ///< nodes under the mouse as a whole
     InspectedSection inspected;
-    double timeSeconds = 0.0;            ///< where tracks have moved nodes and parameters of objects to
-    NodeId isolatedNode = noNode;        ///< the tree of which only some branches are shown
-    std::vector<Index> isolatedBranches; ///< of its simplified skeleton; empty = all
-    /// False: bark is in one colour as long as nobody has made its texture coordinates, which takes seconds
-    /// for a large tree.
+    double timeSeconds = 0.0;     ///< time at which tracks are read for nodes and parameters of objects
+    NodeId isolatedNode = noNode; ///< the tree of which only some branches are shown
+    std::vector<Index> isolatedBranches; ///< indices in its simplified skeleton; empty = all
+    /// False: bark has one colour until its texture coordinates exist, which takes seconds for a large tree.
     bool waitsForBark = true;
-    WindProfile wind = WindProfile::None; ///< of a game: trees are ready to move in it
+    WindProfile wind = WindProfile::None; ///< wind of a game: trees are prepared to move in it
 };
 
 /// Whether a tree's bark can be shown with its picture without waiting.
@@ -67,9 +66,9 @@ public:
     SceneBuilder(const SceneBuilder&) = delete;
     SceneBuilder& operator=(const SceneBuilder&) = delete;
 
-    /// Never fails: what is missing or cannot be made is left out.
+    /// Never fails: missing and impossible parts are left out.
     RenderScene build(EvaluatedScene& scene, const ResultOf& resultOf, const SceneView& view);
-    /// As tracks alone have it at the view's time.
+    /// Builds the scene as tracks alone have it at the view's time.
     RenderScene build(const Scene& scene, const ResultOf& resultOf, const SceneView& view);
 
 private:

@@ -91,7 +91,7 @@ public:
     {
         return *get<Box>(ScenePart::MeshBox, mesh, mesh, {}, [&mesh] { return meshBox(*mesh); });
     }
-    /// Of rough models that are no longer shown.
+    /// Arrays of rough models that are no longer shown, to be used again.
     MeshArrays& roughArrays() { return m_roughArrays; }
     /// Forgets what the build did not use.
     void dropUnused()

@@ -24,12 +24,12 @@ using Gl = QOpenGLFunctions_3_3_Core;
 namespace switches {
 inline constexpr const char* still = "#define STILL\n";       ///< no bones
 inline constexpr const char* unmarked = "#define UNMARKED\n"; ///< nothing is selected or hovered
-inline constexpr const char* one = "#define ONE_SHADOW\n";    ///< no map of what is near
+inline constexpr const char* one = "#define ONE_SHADOW\n";    ///< no map of the near shadow
 inline constexpr const char* meadow = "#define MEADOW\n";     ///< the plain sky and ground
 inline constexpr const char* level = "#define LEVEL\n"; ///< a ground in perspective: its depth is linear
-inline constexpr const char* depthOnly = "#define DEPTH_ONLY\n"; ///< of the ground
+inline constexpr const char* depthOnly = "#define DEPTH_ONLY\n"; ///< draws the depth of the ground alone
 inline constexpr const char* surfaces =
-    "#define SURFACES\n"; ///< what they are, not how they look in the light
+    "#define SURFACES\n"; ///< draws properties of surfaces instead of their lit look
 inline constexpr std::array all{still, unmarked, one, meadow, level, depthOnly, surfaces};
 } // namespace switches
 
@@ -42,7 +42,7 @@ struct ShaderSources
     const char* defines = ""; ///< lines put after the version
 };
 
-/// What a driver is given to compile; \c geometry is empty where there is none.
+/// Sources for the driver to compile; \c geometry is empty if there is none.
 struct ShaderTexts
 {
     QByteArray vertex, geometry, fragment;
@@ -57,9 +57,10 @@ public:
     /// Error: Unknown, with the driver's log.
     static Expected<std::unique_ptr<ShaderProgram>> make(Gl& gl, const ShaderSources& sources);
 
-    /// The same with one more line put after the version, compiled when it is first asked for: a switch that
-    /// is known leaves out what it turns off, of which software rasterisers otherwise run both ways. The
-    /// program itself where it is not \p asked, or where the driver refuses. \param define a literal.
+    /// Returns this program with one more line after the version, compiled at the first request. A switch
+    /// known at compile time removes the code that it turns off, of which software rasterisers otherwise run
+    /// both ways. Returns the program itself if not \p asked, or if the driver refuses. \param define a
+    /// literal
     ShaderProgram& with(bool asked, const char* define);
     void bind();
     void set(const char* name, bool value);

@@ -12,12 +12,12 @@ namespace ramure {
 
 enum class TransformTool : quint8 { Select, Move, Rotate, Scale };
 
-/// What dragged values snap to.
+/// The steps that dragged values snap to.
 struct SnapSteps
 {
     double move = 0.1;    ///< m
     double turnDeg = 5.0; ///< degrees
-    double scale = 0.1;   ///< of a factor
+    double scale = 0.1;   ///< step of a factor
     bool operator==(const SnapSteps&) const = default;
 };
 
@@ -47,13 +47,13 @@ public:
     [[nodiscard]] SnapSteps steps() const { return m_steps(); }
     [[nodiscard]] GhostFrames ghostFrames() const { return m_ghostFrames(); }
 
-    /// What is remembered between sessions: the steps, and which frames ghosts show.
+    /// The settings that are remembered between sessions: the steps, and the frames that ghosts show.
     [[nodiscard]] QVariantMap saved() const;
-    void restore(const QVariantMap& saved); ///< what is missing or out of range stays as it is
+    void restore(const QVariantMap& saved); ///< a value that is missing or out of range is not changed
 
-    /// Gives tool, axes, snapping, path and ghosts their defaults. What is remembered stays.
+    /// Gives tool, axes, snapping, path and ghosts their defaults. Remembered settings stay.
     void beginDocument();
-    void setSteps(const ramure::SnapSteps& steps);          ///< those not above 0 stay as they are
+    void setSteps(const ramure::SnapSteps& steps);          ///< steps of 0 and less are ignored
     void setGhostFrames(const ramure::GhostFrames& frames); ///< clamped
 
 signals:

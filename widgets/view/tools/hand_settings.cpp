@@ -36,17 +36,18 @@ std::span<const HandToolRow> handTools()
     using enum HandGroup;
     static constexpr HandToolRow rows[] = {
         {HandTool::Cut, Take, "hand.cut", QT_TRANSLATE_NOOP("Actions", "&Cut"), "hand-cut", Qt::Key_C,
-         QT_TRANSLATE_NOOP("Actions", "Cut a branch where you click: what lies above goes, or falls")},
+         QT_TRANSLATE_NOOP("Actions", "Cut a branch where you click: the part above disappears, or falls")},
         {HandTool::Saw, Take, "hand.saw", QT_TRANSLATE_NOOP("Actions", "&Saw"), "hand-saw", Qt::Key_Z,
          QT_TRANSLATE_NOOP("Actions", "Draw a line through twigs: all that it crosses is cut there")},
         {HandTool::Remove, Take, "hand.remove", QT_TRANSLATE_NOOP("Actions", "&Remove"), "hand-remove",
          Qt::Key_X, QT_TRANSLATE_NOOP("Actions", "Click a limb: it goes, with all that grows on it")},
         {HandTool::Keep, Take, "hand.keep", QT_TRANSLATE_NOOP("Actions", "&Keep only"), "hand-keep",
          Qt::Key_O,
-         QT_TRANSLATE_NOOP("Actions", "Click a limb: all goes but it, what grows on it and the way down")},
+         QT_TRANSLATE_NOOP(
+             "Actions",
+             "Click a limb to remove everything except it, its twigs and the wood down to the ground")},
         {HandTool::Prune, Take, "hand.prune", QT_TRANSLATE_NOOP("Actions", "&Prune to a shape"), "hand-prune",
-         Qt::Key_P,
-         QT_TRANSLATE_NOOP("Actions", "Drag a shape around the tree: what stands out of it is cut")},
+         Qt::Key_P, QT_TRANSLATE_NOOP("Actions", "Drag a shape around the tree: the wood outside it is cut")},
         {HandTool::Leaves, Take, "hand.leaves", QT_TRANSLATE_NOOP("Actions", "L&eaves on or off"),
          "hand-leaves", Qt::Key_V, QT_TRANSLATE_NOOP("Actions", "Click a limb: its leaves go, or come back")},
         {HandTool::Bend, Shape, "hand.bend", QT_TRANSLATE_NOOP("Actions", "&Bend"), "hand-bend", Qt::Key_B,
@@ -55,7 +56,7 @@ std::span<const HandToolRow> handTools()
          QT_TRANSLATE_NOOP("Actions", "Drag a branch to one side: the limb rolls up that way")},
         {HandTool::Twist, Shape, "hand.twist", QT_TRANSLATE_NOOP("Actions", "&Twist"), "hand-twist",
          Qt::Key_Y,
-         QT_TRANSLATE_NOOP("Actions", "Drag a branch to the right or left: what grows on it turns about it")},
+         QT_TRANSLATE_NOOP("Actions", "Drag a branch to the right or left: its twigs turn about it")},
         {HandTool::Length, Shape, "hand.length", QT_TRANSLATE_NOOP("Actions", "&Length"), "hand-length",
          Qt::Key_L, QT_TRANSLATE_NOOP("Actions", "Drag a branch along itself: longer or shorter")},
         {HandTool::Thickness, Shape, "hand.thickness", QT_TRANSLATE_NOOP("Actions", "Thick&ness"),
@@ -78,9 +79,9 @@ std::span<const HandToolRow> handTools()
          Qt::SHIFT | Qt::Key_D,
          QT_TRANSLATE_NOOP("Actions", "Draw over a branch: from there on it goes along the stroke")},
         {HandTool::Graft, Grow, "hand.graft", QT_TRANSLATE_NOOP("Actions", "&Graft"), "hand-graft", Qt::Key_J,
-         QT_TRANSLATE_NOOP("Actions", "Click a limb to copy it, then click where it is to grow")},
+         QT_TRANSLATE_NOOP("Actions", "Click a limb to copy it, then click its new place")},
         {HandTool::Move, Grow, "hand.move", QT_TRANSLATE_NOOP("Actions", "&Move the fork"), "hand-move",
-         Qt::Key_M, QT_TRANSLATE_NOOP("Actions", "Drag a branch: its fork slides along what it grows on")},
+         Qt::Key_M, QT_TRANSLATE_NOOP("Actions", "Drag a branch: its fork slides along its parent")},
         {HandTool::Root, Grow, "hand.root", QT_TRANSLATE_NOOP("Actions", "Move the r&oot"), "hand-root",
          Qt::SHIFT | Qt::Key_M,
          QT_TRANSLATE_NOOP("Actions", "Drag a tree: its foot goes over the ground, and flares by the wheel")},
@@ -129,7 +130,7 @@ std::span<const HandChoice> handChoices()
                            "Adds a leaf, or a fruit or flower of the kind that the tree bears"),
          organs, &chosen<&HandOptions::organ>, &choose<&HandOptions::organ>},
         {toolBit(Brush), "brush", QT_TRANSLATE_NOOP("HandOptions", "Action"),
-         QT_TRANSLATE_NOOP("HandOptions", "What the brush does to branches within its radius"), brushes,
+         QT_TRANSLATE_NOOP("HandOptions", "Effect of the brush on branches within its radius"), brushes,
          &chosen<&HandOptions::brush>, &choose<&HandOptions::brush>},
         {toolBit(Saw), "sawWay", QT_TRANSLATE_NOOP("HandOptions", "Cut by"),
          QT_TRANSLATE_NOOP("HandOptions",
@@ -139,8 +140,9 @@ std::span<const HandChoice> handChoices()
          QT_TRANSLATE_NOOP("HandOptions", "Everything outside this shape is cut"), shapes,
          &chosen<&HandOptions::shape>, &choose<&HandOptions::shape>},
         {toolBit(Draw) | toolBit(Extend), "drawBy", QT_TRANSLATE_NOOP("HandOptions", "Thickness"),
-         QT_TRANSLATE_NOOP("HandOptions", "What controls the thickness along the stroke: harder pressure or "
-                                          "a slower stroke makes it thicker"),
+         QT_TRANSLATE_NOOP(
+             "HandOptions",
+             "Source of the thickness along the stroke: harder pressure or a slower stroke makes it thicker"),
          thickness, &chosen<&HandOptions::drawBy>, &choose<&HandOptions::drawBy>},
     };
     return rows;
@@ -206,9 +208,9 @@ std::span<const HandCount> handCounts()
     static constexpr HandCount rows[] = {
         {limbs, "limbOrder", QT_TRANSLATE_NOOP("HandOptions", "Limbs up to order"),
          QT_TRANSLATE_NOOP("HandOptions",
-                           "A click on a twig takes the limb of this order that it grows on: 1 for limbs of "
-                           "the trunk, 2 for those that grow on them, and so on. Shift and the wheel change "
-                           "it too. 0 takes what is under the mouse"),
+                           "If above 0, a click on a twig selects the limb of this order that carries it: 1 "
+                           "for limbs of the trunk, 2 for the limbs on those, and so on. 0 selects the "
+                           "branch under the mouse. Shift with the wheel changes the number, too"),
          &HandOptions::limbOrder, 0, 20, QT_TRANSLATE_NOOP("HandOptions", "any")},
         {toolBit(Draw) | toolBit(Graft) | toolBit(Place), "copies",
          QT_TRANSLATE_NOOP("HandOptions", "Around the trunk"),

@@ -44,7 +44,7 @@ struct HandToolRow
 {
     HandTool tool;
     HandGroup group;
-    const char* id;   ///< of its action: "hand.cut"
+    const char* id;   ///< id of its action: "hand.cut"
     const char* text; ///< English, context "Actions", with a mnemonic
     const char* icon;
     QKeyCombination key;
@@ -54,10 +54,10 @@ struct HandToolRow
 std::span<const HandToolRow> handTools();
 const HandToolRow& handTool(HandTool tool);
 
-/// What gives a drawn branch its thickness, beside its foot and tip.
+/// The source of a drawn branch's thickness, besides its foot and tip.
 enum class DrawBy : quint8 { Even, Pressure, Speed };
 
-/// Saw: along a line, or what comes into an area.
+/// Saw: cuts along a line, or within an area.
 enum class SawWay : quint8 { Line, Rectangle, Lasso };
 
 enum class BrushKind : quint8 {
@@ -71,10 +71,10 @@ enum class BrushKind : quint8 {
 struct HandOptions
 {
     SawWay sawWay = SawWay::Line;
-    double sawThickest = 0.05; ///< m, radius of what the saw goes through
-    bool falls = false;        ///< Cut and Saw: what is cut off falls when the physics plays
+    double sawThickest = 0.05; ///< m, radius of the thickest wood that the saw cuts
+    bool falls = false;        ///< Cut and Saw: the cut part falls when the physics plays
     double fallsAfter = 0.0;   ///< s
-    bool withBelow = true;     ///< Length and Thickness: also of what grows on the limb
+    bool withBelow = true;     ///< Length and Thickness: also for the limbs of the limb
     double curlFrom = 0.0;     ///< share of the limb that stays straight
     double bendReach = 0.0;    ///< m, along the wood below the hand that bows; 0: down to the limb's foot
     BrushKind brush = BrushKind::Comb;
@@ -90,10 +90,12 @@ struct HandOptions
     bool mirrored = false;  ///< Draw: and once more across the trunk
     EditOrgan organ = EditOrgan::Leaf;
     double organSize = 1.0;        ///< factor
-    int symmetryCopies = 1;        ///< what is done to a limb happens at so many places around the trunk
+    int symmetryCopies = 1;        ///< an edit of a limb is repeated at so many places around the trunk
     bool symmetryMirrored = false; ///< and at the mirrored ones
     int limbOrder =
-        0; ///< of what grows on a limb of this order (1: on the trunk) the limb is meant; 0: itself
+        /// If > 0, a click on a twig selects its ancestor of this branch order (1 = grows on the trunk). 0
+        /// selects the twig itself.
+        0;
     EditShapeKind shape = EditShapeKind::Sphere;
     bool operator==(const HandOptions&) const = default;
 };
@@ -125,7 +127,7 @@ constexpr quint32 toolBit(HandTool tool)
     return quint32(1) << quint32(tool);
 }
 
-/// What the strip over the view shows for a tool.
+/// A number that the strip over the view shows for a tool.
 struct HandNumber
 {
     quint32 tools; ///< toolBit of each
@@ -148,7 +150,7 @@ struct HandCount
     const char* tip;
     int HandOptions::*member;
     int least, most;
-    const char* atZero = nullptr; ///< as that of HandNumber
+    const char* atZero = nullptr; ///< see HandNumber
 };
 struct HandFlag
 {

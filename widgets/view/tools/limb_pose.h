@@ -23,13 +23,13 @@ public:
     void noteEdit(quint64 revision, std::vector<glm::dvec3> bends);
     /// The scene of this serial number is made from the tree's result of \p revision.
     void noteWish(quint64 serial, quint64 revision);
-    /// That scene is shown.
+    /// Notes that the scene of this wish is shown.
     void noteShown(quint64 serial);
 
     /// The hand has it: then it needs the pose, whatever is shown.
     void setHeld(bool held) { m_held = held; }
     [[nodiscard]] bool isHeld() const { return m_held; }
-    /// Of the document's latest edit.
+    /// Returns the bends of the document's latest edit.
     [[nodiscard]] const std::vector<glm::dvec3>& latest() const { return m_edits.back().bends; }
     /// The scene that is shown needs no pose.
     [[nodiscard]] bool isRest() const;

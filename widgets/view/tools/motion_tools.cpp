@@ -55,7 +55,11 @@ std::optional<GrabbedBranch> branchUnder(const PickView& view, const glm::dvec2&
     Nearest nearest{tolerance};
     for (const StandingTree& tree : trees) {
         const Skeleton& skeleton = *tree.skeleton;
-        for (Index b = 0; b < skeleton.size(); ++b) {
+        const std::size_t count = tree.branches ? tree.branches->size() : skeleton.size();
+        for (std::size_t i = 0; i < count; ++i) {
+            const Index b = tree.branches ? (*tree.branches)[i] : Index(i);
+            if (b >= skeleton.size())
+                continue;
             const RigidTransform bone = tree.bones ? (*tree.bones)[b] : RigidTransform();
             const glm::dvec3 from = placed(tree.world, bone.point(skeleton.p0[b]));
             const glm::dvec3 to = placed(tree.world, bone.point(skeleton.p1[b]));

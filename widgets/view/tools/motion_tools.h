@@ -1,6 +1,6 @@
 /// \file
-/// What the mouse does to moving trees: which branch or apple is under it, where a pull goes, and the arrow
-/// that stands for the wind. Functions of cameras and plain data: tested without OpenGL.
+/// Mouse actions on moving trees: finds the branch or apple under the mouse, the target of a pull, and the
+/// arrow that shows the wind. The functions take cameras and plain data, so they are tested without OpenGL.
 #pragma once
 
 #include "core/evaluate/evaluator.h"
@@ -30,6 +30,7 @@ struct StandingTree
     glm::dmat4 world{1.0};
     const Skeleton* skeleton = nullptr;                 ///< simplified
     const std::vector<RigidTransform>* bones = nullptr; ///< by branch; null: at rest
+    const std::vector<Index>* branches = nullptr;       ///< that count; null: all
 };
 /// The branch whose axis is nearest to the cursor, within \p tolerance logical pixels; of several equally
 /// near the one in front. Only of trees that are shown, not locked, and part of the frame.
@@ -40,7 +41,7 @@ std::optional<GrabbedBranch> branchUnder(const PickView& view, const glm::dvec2&
 std::optional<GrabbedBranch> branchUnder(const PickView& view, const glm::dvec2& pixel,
                                          std::span<const StandingTree> trees, double tolerance);
 
-/// Where the hand is: under the cursor, as far from the eye as \p held. World.
+/// Returns the place of the hand in the world: under the cursor, as far from the eye as \p held.
 glm::dvec3 pulledTo(const PickView& view, const glm::dvec2& pixel, const glm::dvec3& held);
 
 struct AppleUnder
@@ -61,7 +62,7 @@ struct WindArrow
     glm::dvec3 head{0.0};
     double reach = 1.0; ///< m: as long as for a wind without end
 };
-/// As the tree has its wind now, from \p foot. Nothing for nodes that are no trees.
+/// Returns the arrow of the tree's present wind, from \p foot. Nothing for nodes that are no trees.
 std::optional<WindArrow> windArrow(const EvaluatedScene& now, NodeId node, const glm::dvec3& foot,
                                    double reach);
 /// The same, standing on the tree as \p view sees it. \p stay: moved to where all of it is in the picture.
@@ -69,9 +70,9 @@ std::optional<WindArrow> windArrow(const EvaluatedScene& now, NodeId node, const
 /// the eye.
 std::optional<WindArrow> windArrowOver(const EvaluatedScene& now, NodeId node, const Box& box,
                                        const PickView& view, bool stay);
-/// The arrow's parameters when its head is dragged under the cursor, in the horizontal plane of its foot:
-/// strength 0 to the most the table allows, and direction (rad about +Y from +X, in the tree's own space).
-/// Where that plane is seen from its edge, the head moves across the picture only.
+/// The parameters for an arrow whose head is dragged under the cursor, in the horizontal plane of its foot:
+/// strength from 0 to the table's maximum, and direction (rad about +Y from +X, in the tree's own space). If
+/// that plane is seen from its edge, the head moves across the picture only.
 struct WindValues
 {
     double strength = 0.0;

@@ -1,6 +1,6 @@
 /// \file
-/// A finished click, box or wish for a menu: it takes effect when what is picked in is ready, which a large
-/// tree takes a moment for.
+/// A finished click, box or wish for a menu. It takes effect when the scene to pick in is ready, which takes
+/// a moment for a large tree.
 #pragma once
 
 #include "core/base/index.h"
@@ -25,14 +25,15 @@ public:
     {
     }
 
-    /// \param extend adds to what is selected, or takes away
+    /// \param extend adds to the selection, or removes from it
     void click(QPointF at, bool extend);
     void box(QPointF from, QPointF to, bool extend);
-    /// Of what is clicked, which becomes selected where it is not yet; while everything moves, of the view.
+    /// Opens the menu of the clicked object and selects it if it was not selected. While everything moves,
+    /// opens the menu of the view.
     void menu(QPointF at);
     void forget();
     [[nodiscard]] bool isPending() const { return m_pending.has_value(); }
-    /// After what is picked in, or what is shown, has become ready.
+    /// To be called when the scene to pick in, or the picture, has become ready.
     void tryAgain();
 
 signals:

@@ -1,5 +1,5 @@
 /// \file
-/// What a gesture has come to, beside the hand.
+/// The values of a gesture, shown beside the hand.
 #pragma once
 
 #include <QPointF>

@@ -1,6 +1,6 @@
 /// \file
-/// One gesture of the hand in the view: what it takes, does and says. A new one is a class of its own and a
-/// row of tool_table.h.
+/// One gesture of the hand in the view: its input, its action and its hints. A new one is a class of its own
+/// and a row of tool_table.h.
 #pragma once
 
 #include "widgets/view/tools/tool_context.h"
@@ -15,20 +15,20 @@ class QPainter;
 
 namespace ramure {
 
-/// Of a picture, logical pixels.
+/// Size of a picture, logical pixels.
 inline QSize sizeOf(const PickView& view)
 {
     return {int(view.size.x), int(view.size.y)};
 }
 
-/// Where the mouse is, and what is held.
+/// The place of the mouse, with its buttons and keys.
 struct ToolPoint
 {
     PickView view;
     QPointF at;                            ///< logical pixels from the upper left corner
-    Qt::MouseButton button = Qt::NoButton; ///< that went down or up
+    Qt::MouseButton button = Qt::NoButton; ///< the button that went down or up
     Qt::KeyboardModifiers held;
-    QPointF pressed;                ///< where the button of the gesture went down
+    QPointF pressed;                ///< place where the gesture's button went down
     std::optional<double> pressure; ///< 0..1, of a pen; nothing: a mouse
     bool isEraser = false;          ///< the other end of the pen
     std::uint64_t milliseconds = 0; ///< when, from any start; of a mouse that moves
@@ -38,8 +38,8 @@ struct ToolPoint
     [[nodiscard]] bool isDrag() const;
 };
 
-/// What mouse and keys would do, while nothing goes on: the line of the status bar, put together from what
-/// the tools offer. Parts of the same place stand in the order of the tools.
+/// The actions that mouse and keys offer while no gesture goes on. The status bar shows them as one line.
+/// Parts of the same place stand in the order of the tools.
 class ToolOffers
 {
 public:
@@ -69,26 +69,27 @@ public:
 
     /// From the press to the release, or as long as it goes on by keys: everything goes to this tool.
     [[nodiscard]] bool isBusy() const { return m_busy; }
-    /// Something is done to see: the press of what may become a click is not.
+    /// True while the gesture has a visible effect; a press that may become a click has none.
     [[nodiscard]] virtual bool goesOn() const { return m_busy; }
     /// The button that holds it; none where keys began it.
     [[nodiscard]] Qt::MouseButton button() const { return m_button; }
     void begin(Qt::MouseButton button);
     void end();
 
-    /// Nothing goes on. \return whether what is under the cursor is the tool's own: a handle, say
+    /// The mouse moves while no gesture goes on. Returns true if the tool owns the place under the cursor,
+    /// for example a handle.
     virtual bool hover(const ToolPoint&) { return false; }
     virtual void leave() {}                                                  ///< the cursor is elsewhere
     [[nodiscard]] virtual QCursor cursor() const { return Qt::ArrowCursor; } ///< while it hovers
-    /// The one of the tool bar: presses are its own before those of others, and so is the cursor.
+    /// True for the chosen tool of the tool bar: it gets presses first, and sets the cursor.
     [[nodiscard]] virtual bool isChosen() const { return false; }
-    virtual void sceneReady() {} ///< what is picked in is that of the document of now
+    virtual void sceneReady() {} ///< the scene to pick in is up to date again
     /// \return whether the tool takes it: then it begins
     virtual bool press(const ToolPoint& point) = 0;
     virtual void pressAgain(const ToolPoint&) {} ///< any button, while it goes on
     virtual void drag(const ToolPoint&) {}
-    virtual void release(const ToolPoint&) {} ///< it has ended; what was done stays
-    virtual void cancel() {}                  ///< it has ended, by Esc; what was done is taken back
+    virtual void release(const ToolPoint&) {} ///< the gesture has ended; its effect stays
+    virtual void cancel() {}                  ///< the gesture was ended by Esc; its effect is taken back
     /// A press that follows a click. \return whether the tool takes it; else it is a press
     virtual bool doubleClick(const ToolPoint&) { return false; }
     /// \param turn eighths of a degree. \return whether the tool takes it
@@ -99,11 +100,11 @@ public:
 
     virtual void documentChanged(const Change&) {}
     virtual void playingStopped() {}
-    virtual void focusLost() {} ///< somebody goes on elsewhere in the window
+    virtual void focusLost() {} ///< the user works elsewhere in the window
 
-    /// What it does and how it ends, while it goes on.
+    /// Explains the tool's action and how it ends, while it goes on.
     [[nodiscard]] virtual QString hint(Qt::KeyboardModifiers) const { return {}; }
-    /// What a press would do, where the place is the tool's own; empty elsewhere.
+    /// Explains a press at this place, if the place is the tool's own; empty elsewhere.
     [[nodiscard]] virtual QString hintAt(const ToolPoint&) const { return {}; }
     virtual void offer(ToolOffers&) const {}
     virtual void paint(QPainter&, const PickView&) {} ///< over the picture

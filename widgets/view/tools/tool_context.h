@@ -1,5 +1,5 @@
 /// \file
-/// What tools work with. They know no window: so they are tested without one.
+/// The objects that tools work with. They know no window, so tools are tested without one.
 #pragma once
 
 #include "core/qt/document/document.h"
@@ -21,7 +21,7 @@ inline constexpr std::chrono::milliseconds pickPatience(8);
 /// The same of a press that shapes a tree: it cannot be put off, as it goes on as a drag.
 inline constexpr std::chrono::milliseconds shapePatience(250);
 
-/// Nothing is owned but what the tools make themselves.
+/// Nothing is owned except for objects that the tools make.
 struct ToolContext
 {
     ToolHost& host;
@@ -31,18 +31,18 @@ struct ToolContext
     ArmReach& reach;
     Player* player = nullptr;               ///< null: nothing plays
     AutoKey* keys = nullptr;                ///< null: no edit becomes a key
-    std::function<QString()> gestureKeys{}; ///< of beginning to move, rotate, scale: "G R S"
+    std::function<QString()> gestureKeys{}; ///< the keys that begin to move, rotate and scale: "G R S"
     PendingPick* picks = nullptr;
 
     /// A limb that follows the hand, from then on until its mesh is shown.
     std::unique_ptr<LimbPose> limbPose{};
 
-    LimbFinder limbs{}; ///< of what is under the cursor
+    LimbFinder limbs{}; ///< finds limbs under the cursor
 
     NodeId hoverNode = noNode; ///< under the cursor while nothing goes on
     Index hoverBranch = noIndex;
 
-    /// Its mesh is shown by now.
+    /// To be called when its mesh is shown.
     void forgetLimbAtRest()
     {
         if (limbPose && limbPose->isRest())
@@ -50,7 +50,7 @@ struct ToolContext
     }
     [[nodiscard]] bool isPlaying() const { return player && player->isPlaying(); }
     [[nodiscard]] double seconds() const { return player ? player->timeSeconds() : 0.0; }
-    /// While everything moves nobody looks what is under the cursor: it may be a branch.
+    /// While everything moves, the object under the cursor is not determined: it may be a branch.
     [[nodiscard]] bool isOverBranch() const
     {
         return isPlaying() || (document.scene().find(hoverNode) && hoverBranch != noIndex);

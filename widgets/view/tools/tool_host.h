@@ -38,7 +38,7 @@ public:
     /// To pick in what is shown: its branches are those of shownTree(). It may be waited for so long; null
     /// where it is not made by then.
     [[nodiscard]] virtual std::shared_ptr<const PickScene> pickScene(std::chrono::milliseconds patience) = 0;
-    /// That of a moment ago; null before the first.
+    /// Returns the structure to pick in of a moment ago; null before the first.
     [[nodiscard]] virtual std::shared_ptr<const PickScene> latestPickScene() const = 0;
     /// Everything between two corners; \p done is called later, unless another box comes first. False where
     /// there is nothing to pick in.
@@ -47,7 +47,7 @@ public:
     /// Lets go of something large where that does not hold up the interface.
     virtual void dispose(std::shared_ptr<const void> last) = 0;
 
-    /// Of this tree these branches are shown as what would change, until noNode is given.
+    /// Shows these branches of the tree as those that would change, until noNode is given.
     /// \param go they would be taken away
     virtual void markBranches(NodeId node, std::vector<Index> branches, bool go) = 0;
     void unmarkBranches() { markBranches(noNode, {}, false); }

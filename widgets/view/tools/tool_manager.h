@@ -1,6 +1,6 @@
 /// \file
-/// Which tool gets what the mouse and the keys do: the one that goes on; else a press goes to the first that
-/// takes it. Knows no window.
+/// Gives mouse and keys to the tools: to the one with a gesture going on, else to the first that takes the
+/// press. Knows no window.
 #pragma once
 
 #include "widgets/view/tools/pending_pick.h"
@@ -27,10 +27,10 @@ public:
         return static_cast<T&>(**found);
     }
     [[nodiscard]] bool isHovering() const { return m_hovering != nullptr; }
-    /// Clicks that wait for what is picked in.
+    /// Clicks that wait for the scene to pick in.
     [[nodiscard]] PendingPick& picks() { return m_picks; }
 
-    /// \return whether a tool has what is under the cursor
+    /// Returns true if a tool owns the place under the cursor.
     bool hover(ToolPoint point);
     void leave();
     /// \return whether a tool takes it, or one goes on already
@@ -40,14 +40,14 @@ public:
     bool move(ToolPoint point);
     void release(ToolPoint point);
     bool wheel(const ToolPoint& point, double turn);
-    /// Esc ends what goes on and takes it back. \return whether the key has been taken
+    /// Esc ends the present gesture and takes it back. Returns true if the key was used.
     bool key(const QKeyEvent& event, bool pressed);
     /// It would take this key: then it is no shortcut.
     [[nodiscard]] bool takesKey(const QKeyEvent& event) const;
     void focusLost();
 
     void playingStopped();
-    /// After what is picked in, or what is shown, has become ready.
+    /// To be called when the scene to pick in, or the picture, has become ready.
     void sceneReady();
 
     [[nodiscard]] QCursor cursor() const;

@@ -1,6 +1,6 @@
 /// \file
-/// All tools, one row each. Of several that would take a press the first one does; what it paints lies above
-/// what those after it paint.
+/// All tools, one row each. If several would take a press, the first one gets it; it also paints above those
+/// after it.
 #pragma once
 
 #include "widgets/view/tools/tool.h"

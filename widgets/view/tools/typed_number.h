@@ -20,7 +20,7 @@ public:
     bool erase();
     void clear() { m_digits.clear(), m_negative = false; }
     [[nodiscard]] bool isEmpty() const { return m_digits.isEmpty() && !m_negative; }
-    [[nodiscard]] QString text() const; ///< as typed; with a true minus sign and the point of the language
+    [[nodiscard]] QString text() const; ///< as typed, with a true minus sign and the language's decimal point
     /// Nothing as long as no digit is there.
     [[nodiscard]] std::optional<double> value() const;
 

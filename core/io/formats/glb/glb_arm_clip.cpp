@@ -1,7 +1,6 @@
 #include "core/io/formats/glb/glb_arm_clip.h"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 namespace ramure::glb {

@@ -1,7 +1,5 @@
 #include "core/io/formats/glb/glb_clip_reader.h"
 
-#include <array>
-
 namespace ramure::glb {
 
 namespace {

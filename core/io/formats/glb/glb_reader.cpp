@@ -278,7 +278,9 @@ private:
             }
         }
         m_own[number].rest = local;
-        note(RAMURE_NOOP("%1 is sheared, mirrored or flat: that was put into what hangs on it"), {node.name});
+        note(
+            RAMURE_NOOP("%1 is sheared, mirrored or flat: its children took over this part of the transform"),
+            {node.name});
     }
 
     Expected<void> addCamera(Index number, std::size_t at)

@@ -154,12 +154,20 @@ void addAges(Vertices& vertices, const TriangleMesh& mesh, const BarkParams& bar
     const auto linearOf = [](const glm::u8vec3& c) {
         return glm::vec3(linear(c.r), linear(c.g), linear(c.b));
     };
-    glm::vec3 young = linearOf(youngColour(bark)) / glm::max(linearOf(meanColour(bark)), 1e-3F);
-    young /= std::max({young.r, young.g, young.b, 1.0F});
+    const glm::vec3 old = glm::max(linearOf(meanColour(bark)), 1e-3F);
+    // Factors go up to 1: what is lighter than old bark keeps its hue alone.
+    const auto factorOf = [&](const glm::u8vec3& colour) {
+        const glm::vec3 factor = linearOf(colour) / old;
+        return factor / std::max({factor.r, factor.g, factor.b, 1.0F});
+    };
+    const glm::vec3 young = factorOf(youngColour(bark)), limb = factorOf(limbColour(bark));
     vertices.colours.reserve(vertices.from.size());
     for (const Index from : vertices.from) {
-        const float age = barkAge(bark.family, double(mesh.radius[from]));
-        vertices.colours.emplace_back(65535.0F * glm::mix(young, glm::vec3(1.0F), age) + 0.5F, 65535);
+        const double radius = double(mesh.radius[from]);
+        const glm::vec3 bare = glm::mix(limb, glm::vec3(1.0F), barkRipeness(bark.family, radius));
+        const glm::vec3 aged = glm::mix(young, bare, barkAge(bark.family, radius));
+        const glm::vec3 worn = glm::mix(glm::vec3(1.0F), weatheredBark, barkWeather(mesh.positions[from]));
+        vertices.colours.emplace_back(65535.0F * aged * worn * worn + 0.5F, 65535); // squared: about linear
     }
 }
 

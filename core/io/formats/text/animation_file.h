@@ -17,12 +17,12 @@
 
 namespace ramure {
 
-/// What was guessed or mended, in the form of errors: text, file and line.
+/// A note on something guessed or mended: an error with text, file and line.
 using Note = Error;
-/// The code of notes that only say what became of what the file has: nothing is wrong with it.
+/// Code of notes that only inform: nothing is wrong with the file.
 inline constexpr ErrorCode remark = ErrorCode::Limit;
 
-/// What CUBIC means: the original reader took it for the spline of SPEC B1, Blender's exporter means its
+/// The meaning of CUBIC: the original reader took it for the spline of SPEC B1, Blender's exporter means its
 /// easing.
 enum class CubicMeaning : std::uint8_t { Automatic, Spline, Easing };
 

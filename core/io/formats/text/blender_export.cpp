@@ -7,7 +7,6 @@
 #include "core/surface/mesh/transformed.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <glm/gtc/quaternion.hpp>
 #include <map>

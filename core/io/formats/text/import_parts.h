@@ -1,5 +1,5 @@
 /// \file
-/// What readers of scenes share. Internal to the formats.
+/// Functions that the readers of scenes share. Internal to the formats.
 #pragma once
 
 #include "core/io/formats/text/animation_file.h"
@@ -8,8 +8,8 @@
 
 namespace ramure {
 
-/// Numbers of single precision are never quite square: the nearest placement, where it is near. Errors: those
-/// of decomposePlacement.
+/// Returns the placement nearest to a matrix. Numbers of single precision are never quite orthogonal; if the
+/// matrix is close, the difference is ignored. Errors: those of decomposePlacement.
 Expected<PlacementParams> placementNear(const glm::dmat4& matrix);
 
 /// Frames that show all keys; default where nothing moves. \param saidRate frames a second; 0: the usual rate

@@ -17,7 +17,7 @@ Material surfaceMaterial(const glm::u8vec3& colour);
 struct MaterialColours
 {
     std::map<std::string, glm::u8vec3, std::less<>> colours;
-    std::vector<std::string> notes; ///< what was left out, with line numbers
+    std::vector<std::string> notes; ///< notes on statements left out, with line numbers
 };
 
 /// Never fails: lines that say no colour are passed over, a Kd that is not one or three finite numbers is

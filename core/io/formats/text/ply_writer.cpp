@@ -1,7 +1,6 @@
 #include "core/base/version.h"
 #include "core/io/write_parts.h"
 #include "core/surface/bark/bark_maps.h"
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstring>
@@ -86,11 +85,15 @@ glm::u8vec3 toned(const glm::u8vec3& colour, const glm::u8vec3& tone)
 std::vector<glm::u8vec3> agedColours(const MeshPart& part)
 {
     const BarkParams& bark = part.material.bark;
-    const glm::vec3 young(youngColour(bark)), old(part.material.colour);
+    const glm::vec3 young(youngColour(bark)), limb(limbColour(bark)), old(part.material.colour);
     std::vector<glm::u8vec3> out;
     out.reserve(part.mesh->radius.size());
-    for (const float radius : part.mesh->radius)
-        out.emplace_back(glm::mix(young, old, barkAge(bark.family, double(radius))) + 0.5F);
+    for (std::size_t i = 0; i < part.mesh->radius.size(); ++i) {
+        const double radius = double(part.mesh->radius[i]);
+        const glm::vec3 bare = glm::mix(limb, old, barkRipeness(bark.family, radius));
+        const glm::vec3 worn = glm::mix(glm::vec3(1.0F), weatheredBark, barkWeather(part.mesh->positions[i]));
+        out.emplace_back(worn * glm::mix(young, bare, barkAge(bark.family, radius)) + 0.5F);
+    }
     return out;
 }
 

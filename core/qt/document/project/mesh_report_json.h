@@ -1,6 +1,6 @@
 /// \file
-/// What is known about a mesh as JSON: one schema for `validate --json`, for the files of `export --report`
-/// and for whoever reads them. Keys are sorted; angles in radians, lengths in metres, tree space.
+/// Facts about a mesh as JSON: one schema for `validate --json`, for the files of `export --report` and for
+/// whoever reads them. Keys are sorted; angles in radians, lengths in metres, tree space.
 #pragma once
 
 #include "core/surface/check/mesh_analysis.h"
@@ -10,7 +10,8 @@
 
 namespace ramure {
 
-inline constexpr int meshReportVersion = 1; ///< of the schema; only changes that break readers raise it
+/// Version of the schema; only changes that break readers raise it.
+inline constexpr int meshReportVersion = 1;
 
 /// The topology: valid, vertices, faces, one count per kind of defect, components, eulerCharacteristic,
 /// volume.

@@ -1,6 +1,6 @@
 /// \file
-/// Trees that the user has kept to grow again: each a project file of one tree in a folder, with a picture of
-/// the same name beside it. A file that somebody shares is copied there.
+/// Trees that the user has saved as presets: each a project file of one tree in a folder, with a picture of
+/// the same name beside it. Shared presets are copied there.
 #pragma once
 
 #include "core/scene/scene.h"
@@ -25,13 +25,14 @@ public:
     /// In the order of the alphabet.
     [[nodiscard]] QStringList names() const;
     [[nodiscard]] QString pictureFile(const QString& name) const;
-    /// This name, or with a number behind it where it is taken.
+    /// Returns this name, with a number behind it if it is taken.
     [[nodiscard]] QString freeName(const QString& wanted) const;
 
-    /// The file's first tree, without an id. Errors: those of loadProjectFile; Invalid (no tree in it).
+    /// Returns the file's first tree, without an id. Errors: those of loadProjectFile; Invalid (no tree in
+    /// it).
     [[nodiscard]] Expected<Node> load(const QString& name) const;
-    /// The numbers of the tree and what was done to its branches, not its place and its keys. Errors: Invalid
-    /// (a name that no file can have, or taken), those of saveProjectFile.
+    /// Saves the parameters of the tree and the edits of its branches, without its place and its keys.
+    /// Errors: Invalid (a name that no file can have, or taken), those of saveProjectFile.
     Expected<void> save(const QString& name, const Node& tree) const;
     /// Errors: Invalid (a name that no file can have, or taken), Io.
     Expected<void> rename(const QString& name, const QString& other) const;
@@ -45,7 +46,8 @@ private:
     QString m_folder;
 };
 
-/// "own:NAME" or the name of a preset that ships. Errors: those of OwnPresets::load or of presetTree.
+/// Returns the tree with this name: "own:NAME" or the name of a preset that ships. Errors: those of
+/// OwnPresets::load or of presetTree.
 Expected<Node> namedTree(const QString& preset);
 
 } // namespace ramure

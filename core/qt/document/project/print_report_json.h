@@ -1,5 +1,5 @@
 /// \file
-/// What is known about a print as JSON.
+/// Facts about a print as JSON.
 #pragma once
 
 #include "core/print/print_tree.h"
@@ -7,7 +7,8 @@
 
 namespace ramure {
 
-inline constexpr int printReportVersion = 1; ///< of the schema; only changes that break readers raise it
+/// Version of the schema; only changes that break readers raise it.
+inline constexpr int printReportVersion = 1;
 
 /// mm, mm², mm³; places as slicers have them: Z up, the foot's middle at the origin. Keys: process, height,
 /// smallestDiameter, scale, size, volume, thinnest, thinnestAt, overhangArea, centreOfMass, footArea,

@@ -29,7 +29,7 @@ struct ScriptEdits
     std::vector<TreeEdit> edits;
     bool inTreeSpace = true; ///< else "frame" is "parent"
 };
-/// Values of a step from an object of keys, onto those that it has. Errors: Invalid, Unknown (no such key),
+/// Reads values of a step from an object of keys; other values stay. Errors: Invalid, Unknown (no such key),
 /// path = "values.KEY".
 Expected<void> readStepValues(const QJsonObject& object, TreeEdit& step);
 /// Errors: Invalid, Unknown (operation, key), path = the key.

@@ -45,7 +45,7 @@
 
 namespace ramure {
 
-/// What a file holds besides the scene.
+/// The contents of a project file.
 struct Project
 {
     Scene scene;

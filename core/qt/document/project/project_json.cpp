@@ -5,8 +5,6 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 namespace ramure::json {
 

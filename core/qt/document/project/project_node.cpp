@@ -193,10 +193,11 @@ private:
     /// Where a species has come to grow by years, its tree of before has got another name.
     void followNames()
     {
-        const std::string older = m_node.preset + "1995";
-        if (m_node.params.generator.kind == TreeGenerator::WeberPenn &&
-            std::ranges::find(presets(), older, &Preset::name) != presets().end())
-            m_node.preset = older;
+        for (const char* older : {"1995", "Rules"}) {
+            const auto found = std::ranges::find(presets(), m_node.preset + older, &Preset::name);
+            if (found != presets().end() && found->params.generator.kind == m_node.params.generator.kind)
+                m_node.preset = found->name;
+        }
     }
     static Expected<glm::dvec3> readBend(const QJsonValue& value, const std::string& place)
     {

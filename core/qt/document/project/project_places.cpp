@@ -5,7 +5,6 @@
 #include "core/skeleton/edit_places.h"
 
 #include <QJsonArray>
-#include <cmath>
 #include <limits>
 
 namespace ramure::json {

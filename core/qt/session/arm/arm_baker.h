@@ -24,8 +24,8 @@ public:
     [[nodiscard]] Job* job() { return &m_job; }
 
 signals:
-    /// Nothing: the keys are in the document. Errors: those of bakeArm and of edit::setArm; Invalid where
-    /// the arm was changed meanwhile; Cancelled.
+    /// Without an error the keys are in the document. Errors: those of bakeArm and of edit::setArm; Invalid
+    /// if the arm was changed meanwhile; Cancelled.
     void finished(const std::optional<ramure::Error>& error);
 
 private:

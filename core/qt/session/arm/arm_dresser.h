@@ -1,6 +1,6 @@
 /// \file
 /// Puts imported meshes on arms. Large ones are turned, fitted and checked on a thread of their own, and the
-/// arm wears what it wore until that is done.
+/// arm keeps its old mesh until that is done.
 #pragma once
 
 #include "core/qt/document/commands.h"
@@ -21,9 +21,10 @@ public:
     /// \p document is not owned and must outlive this object.
     explicit ArmDresser(Document* document, QObject* parent = nullptr);
 
-    /// As edit::wearMesh, one undo step; afterwards finished(). \param axis of a fitted one, which becomes
-    /// the arm's "armSkin.axis"; none: as that says. Errors: those of edit::wearMesh as far as they are known
-    /// at once; Invalid while another mesh is being put on.
+    /// Puts a mesh on an arm like edit::wearMesh, as one undo step, and emits finished() afterwards. \param
+    /// axis the axis of a fitted mesh, which becomes the arm's "armSkin.axis"; unset: the arm's value counts.
+    /// Errors: those of edit::wearMesh as far as they are known at once; Invalid while another mesh is being
+    /// put on.
     Expected<void> wear(NodeId arm, NodeId mesh, bool fitted, std::optional<MeshAxis> axis = {});
     /// Makes the mesh that an arm wears as long as the arm is now, its foot at the arm's; where the arm's
     /// "armSkin.axis" is the longest, that is turned along it. Errors: Unknown (node), Invalid (no arm,
@@ -32,8 +33,8 @@ public:
     [[nodiscard]] Job* job() { return &m_job; }
 
 signals:
-    /// Nothing: the arm wears it. Errors: those of edit::wearMesh; Invalid where the arm or the mesh was
-    /// changed meanwhile; Cancelled.
+    /// Without an error the arm wears the mesh. Errors: those of edit::wearMesh; Invalid if the arm or the
+    /// mesh was changed meanwhile; Cancelled.
     void finished(const std::optional<ramure::Error>& error);
 
 private:

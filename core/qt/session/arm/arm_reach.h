@@ -33,9 +33,9 @@ public:
     Expected<void> reach(NodeId arm);
     /// An edit of "arm.target": as reachFor, where the arm follows its target; nothing where it does not.
     std::optional<Expected<void>> editTarget(NodeId arm, const ParamValue& target, GestureId gesture);
-    /// Whose timeline it is; null: it stands at rest. Not owned.
+    /// Sets the player whose timeline the scene follows; null: the scene stands at rest. Not owned.
     void setPlayer(const Player* player);
-    /// Who makes keys of edits; null: nobody. Not owned.
+    /// Sets the object that turns edits into keys; null: none. Not owned.
     void setKeys(AutoKey* keys) { m_keys = keys; }
     /// Null where no arm has been sent anywhere yet.
     [[nodiscard]] const ArmProgress* progress() const;
@@ -50,11 +50,11 @@ public slots:
     /// While it is paused, step() goes on by one tick.
     void setPaused(bool paused);
     void step();
-    /// What remains of the way, at once.
+    /// Jumps to the end of the way.
     void finish();
 
 signals:
-    void moved(); ///< what progress() or shown() say may have changed
+    void moved(); ///< progress() or shown() may have changed
 
 private:
     Expected<void> send(NodeId arm, ArmState state, GestureId gesture);

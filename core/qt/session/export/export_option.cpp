@@ -157,9 +157,7 @@ const ExportOption table[] = {
      .flags = ofExport | notOfPrint | ofTrees,
      .place = at([](auto& o) -> auto& { return o.texture; }),
      .key = "texture", .label = RAMURE_NOOP("Texture coordinates"),
-     .tip = RAMURE_NOOP("Where each corner lies on the bark, on the picture of a leaf or a fruit. The size of one repeat of "
-                        "the bark, in metres, is the tree's parameter \"Bark tile\". Beside an .obj, the pictures of the "
-                        "bark are written too."),
+     .tip = RAMURE_NOOP("Writes texture coordinates for bark, leaves and fruit. The tree's parameter \"Bark tile\" is the size of one repeat of the bark, in metres. Beside an .obj, the pictures of the bark are written, too."),
      .uses = forEveryUse},
     {.name = "no-texture", .help = "Without texture coordinates and pictures.",
      .flags = ofExport | notOfPrint,
@@ -191,8 +189,7 @@ const ExportOption table[] = {
      .flags = ofExport | ofBatch | ofFormats,
      .place = at([](auto& o) -> auto& { return o.write.compressed; }), .items = compressItems, .expected = "meshopt or none",
      .hashed = "compressed", .holds = holdsCompressed, .key = "compressed", .label = RAMURE_NOOP("Compressed"),
-     .tip = RAMURE_NOOP("Numbers are rounded to what is still seen and packed (EXT_meshopt_compression): the file is about a "
-                        "fifth as large, without its pictures. For web pages and engines that read it; Blender 3.4 does not."),
+     .tip = RAMURE_NOOP("Rounds numbers to visible precision and packs them (EXT_meshopt_compression): without its pictures, the file is about a fifth as large. For web pages and engines that read it; Blender 3.4 does not."),
      .uses = forEveryUse},
     {.name = "wind", .values = "plain|crysis|unity|pivot-painter|none",
      .help = "Of the trees of a .glb: numbers of each vertex by which a game moves them. plain: _WIND, four numbers for any "
@@ -202,9 +199,7 @@ const ExportOption table[] = {
      .flags = ofExport | ofBatch | notOfPrint | ofFormats,
      .place = at([](auto& o) -> auto& { return o.wind; }), .items = windItems,
      .hashed = "%1", .holds = holdsWind, .key = "wind", .label = RAMURE_NOOP("Wind for"),
-     .tip = RAMURE_NOOP("Numbers of each vertex by which the shaders of an engine move the tree in the wind: the phase of its "
-                        "branch, how far it goes, how its leaves flutter. Of a tree at rest; Unreal gets two textures beside "
-                        "the file. Files of the handbook has the formulas."),
+     .tip = RAMURE_NOOP("Data of each vertex by which the shaders of an engine move the tree in the wind: the phase of its branch, the size of its movement, the flutter of its leaves. The tree is exported at rest; Unreal gets two textures beside the file. The handbook's page “Files” has the formulas."),
      .uses = forGame},
     {.name = "levels", .values = "N",
      .help = "So many meshes of each tree, 1 to 8, for less and less triangles: fewer sides, cross-sections and twigs, fewer "
@@ -237,7 +232,7 @@ const ExportOption table[] = {
      .flags = ofExport | ofImport,
      .place = at([](auto& o) -> auto& { return o.space.unit; }), .items = unitItems,
      .read = [](ExportOptions& o, const std::string& t) { return take(lengthUnitNamed(t), o.space.unit, "--unit"); },
-     .holds = holdsSpace, .key = "unit", .label = RAMURE_NOOP("Unit"), .tip = RAMURE_NOOP("What a 1 in the file is"),
+     .holds = holdsSpace, .key = "unit", .label = RAMURE_NOOP("Unit"), .tip = RAMURE_NOOP("Length unit of the file"),
      .uses = forEveryUse},
     {.name = "scale", .values = "NUMBER",
      .help = "How much larger than in the program things are in the mesh file besides.",
@@ -270,14 +265,13 @@ const ExportOption table[] = {
      .least = PrintOptions::leastThinnest, .most = PrintOptions::mostThinnest,
      .read = [](ExportOptions& o, const std::string& t) { return take(lengthIn(t), o.print.thinnest, "--thinnest"); },
      .key = "thinnest", .label = RAMURE_NOOP("Thinnest twig, mm"),
-     .tip = RAMURE_NOOP("Thinner twigs are made so thick. Those that would have to be more than 1.5 times as thick as they "
-                        "are are cut."),
+     .tip = RAMURE_NOOP("Least thickness of a twig. Thinner twigs are thickened, and twigs that would need more than 1.5 times their thickness are cut."),
      .uses = forPrint, .factor = 1000.0},
     {.name = "foot", .values = "disc|flat", .help = "What a print stands on: a disc, or the trunk, cut flat.",
      .flags = ofExport | ofPrint,
      .place = at([](auto& o) -> auto& { return o.print.hasFootDisc; }), .items = footItems,
      .key = "disc", .label = RAMURE_NOOP("Disc as a foot"),
-     .tip = RAMURE_NOOP("Without it the trunk is cut flat at the ground"), .uses = forPrint},
+     .tip = RAMURE_NOOP("Prints a disc below the trunk. If it is off, the trunk is cut flat at the ground"), .uses = forPrint},
     {.name = "print-leaves", .values = "off|shells",
      .help = "Leaves of a print: off, or closed shells as thick as the thinnest twig, in one piece with their twigs. Small "
              "leaves are enlarged and fewer; those too far from what is left of their twig are left out.",

@@ -11,7 +11,7 @@
 
 namespace ramure {
 
-/// The flags of an option say which commands have it and what it goes with.
+/// The flags of an option name its commands and the conditions under which it applies.
 using OptionFlag = std::uint16_t;
 inline constexpr OptionFlag ofExport = 1;    ///< `ramure-cli export`
 inline constexpr OptionFlag ofBatch = 2;     ///< `batch` and `job`
@@ -23,7 +23,7 @@ inline constexpr OptionFlag ofClips = 64;    ///< says something about files tha
 /// The command line refuses the option for formats that do not hold it.
 inline constexpr OptionFlag ofFormats = 128;
 
-/// What an export is for. Each use has a page of the export dialog.
+/// The purpose of an export. Each has a page of the export dialog.
 enum class ExportUse : std::uint8_t { Blender, Game, Print, Web, Pictures };
 /// Bits 1 << ExportUse.
 inline constexpr std::uint8_t forBlender = 1, forGame = 2, forPrint = 4, forWeb = 8, forEveryUse = 31;
@@ -46,27 +46,28 @@ struct OptionPlace
 
 struct ExportOption
 {
-    const char* name = "";   ///< "map-size": --map-size
-    const char* values = ""; ///< what stands behind it: "PIXELS", or words to choose from; empty: nothing
-    const char* help = "";   ///< %1 is what follows
+    const char* name = ""; ///< "map-size": --map-size
+    /// Its value on the command line: "PIXELS", or words to choose from; empty: it takes none.
+    const char* values = "";
+    const char* help = "";                    ///< %1 is what follows
     const char *inExport = "", *inBatch = ""; ///< in the place of %1
     std::uint16_t flags = 0;                  ///< bits of OptionFlag
     OptionPlace place{};
     std::span<const OptionItem> items{}; ///< by name, or else
     double least = 0.0, most = 0.0;      ///< a number; none where least is most
     const char* expected = "";           ///< in an error; empty: the names of the items
-    /// What place, items and range cannot say. Null: they say it.
+    /// Reads and writes the option where place, items and range do not suffice; null: they do.
     Expected<void> (*read)(ExportOptions& options, const std::string& text) = nullptr;
     std::string (*text)(const ExportOptions& options) = nullptr;
-    /// What stands in the hash of a row's inputs where the option is not as usual: its value for %1. Null:
-    /// nothing does.
+    /// Text that goes into the hash of a row's inputs if the option is not at its default; %1 is its value.
+    /// Null: nothing goes in.
     const char* hashed = nullptr;
     std::uint16_t holds = 0; ///< bits of FormatHolds: other formats cannot have it
 
     const char* key = ""; ///< "maps": in the settings that the dialog keeps; empty: the dialog has no field
-    const char *label = "", *tip = ""; ///< of the field, English, context "core"
-    std::uint8_t uses = 0;             ///< whose pages have the field
-    double factor = 1.0;               ///< what the field shows of 1
+    const char *label = "", *tip = ""; ///< texts of the dialog's field, English, context "core"
+    std::uint8_t uses = 0;             ///< bits of the pages that have the field
+    double factor = 1.0;               ///< the field shows the value times this
 
     [[nodiscard]] bool is(int flag) const { return (flags & flag) != 0; }
 };

@@ -1,5 +1,5 @@
 /// \file
-/// What of a scene is exported, and how it is written.
+/// Options of an export: which parts of a scene are exported, and how they are written.
 #pragma once
 
 #include "core/game_wind/wind_profile.h"
@@ -29,11 +29,11 @@ struct ExportOptions
     bool instances = false;         ///< leaves and apples as a list beside the file (core/io/copy_list.h)
     bool texture = false;     ///< trees with texture coordinates; the rough model and the skeleton have none
     std::vector<double> clip; ///< s, further times: trees and arms of ExportModel::Mesh then have skins
-    LevelOptions levels;      ///< of trees as ExportModel::Mesh
-    WindProfile wind = WindProfile::None; ///< of trees: numbers by which games move them
+    LevelOptions levels;      ///< levels of trees, see ExportModel::Mesh
+    WindProfile wind = WindProfile::None; ///< data of trees by which games move them
     WriteOptions write;
     FileSpace space;    ///< the axes and the unit of the file
-    PrintOptions print; ///< of printScene()
+    PrintOptions print; ///< options of printScene()
 };
 
 } // namespace ramure

@@ -14,6 +14,7 @@
 #include "core/rig/arm/arm_shape.h"
 #include "core/scene/object_mesh.h"
 #include "core/surface/foliage/foliage_texture.h"
+#include "core/surface/foliage/place_foliage.h"
 #include "core/surface/mesh/transformed.h"
 #include "core/surface/mesher/rough_model.h"
 #include "core/surface/texture/object_texture.h"

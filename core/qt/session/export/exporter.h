@@ -1,6 +1,6 @@
 /// \file
-/// What the editor's export and the command line share: from a scene at a time to nodes with meshes, and on
-/// to files. Arms, terrains, primitives and imported meshes are part of it.
+/// Export, for the editor and the command line: collects a scene at one time as nodes with meshes, and writes
+/// it to files. Arms, terrains, primitives and imported meshes are part of it.
 #pragma once
 
 #include "core/base/error.h"
@@ -20,29 +20,29 @@ struct FileFormat;
 /// parameters, or its parameters gave an error (that error).
 TreeSource documentSource(const Document& document);
 
-/// The scene at its time and at those of the clip. Shapes, and what parameters make of them, are those of its
-/// time. Errors: those of its trees (path = name of the tree and the parameter key, where there are several
-/// trees); those of EvaluatedScene::solid; Unknown (a node of the options); Invalid (nothing to export, a
-/// node flattened by a zero scale); Cancelled.
+/// Collects the scene at its time and at those of the clip. Shapes come from the parameters at its time.
+/// Errors: those of its trees (path = name of the tree and the parameter key if there are several trees);
+/// those of EvaluatedScene::solid; Unknown (a node of the options); Invalid (nothing to export, a node
+/// flattened by a zero scale); Cancelled.
 Expected<ExportScene> collectExport(EvaluatedScene scene, const ExportOptions& options,
                                     const Progress& progress = {});
 
-/// Writes a format of core/io/formats/file_format.h, by the ending of \p path, which is checked before
-/// anything is computed. Of levels each has a file of its own (levelFile) where the format does not hold
-/// them. A list of instances, and textures of pivots, are written before it. Errors: Unknown (another
-/// ending), those of collectExport, checkWindExport and core/io; Invalid (a clip of instances); the old file
-/// is intact.
+/// Collects the scene and writes it. The ending of \p path picks a format of core/io/formats/file_format.h
+/// and is checked before anything is computed. If the format does not hold levels, each level has a file of
+/// its own (levelFile). A list of instances, and textures of pivots, are written first. Errors: Unknown
+/// (another ending), those of collectExport, checkWindExport and core/io; Invalid (a clip of instances).
+/// After an error the old file is intact.
 Expected<void> exportScene(EvaluatedScene scene, const ExportOptions& options, const std::string& path,
                            const Progress& progress = {});
-/// Its second half: what collectExport() gave for the same options. Errors: Unknown, those of core/io.
+/// Writes the result of collectExport() for the same options. Errors: Unknown, those of core/io.
 Expected<void> writeExport(const ExportScene& scene, const ExportOptions& options, const std::string& path,
                            const Progress& progress = {});
 /// "tree.obj": "tree_LOD1.obj".
 std::string levelFile(const std::string& path, int level);
 /// The files that exportScene() writes: \p path itself, or one for each level.
 std::vector<std::string> exportFiles(const ExportOptions& options, const std::string& path);
-/// What a file of this format gets where nobody chose: of one that has no objects the one closed mesh alone.
-/// \param instances nothing is mixed into that mesh.
+/// Returns the parts to export if nobody chose any. A format without objects gets the one closed mesh alone.
+/// \param instances a list of instances is written, so nothing is mixed into that mesh.
 std::uint8_t usualParts(const FileFormat& format, bool instances = false);
 
 } // namespace ramure

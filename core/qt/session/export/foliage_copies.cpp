@@ -2,6 +2,7 @@
 
 #include "core/params/param_def.h"
 #include "core/surface/foliage/foliage_texture.h"
+#include "core/surface/foliage/place_foliage.h"
 #include <algorithm>
 
 namespace ramure {

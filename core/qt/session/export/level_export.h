@@ -12,21 +12,21 @@ namespace ramure {
 
 struct LevelledTree
 {
-    PosedTree tree; ///< that the levels were made of
+    PosedTree tree; ///< the tree that the levels were made from
     std::vector<TreeLevel> levels;
     std::vector<LevelSkins> skins; ///< empty ones where nothing moves
     LevelSwitches switches;
 };
 
-/// Of a node: metres of the scene for one of its own, the mean of its axes.
+/// Returns the mean scale of a node's axes: metres of the scene per metre of the node.
 double nodeScale(const EvaluatedScene& scene, NodeId node);
-/// Of one tree of the scene. Errors: those of treeLevels and of the evaluator.
+/// Makes the levels of one tree of the scene. Errors: those of treeLevels and of the evaluator.
 Expected<LevelledTree> levelsOf(const Node& node, EvaluatedScene& scene, const ExportOptions& options,
                                 const Progress& progress);
-/// Errors: those of checkLevels; Invalid (levels of another model, or with instances). Fine where there are
-/// none.
+/// Checks the options for levels; options without levels pass. Errors: those of checkLevels; Invalid (levels
+/// of another model, or with instances).
 Expected<void> checkLevelExport(const ExportOptions& options);
-/// Each level as a file. Errors: those of the format; files that were written stay.
+/// Writes each level as a file. Errors: those of the format; files already written stay.
 Expected<void> writeLevels(const FileFormat& format, const std::string& path, const ExportScene& scene,
                            const WriteOptions& options, const Progress& progress);
 

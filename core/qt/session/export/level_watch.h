@@ -13,15 +13,15 @@
 
 namespace ramure {
 
-/// The levels of a tree, and what is to be said of them.
+/// The levels of a tree, with their figures.
 struct TreeLevels
 {
-    NodeParams params; ///< of the tree
+    NodeParams params; ///< the tree's parameters
     TreeResult whole;  ///< the tree that they were made of, at rest, with its leaves
     std::vector<TreeLevel> levels;
-    LevelSwitches switches; ///< as the node is scaled
+    LevelSwitches switches; ///< distances in the scene, with the node's scale
     Box box;                ///< m, of the whole tree, in its own space
-    double scale = 1.0;     ///< of the node: metres of the scene for one of the tree
+    double scale = 1.0;     ///< scale of the node: metres of the scene per metre of the tree
 
     /// Which one is shown at a distance, m in the scene.
     [[nodiscard]] std::size_t levelAt(double distance) const;
@@ -50,18 +50,18 @@ public:
     LevelWatch(Document* document, Function function, QObject* parent = nullptr); ///< for tests
     ~LevelWatch() override; ///< stops what runs; waits at most Job::patience
 
-    /// Nothing is computed while nobody looks; off at first.
+    /// Nothing is computed while inactive; inactive at first.
     void setActive(bool on);
-    /// Where they alone differ, when levels change is told at once.
+    /// If only the switches differ, the new switches are reported at once.
     void setOptions(const LevelOptions& options);
     [[nodiscard]] const LevelOptions& options() const;
-    /// The active node where it is a tree, or the tree whose branches are selected, or the first selected
-    /// tree; while nothing is selected the only tree of the scene. Else noNode.
+    /// Returns the active node if it is a tree, else the tree whose branches are selected, else the first
+    /// selected tree. If nothing is selected, returns the only tree of the scene. Else noNode.
     [[nodiscard]] NodeId tree() const;
     [[nodiscard]] State state() const;
-    /// Those of before while others are being made; null where there are none, and after a failure.
+    /// Keeps the earlier levels while others are being made. Null before the first, and after a failure.
     [[nodiscard]] std::shared_ptr<const TreeLevels> levels() const;
-    /// Of State::Failed: those of treeLevels(), or why there is no tree.
+    /// The reason of State::Failed: an error of treeLevels(), or why there is no tree.
     [[nodiscard]] const Error& error() const;
     /// How long a change rests before it is looked at, default 300 ms.
     void setRest(int milliseconds);

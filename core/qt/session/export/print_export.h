@@ -1,6 +1,5 @@
 /// \file
-/// The tree of a scene made ready for a printer, and written: what the export dialog and the command line
-/// share.
+/// Makes the tree of a scene ready for a printer and writes it, for the export dialog and the command line.
 #pragma once
 
 #include "core/evaluate/evaluator.h"
@@ -12,19 +11,19 @@ namespace ramure {
 
 struct ScenePrint
 {
-    std::string name; ///< of the tree's node
+    std::string name; ///< name of the tree's node
     PrintedTree tree;
 };
 
-/// \param which nodes and hidden say which tree. As its parameters have it, at rest: where its node stands in
-/// the world, and how large it is there, does not matter. Errors: Invalid (not one tree), those of printTree
-/// and of the evaluator.
+/// Prints one tree. \p which picks it by its nodes and hidden. The tree is printed at rest, as its parameters
+/// make it; the place and the scale of its node do not matter. Errors: Invalid (not one tree), those of
+/// printTree and of the evaluator.
 Expected<ScenePrint> printScene(EvaluatedScene scene, const ExportOptions& which, const PrintOptions& options,
                                 const Progress& progress = {});
 
 /// The axes and the unit that slicers have: Z up, mm.
 FileSpace printSpace();
-/// In a format of the table. Errors: Unknown (its ending), those of the format.
+/// Writes a print in a format of the table. Errors: Unknown (its ending), those of the format.
 Expected<void> writePrint(const std::string& path, const ScenePrint& print, const FileSpace& space,
                           const WriteOptions& options = {}, const Progress& progress = {});
 

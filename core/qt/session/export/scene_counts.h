@@ -1,5 +1,5 @@
 /// \file
-/// How many vertices and faces a scene has, part by part: what an export of it writes.
+/// Counts the vertices and faces of a scene, part by part, as an export would write them.
 #pragma once
 
 #include "core/evaluate/evaluator.h"
@@ -13,7 +13,7 @@ namespace ramure {
 /// Has the node a shape, and do the options ask for it?
 bool isExported(const Scene& scene, const ExportOptions& options, const Node& node);
 
-/// Of trees; other nodes are counted by their kind.
+/// The parts of trees that are counted; other nodes are counted by their kind.
 enum class ScenePart : std::uint8_t { Branches, Leaves, Apples };
 
 struct PartCount
@@ -48,7 +48,7 @@ public:
 private:
     struct Known
     {
-        Node node; ///< as it was counted
+        Node node; ///< the node in the state that was counted
         PartCount count;
     };
     std::map<NodeId, Known> m_shapes;

@@ -12,9 +12,9 @@
 
 namespace ramure {
 
-/// When the full result of a tree is there and rests a little, its mesh is analysed on a thread of the lowest
-/// priority, one tree after the other. Any edit that reshapes the tree drops what runs and what was found.
-/// Findings of a mesh that comes back, by undo say, are remembered.
+/// Analyses the mesh of each tree some time after its full result has arrived, on a thread of the lowest
+/// priority, one tree after the other. An edit that reshapes the tree drops the running analysis and its
+/// findings. If an earlier mesh comes back, for example by undo, its findings are remembered.
 class Analysis : public QObject
 {
     Q_OBJECT
@@ -23,7 +23,7 @@ public:
         const BranchMesh& branches, const Skeleton& skeleton, const Progress& progress)>;
     enum class State {
         None,    ///< no full mesh to look at
-        Waiting, ///< its turn comes
+        Waiting, ///< its turn has not come yet
         Running,
         Done,
         Cancelled, ///< until start() or another mesh
@@ -36,11 +36,11 @@ public:
     ~Analysis() override; ///< stops what runs and joins the thread
 
     [[nodiscard]] State state(NodeId tree) const;
-    /// Of the mesh that the document shows now; null while there are none.
+    /// Findings for the mesh that the document shows now; null while there are none.
     [[nodiscard]] std::shared_ptr<const MeshAnalysis> findings(NodeId tree) const;
-    /// Of State::Failed.
+    /// The reason of State::Failed.
     [[nodiscard]] std::optional<Error> error(NodeId tree) const;
-    [[nodiscard]] double fraction(NodeId tree) const; ///< of what runs, 0..1
+    [[nodiscard]] double fraction(NodeId tree) const; ///< progress of the running check, 0..1
 
     /// How long a result rests before it is looked at, default 250 ms.
     void setRest(int milliseconds);
@@ -53,7 +53,7 @@ public slots:
     void start(ramure::NodeId tree);
 
 signals:
-    void changed(ramure::NodeId tree); ///< its state or its findings
+    void changed(ramure::NodeId tree); ///< its state or its findings changed
     void progress(ramure::NodeId tree, double fraction);
 
 private:

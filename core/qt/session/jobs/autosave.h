@@ -1,9 +1,9 @@
 /// \file
-/// Recovery files: what is not saved is kept aside at an interval, so that a crash loses no more than that.
+/// Recovery files: unsaved changes are stored at an interval, so that a crash loses no more than that.
 ///
-/// Each open document has one file of its own in a folder of the program, an ordinary project with a note of
-/// where it belongs, and beside it a lock that names the running program. A recovery file whose program is
-/// gone is offered at the next start. While a document has no unsaved changes it has no recovery file.
+/// Each open document has one file of its own in a folder of the program: an ordinary project with a note of
+/// its original place, and beside it a lock that names the running program. A recovery file whose program is
+/// gone is offered at the next start. A document without unsaved changes has no recovery file.
 #pragma once
 
 #include "core/base/error.h"
@@ -26,7 +26,7 @@ public:
     /// QStandardPaths::AppDataLocation/recovery.
     static QString defaultFolder();
 
-    /// \param folder is made where it is missing, also when it goes later.
+    /// \param folder is made if it is missing, also if it is deleted later
     explicit Autosave(Document* document, const QString& folder = defaultFolder(), QObject* parent = nullptr);
     /// The document was closed in good order: nothing is left to recover.
     ~Autosave() override;
@@ -37,7 +37,7 @@ public:
     [[nodiscard]] int interval() const;
     /// At once and to the end, where there are unsaved changes. Errors: Io, which failed() tells too.
     Expected<void> saveNow();
-    /// Of the recovery file, whether it exists or not.
+    /// Path of the recovery file, whether it exists or not.
     [[nodiscard]] QString recoveryPath() const;
 
 signals:
@@ -58,7 +58,7 @@ private:
 struct Recoverable
 {
     QString recoveryPath;
-    QString originalPath; ///< of the project, empty where it was never saved
+    QString originalPath; ///< path of the project; empty if it was never saved
     QDateTime time;       ///< when it was written
     std::shared_ptr<QLockFile> claim;
     QDateTime savedLater{}; ///< when the project was written, where that was after this; else invalid

@@ -19,22 +19,22 @@ public:
 
     /// A file or a folder, see importObjects. Returns at once; nothing happens while another one is running.
     void start(const QString& path);
-    /// The same, but the document stays as it is: takeScene() has what was read.
+    /// Reads the file without changing the document: takeScene() returns the result.
     void startScene(const QString& path);
     [[nodiscard]] Scene takeScene() { return std::move(m_scene); }
     void cancel() { m_job.cancel(); }
     [[nodiscard]] bool isRunning() const { return m_job.isRunning(); }
-    /// What is imported into the document stays where the file has it, whatever stands there.
+    /// If set, imported objects keep the place that the file gives them, even if something stands there.
     void setStays(bool stays) { m_stays = stays; }
     /// m: how far beside its place the last one stands (edit::moveBeside), a step of undo of its own.
     [[nodiscard]] double movedBy() const { return m_movedBy; }
-    /// What was guessed or mended in the last one that came to its end.
+    /// Notes on things guessed or mended in the last import that ended.
     [[nodiscard]] const std::vector<Note>& notes() const { return m_notes; }
 
 signals:
     void progress(double fraction);
-    /// \param top the node that was added, or the first of the scene; noNode on an error (those of
-    /// importObjects and edit::insertNodes).
+    /// \param top the added node, or the first of the scene; noNode on an error (those of importObjects and
+    /// edit::insertNodes).
     void finished(ramure::NodeId top, const std::optional<ramure::Error>& error);
 
 private:
@@ -44,7 +44,7 @@ private:
     [[nodiscard]] Expected<NodeId> keep(const BlenderImport& result);
 
     Document* m_document;
-    bool m_isScene = false; ///< what is read stays out of the document
+    bool m_isScene = false; ///< the file is read as a scene of its own, not into the document
     bool m_stays = false;
     double m_movedBy = 0.0;
     Scene m_scene;

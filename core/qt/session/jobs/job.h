@@ -18,15 +18,16 @@
 namespace ramure {
 
 /// One thread that serves one request at a time. A request is work(progress), which runs on that thread and
-/// gives an Expected, and take(result), which is called on the thread of this object with
-/// - what the work gave, a value or an error;
-/// - Cancelled in place of a value after cancel(); a work without one, which writes files say, tells its end;
-/// - Limit where the memory did not suffice, Invalid where the work threw anything else.
-/// It is not called for a request that a newer one has replaced, after forget(), and once this object is
+/// returns an Expected, and take(result), which is called on the thread of this object with
+/// - the result of the work, a value or an error;
+/// - Cancelled in place of a value after cancel(); a work without a value (one that writes files, for
+/// example) tells its own end;
+/// - Limit if the memory did not suffice, Invalid if the work threw anything else.
+/// take() is not called for a request that a newer one has replaced, after forget(), and once this object is
 /// gone.
 ///
 /// Requests have a lane: a newer one replaces the one that waits in its lane, and the lowest lane is served
-/// first. A work owns all that it uses: one that does not look at its stop token outlives this object.
+/// first. A work owns all data that it uses: one that does not look at its stop token outlives this object.
 class Job : public QObject
 {
     Q_OBJECT
@@ -35,7 +36,7 @@ public:
         Prompt,
         Polite, ///< leaves the processor to whoever else wants it, as a rule
     };
-    /// What happens to the request of the same lane that runs when a newer one comes.
+    /// What a newer request of the same lane does to the one that runs.
     enum class Running : std::uint8_t {
         Stops,  ///< and its take is not called
         GoesOn, ///< to its end
@@ -79,8 +80,8 @@ public:
     /// Asks the works of all jobs there are to stop: for a program that is about to end. Their destructors
     /// wait no longer than the patience from now on, all together.
     static void stopAll();
-    /// Works that still run although their job is gone. A program that ends now must not take apart what they
-    /// use.
+    /// Number of works that still run although their job is gone. A program that ends now must not destroy
+    /// the data that they use.
     static int abandonedCount();
 
 signals:
@@ -111,7 +112,7 @@ private:
     void updateRunning();
 
     std::shared_ptr<Shared> m_shared;
-    std::vector<std::shared_ptr<Request>> m_pending; ///< whose end is still to be told
+    std::vector<std::shared_ptr<Request>> m_pending; ///< requests whose end is still to be reported
     bool m_running = false;
     Manner m_manner;
     std::thread m_thread;

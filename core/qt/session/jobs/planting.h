@@ -1,5 +1,5 @@
 /// \file
-/// What is added to a scene stands where there is room.
+/// Finds free ground for nodes that are added to a scene.
 #pragma once
 
 #include "core/qt/document/document.h"
@@ -15,17 +15,17 @@ double usualReach(const NodeParams& params);
 glm::dvec3 freePlace(const Document& document, double reach);
 
 namespace edit {
-/// One step of undo; the node, which needs no id, is selected. \param parent noNode: at the top \param place
-/// world; nothing: a free one. Errors: those of insertNodes.
+/// Inserts a node and selects it, as one step of undo; the node needs no id. \param parent noNode: at the top
+/// \param place world; unset: a free place. Errors: those of insertNodes.
 Expected<NodeId> plantNode(Document& document, Node node, NodeId parent = noNode,
                            const std::optional<glm::dvec3>& place = {});
-/// Where the boxes of these nodes and what is below them run into those of the others, moves them along +X
-/// until they stand beside all of them: one step of undo of its own. \returns by how many m in the world; 0:
-/// they stay, because there is room or because keys move them. Errors: those of setParam.
+/// If the boxes of these nodes and their children overlap those of the others, moves them along +X until they
+/// stand beside all of them, as one step of undo. Returns the distance in m in the world; 0 means that they
+/// stay, because there is room or because keys move them. Errors: those of setParam.
 Expected<double> moveBeside(Document& document, const std::vector<NodeId>& tops);
-/// These trees get the numbers that make \p like what it is; where they stand, what holds them and what was
-/// done to their branches stays. They are of its preset then, and get its name where they had that of their
-/// old one. One step of undo, with this text. Errors: those of setParams.
+/// Gives trees the parameters of \p like. Their places, parents and branch edits stay. They take its preset
+/// and, if they had the name of their old preset, its name. One step of undo, with this text. Errors: those
+/// of setParams.
 Expected<void> makeTreesLike(Document& document, const std::vector<NodeId>& trees, const Node& like,
                              const QString& step);
 } // namespace edit

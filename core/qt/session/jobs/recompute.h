@@ -11,12 +11,14 @@
 
 namespace ramure {
 
-/// What happens after an edit that changes the shape of trees:
-/// - their draft is computed at once; edits that come meanwhile wait for it, and the last of them is next;
-/// - when the rest is over, or at once after New, Open, adding and undoing a removal, their full result;
-/// - then, unhurried, the second opinion of OpenMesh, which comes as a new report in the result.
-/// Where all full results together took little the last time, they come at once and there is no draft.
-/// The interface's thread only copies parameters (under 0.1 ms per tree) and takes results.
+/// Recomputes trees after edits that change their shape:
+/// - A draft is computed at once. Edits that come meanwhile wait for it, and the last of them is next.
+/// - The full result follows after a short rest. It follows at once after New, Open, adding nodes and undoing
+/// a removal.
+/// - The second opinion of OpenMesh follows without hurry, as a new report in the result.
+///
+/// If all full results together took little time before, they are computed at once, without a draft. The
+/// interface's thread only copies parameters (under 0.1 ms per tree) and takes results.
 class Recompute : public QObject
 {
     Q_OBJECT
@@ -41,7 +43,8 @@ public slots:
 
 signals:
     void busyChanged(bool busy);
-    void progress(double fraction); ///< of the full computation, 0..1, at most some 60 times a second
+    /// Progress of the full computation, 0..1, at most about 60 times a second.
+    void progress(double fraction);
 
 private:
     struct Private;

@@ -18,18 +18,18 @@ public:
     /// \param document must outlive this object.
     explicit SeparationTask(Document* document, QObject* parent = nullptr);
 
-    /// Takes what it needs from the document and returns at once; nothing happens while another one is
-    /// running. Errors: Unknown (node), Invalid (no tree).
+    /// Copies its inputs from the document and returns at once; does nothing while another one is running.
+    /// Errors: Unknown (node), Invalid (no tree).
     Expected<void> start(NodeId tree);
     void cancel() { m_job.cancel(); }
     [[nodiscard]] bool isRunning() const { return m_job.isRunning(); }
-    /// Of the last one that came to its end; without those errors that are told by finished().
+    /// Outcome of the last run that ended, without the errors that finished() reports.
     [[nodiscard]] const Separation& outcome() const { return m_outcome; }
 
 signals:
     void progress(double fraction);
-    /// Nothing: it is done, the command is pushed (none where no turn helps). Errors besides those of
-    /// separateBranches: Invalid where the tree was changed meanwhile or is locked.
+    /// Without an error it is done and the command is pushed (none if no turn helps). Errors besides those of
+    /// separateBranches: Invalid if the tree was changed meanwhile or is locked.
     void finished(const std::optional<ramure::Error>& error);
 
 private:

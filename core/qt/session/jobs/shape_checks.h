@@ -11,8 +11,8 @@
 
 namespace ramure {
 
-/// What is found stays with the node until its shape has changed and rested a little; then it is made anew,
-/// and until that is done the old findings stay. The findings are no part of the document.
+/// Keeps findings about each node's shape. After the shape has changed and rested a little, the check runs
+/// again, and the old findings stay until it ends. The findings are no part of the document.
 class ShapeChecks : public QObject
 {
     Q_OBJECT
@@ -35,9 +35,9 @@ public:
     void lookAt(NodeId node);
     [[nodiscard]] NodeId node() const;
     [[nodiscard]] State state() const;
-    /// Null until the first check has ended. Its result has an error where there is no mesh to check.
+    /// Null until the first check has ended. The result has an error if there is no mesh to check.
     [[nodiscard]] std::shared_ptr<const Outcome> outcome() const;
-    [[nodiscard]] double fraction() const; ///< of what runs, 0..1
+    [[nodiscard]] double fraction() const; ///< progress of the running check, 0..1
     /// How long a change rests before it is looked at, default 150 ms.
     void setRest(int milliseconds);
 

@@ -1,6 +1,6 @@
 /// \file
-/// What an artist set by hand on branches, and did to limbs, that are not there at present. It is kept, and
-/// finds its place again as soon as the tree grows one that looks like it (core/skeleton/edit_places.h).
+/// Values of branches and hand edits whose branch does not exist at present. They are kept, and find their
+/// place again as soon as the tree grows a branch that looks like it (core/skeleton/edit_places.h).
 #pragma once
 
 #include "core/qt/document/document.h"
@@ -16,9 +16,9 @@ struct UnplacedEdit
     bool operator==(const UnplacedEdit&) const = default;
 };
 
-/// Of all trees, as they are shown; those that were never grown have none.
+/// Lists the unplaced edits of all trees, as the trees are shown. Trees that were never grown have none.
 std::vector<UnplacedEdit> unplacedEdits(const Document& document);
-/// The same as an artist counts them: what was bent, or rolled, along one axis is one edit.
+/// Groups them as an artist counts them: all bends, or rolls, along one axis are one edit.
 std::vector<std::vector<UnplacedEdit>> unplacedGroups(const Document& document);
 
 } // namespace ramure

@@ -1,6 +1,6 @@
 /// \file
-/// Variations of a tree: other seeds, and parameters spread over ranges. What the editor shows as pictures
-/// and `ramure-cli batch` takes as a table.
+/// Variations of a tree: other seeds, and parameters spread over ranges. The editor shows them as pictures,
+/// `ramure-cli batch` takes them as a table.
 #pragma once
 
 #include "core/params/param_def.h"
@@ -10,7 +10,8 @@
 
 namespace ramure {
 
-/// A parameter and where its values lie, in the program's units. Of a flag and of a choice all values count.
+/// A parameter and the range of its values, in the program's units. For a flag or a choice all values are
+/// used.
 struct VariedParam
 {
     const ParamDef* def = nullptr;
@@ -37,17 +38,19 @@ VariedParam usualRange(const NodeParams& params, const ParamDef& def);
 std::vector<Variation> spreadVariations(const std::vector<VariedParam>& params, std::int64_t firstSeed,
                                         int count);
 
-/// As a row of a batch has it. Error: path = key, a value out of range.
+/// Returns the parameters of one variation, as a row of a batch has them. Error: path = key, a value out of
+/// range.
 Expected<NodeParams> variedParams(const NodeParams& like, const Variation& variation);
-/// What a tree takes over to become the variation, for edit::setParams: its seeds, and of the parameters in
-/// \p touched the variation's value or that of \p like. \pre as for variedParams, without an error
+/// Returns the values that turn a tree into the variation, for edit::setParams: its seeds, and for the
+/// parameters in \p touched the variation's value or that of \p like. \pre as for variedParams, without an
+/// error
 std::vector<std::pair<const ParamDef*, ParamValue>>
 valuesOf(const NodeParams& like, const Variation& variation, const std::vector<const ParamDef*>& touched);
 /// The parameters that the variations set, each once.
 std::vector<const ParamDef*> paramsOf(const std::vector<Variation>& variations);
 
-/// Writes the table, and beside it a project file of the tree that its rows start from, with a name that is
-/// free: "oak.csv" and "oak-tree.ramure". Errors: Io, those of saveProjectFile.
+/// Writes the table, and beside it a project file of the tree that its rows start from, with a free name:
+/// "oak.csv" and "oak-tree.ramure". Errors: Io, those of saveProjectFile.
 Expected<void> saveVariations(const Node& like, const std::vector<Variation>& variations,
                               const QString& path);
 

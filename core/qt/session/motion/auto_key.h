@@ -26,12 +26,12 @@ public:
     [[nodiscard]] Player* player() const { return m_player; }
     [[nodiscard]] bool isOn() const { return m_on; }
     [[nodiscard]] KeyState state(const std::vector<NodeId>& nodes, const ParamDef& def) const;
-    /// What the parameter is at the frame on show.
+    /// Returns the parameter's value at the frame on show.
     [[nodiscard]] ParamValue value(NodeId node, const ParamDef& def) const;
     /// An edit of this parameter is to become keys: it has keys, or auto-key is on and it may have some. A
     /// parameter with keys has no other value that would be seen.
     [[nodiscard]] bool takes(const std::vector<NodeId>& nodes, const ParamDef& def) const;
-    /// Keys at the frame on show, whether there are any yet or not; of one component (0, 1, 2) or all.
+    /// Sets keys at the frame on show, whether there are any yet or not, for one component (0, 1, 2) or all.
     /// Errors: those of checkValue.
     Expected<void> set(const std::vector<NodeId>& nodes, const ParamDef& def, const ParamValue& value,
                        std::optional<int> component, GestureId gesture);

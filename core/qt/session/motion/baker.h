@@ -22,10 +22,10 @@ public:
     /// \p document is not owned and must outlive the baker.
     explicit Baker(const Document* document, QObject* parent = nullptr);
 
-    /// Computes and writes on a thread, with the trees and parameters of now; nothing happens while it does.
-    /// Errors: Invalid (no file of the project yet, no visible tree, a tree that is still being computed or
-    /// that its parameters do not give, a range that ends at rest, a foreign file of the same name); what
-    /// comes later is told by finished() of the job.
+    /// Computes and writes on a thread, with the present trees and parameters; does nothing if it is running
+    /// already. Errors: Invalid (the project has no file yet, no visible tree, a tree without a current
+    /// result, a range that ends at rest, a foreign file of the same name). Later errors come with finished()
+    /// of the job.
     Expected<void> start(std::size_t memoryBytes);
     /// Deletes the project's baked motion. Error: Io; a file of that name which is no baked motion stays.
     Expected<void> remove();

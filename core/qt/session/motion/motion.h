@@ -17,18 +17,18 @@ namespace ramure {
 /// An object, a terrain or an arm whose parameters have tracks, as it is now.
 struct ObjectNow
 {
-    std::shared_ptr<const TriangleMesh> mesh; ///< null where it has its usual one
+    std::shared_ptr<const TriangleMesh> mesh; ///< null if the node has its usual mesh
     SurfaceParams surface;
-    std::optional<glm::dvec3> target; ///< of arms: m, their own space
+    std::optional<glm::dvec3> target; ///< for arms: m, their own space
 };
 
 struct MotionFrame
 {
     std::int64_t frame = 0;
     double timeSeconds = 0.0;
-    int document = 0; ///< which one of those that the player has seen
+    int document = 0; ///< number of the document, counted by the player
     std::map<NodeId, NodeMotion> nodes;
-    /// Where every node is now; empty where nothing in the scene has a track.
+    /// The place of every node at this frame; empty if nothing in the scene has a track.
     std::unordered_map<NodeId, NodeTransforms> transforms;
     std::map<NodeId, ObjectNow> objects;
     /// Trees whose shape has tracks, as they are now: in the place of the document's results.
@@ -39,7 +39,7 @@ struct MotionFrame
         const auto found = nodes.find(node);
         return found == nodes.end() ? nullptr : &found->second;
     }
-    /// Where a node's own geometry is.
+    /// Returns the transform of a node's own geometry.
     [[nodiscard]] glm::dmat4 geometryOf(const Scene& scene, NodeId node) const
     {
         const auto found = transforms.find(node);
@@ -54,10 +54,10 @@ enum class FrameState : std::uint8_t {
     Cached,  ///< comes at once
 };
 
-/// What lies beside the project.
+/// The state of baked motion beside the project.
 enum class BakeState : std::uint8_t {
     None,  ///< no baked motion
-    Good,  ///< of the present trees and parameters: frames of its range come at once
+    Good,  ///< made from the present trees and parameters: its frames come at once
     Stale, ///< at least one file is of another tree or other parameters, or cannot be used: it is not
 };
 

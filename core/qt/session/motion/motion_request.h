@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/qt/session/motion/motion.h"
+#include <algorithm>
 
 namespace ramure {
 
@@ -29,7 +30,15 @@ struct MotionRequest
     /// Playing: changed parameters and the hand act from the present step on. Otherwise the whole run is that
     /// of the present parameters.
     bool live = false;
+    bool sketches = true;    ///< a sketch of a frame that takes long may come before it
     bool forgetHand = false; ///< the hand's pulls and the shaken apples of the run are forgotten first
 };
+
+/// Trees that tracks reshape are drafts at rest: the same frame comes again as soon as they are whole.
+inline bool isSketch(const MotionFrame& frame)
+{
+    return std::ranges::any_of(frame.trees,
+                               [](const auto& tree) { return tree.second.draftTubes != nullptr; });
+}
 
 } // namespace ramure

@@ -13,6 +13,9 @@ namespace ramure {
 
 using Clock = std::chrono::steady_clock;
 
+/// Trees whose shape took less the last time need no sketch.
+static constexpr double sketchSeconds = 0.1;
+
 /// The band is looked through at most so often while frames follow each other.
 static constexpr std::chrono::milliseconds bandRest{200};
 
@@ -65,9 +68,34 @@ Expected<TreeResult> MotionWorker::shapeOf(const MotionTree& tree, EvaluatedScen
     if (!movesShape(tree.node->animation))
         return tree.tree;
     auto made = m_pipeline.evaluate(now.params(*tree.node), Stage::Foliage, progress);
-    if (made)
-        frame.trees.emplace(tree.node->id, *made);
+    if (!made)
+        return made;
+    double& seconds = m_shapeSeconds[tree.node->id];
+    seconds = std::max(made->seconds, 0.5 * seconds); // one out of the cache says little about the next
+    frame.trees.emplace(tree.node->id, *made);
     return made;
+}
+
+/// The frame with trees that a quick look has made, where the shapes of some are not known yet.
+/// \param soFar the frame with all that tracks do not reshape
+void MotionWorker::sketch(const MotionRequest& request, EvaluatedScene& now, const MotionFrame& soFar,
+                          const Progress& progress)
+{
+    auto quick = std::make_shared<MotionFrame>(soFar);
+    for (const MotionTree& tree : request.trees) {
+        const Node& node = *tree.node;
+        if (!movesShape(node.animation) || progress.cancelled())
+            continue;
+        const auto known = m_shapeSeconds.find(node.id);
+        if (known != m_shapeSeconds.end() && known->second < sketchSeconds)
+            continue;
+        auto draft = m_pipeline.evaluateDraft(now.params(node), {progress.stop, {}});
+        if (!draft)
+            continue; // the whole tree says why
+        quick->trees.emplace(node.id, std::move(*draft));
+    }
+    if (isSketch(*quick) && !progress.cancelled())
+        m_listener.frame(std::move(quick));
 }
 
 /// Its physics knows the tracks itself.
@@ -118,6 +146,7 @@ void MotionWorker::run(const MotionRequest& request, const Progress& progress)
         asked.insert(arm->id);
     keepAsked(m_actors, asked);
     keepAsked(m_arms, asked);
+    keepAsked(m_shapeSeconds, asked);
     if (request.forgetHand) // even where the request is cancelled before it comes to a tree
         for (auto& [node, actor] : m_actors)
             actor.forgetHand();
@@ -134,12 +163,19 @@ void MotionWorker::run(const MotionRequest& request, const Progress& progress)
             problem = std::move(done.error());
     };
     const auto count = static_cast<double>(request.trees.size());
-    for (std::size_t i = 0; i < request.trees.size() && !progress.cancelled(); ++i) {
-        const Progress part = progress.part(double(i) / count, double(i + 1) / count);
-        note(moveTree(request.trees[i], now, request, *frame, part));
-    }
+    const auto moveTrees = [&](bool reshaped) {
+        for (std::size_t i = 0; i < request.trees.size() && !progress.cancelled(); ++i)
+            if (movesShape(request.trees[i].node->animation) == reshaped) {
+                const Progress part = progress.part(double(i) / count, double(i + 1) / count);
+                note(moveTree(request.trees[i], now, request, *frame, part));
+            }
+    };
+    moveTrees(false);
     for (const Node* arm : request.arms)
         note(moveArm(*arm, request, *frame, progress));
+    if (request.sketches)
+        sketch(request, now, *frame, progress);
+    moveTrees(true);
     if (!progress.cancelled())
         m_listener.frame(std::move(frame));
     if (problem)

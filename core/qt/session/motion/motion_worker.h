@@ -38,13 +38,16 @@ private:
                                  const Progress& progress);
     Expected<void> moveTree(const MotionTree& tree, EvaluatedScene& now, const MotionRequest& request,
                             MotionFrame& frame, const Progress& progress);
+    void sketch(const MotionRequest& request, EvaluatedScene& now, const MotionFrame& soFar,
+                const Progress& progress);
     Expected<void> moveArm(const Node& arm, const MotionRequest& request, MotionFrame& frame,
                            const Progress& progress);
     [[nodiscard]] BakeState bakeState() const;
     void sendBand(const MotionRequest& request);
 
     Listener m_listener;
-    TreePipeline m_pipeline; ///< of trees whose shape has tracks
+    TreePipeline m_pipeline;                 ///< of trees whose shape has tracks
+    std::map<NodeId, double> m_shapeSeconds; ///< of those: what one takes
     std::map<NodeId, TreeActor> m_actors;
     std::map<NodeId, ArmRun> m_arms;
     std::chrono::steady_clock::time_point m_bandSent;

@@ -255,16 +255,6 @@ void Player::stop()
     d->request(true);
 }
 
-void Player::toFirst()
-{
-    seek(d->timeline().firstFrame);
-}
-
-void Player::toLast()
-{
-    seek(d->timeline().lastFrame);
-}
-
 void Player::seek(qint64 frame)
 {
     const auto next = std::clamp<std::int64_t>(frame, leastFrame, mostFrame);
@@ -318,7 +308,8 @@ void Player::Private::tick()
         if (pace == PlayPace::RealTime && place.frame > frame)
             dropped += place.frame - frame - 1;
         setFrame(place.frame);
-        request(false);
+        // The sketch of a later frame comes before the whole tree of this one.
+        request(pace == PlayPace::RealTime && isSketch(*motion) && asked && motion->frame == asked->frame);
     }
     if (place.ended)
         q->pause();
@@ -391,6 +382,7 @@ void Player::Private::request(bool interrupt)
     next.arms = armsOf(*scene);
     next.memoryBytes = memoryBytes;
     next.live = playing;
+    next.sketches = !playing || pace == PlayPace::RealTime;
     next.forgetHand = std::exchange(forgetHand, false);
     if (!busyRest.isActive())
         busyRest.start();

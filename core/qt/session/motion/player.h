@@ -34,7 +34,7 @@ public:
     [[nodiscard]] double timeSeconds() const;
     /// Never null; of a scene at rest it has no nodes.
     [[nodiscard]] std::shared_ptr<const MotionFrame> motion() const;
-    /// Frames of the timeline's range: what is cached, stale and missing.
+    /// Returns the frames of the timeline's range by state: cached, stale and missing.
     [[nodiscard]] const std::vector<FrameRange>& band() const;
     /// A frame is being computed.
     [[nodiscard]] bool isBusy() const;
@@ -47,8 +47,8 @@ public:
     void setPace(PlayPace pace);
     void setMemoryLimit(std::size_t bytes); ///< for all runs together; at once
     [[nodiscard]] std::size_t memoryLimit() const;
-    /// What lies beside the project (see baker.h) is loaded when the project is opened, and used where it is
-    /// of the present trees and parameters.
+    /// Baked motion beside the project (see baker.h) is loaded when the project is opened. It is used if it
+    /// was made from the present trees and parameters.
     [[nodiscard]] BakeState bakeState() const;
 
     /// While playing: the hand on one branch, until it is let go with an empty pull.
@@ -66,13 +66,9 @@ public slots:
     void toggle() { isPlaying() ? pause() : play(); }
     /// Back to the first frame; the hand's pulls and the shaken apples are forgotten.
     void stop();
-    void stepForward() { seek(frame() + 1); }
-    void stepBack() { seek(frame() - 1); }
-    void toFirst();
-    void toLast();
     /// To any frame, also outside the range; clamped to leastFrame .. mostFrame. Playing goes on from there.
     void seek(qint64 frame);
-    /// What takes long is given up; the last frame stays on show.
+    /// Gives up computations that take long; the last frame stays on show.
     void cancel();
     /// The files of baked motion are others than before.
     void reloadBakes();
@@ -83,7 +79,7 @@ signals:
     void motionChanged();            ///< computed, after frameChanged
     void bandChanged();
     void busyChanged(bool busy);    ///< after 150 ms, so that quick frames do not flicker
-    void progress(double fraction); ///< of a frame that takes long
+    void progress(double fraction); ///< progress of a frame that takes long
     void settingsChanged();         ///< speed or pace
     void failed(const ramure::Error& error);
     void bakeStateChanged(ramure::BakeState state);

@@ -1,5 +1,5 @@
 /// \file
-/// Sequences of files, one for each frame: what the export dialog and `ramure-cli --frames` share.
+/// Sequences of files, one for each frame, for the export dialog and `ramure-cli --frames`.
 #pragma once
 
 #include "core/evaluate/evaluator.h"
@@ -31,13 +31,13 @@ Expected<void> checkSequence(const FrameSequence& frames);
 /// "tree.obj" of frame 7: "tree_0007.obj". At least four digits.
 std::string numberedFile(const std::string& path, std::int64_t frame);
 
-/// exportScene for every frame, to numbered files; \p rest gives the trees at rest. Errors: those of
-/// checkSequence and exportScene. On an error, and where it is cancelled, the files written before are whole
-/// and stay; there is no other.
+/// Runs exportScene for every frame, to numbered files; \p rest gives the trees at rest. Errors: those of
+/// checkSequence and exportScene. After an error or a cancel, the files written before are whole and stay; no
+/// other file is left.
 Expected<void> exportSequence(const Scene& scene, const ExportOptions& options, const FrameSequence& frames,
                               const TreeSource& rest, const std::string& path, const Progress& progress = {});
 
-/// About how many bytes one file of the export has, 0 where nobody knows: for the space it will take.
+/// Estimates the bytes of one file of the export, for the space that it will take; 0 if unknown.
 std::uint64_t estimatedFileBytes(const Scene& scene, const ExportOptions& options, const TreeSource& rest,
                                  const std::string& path);
 

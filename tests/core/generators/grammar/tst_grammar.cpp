@@ -1,5 +1,6 @@
 #include "core/generators/grammar/grammar.h"
 #include "core/math/random.h"
+#include "tests/support/grammar_text.h"
 #include "tests/support/suite.h"
 
 #include <cmath>
@@ -315,7 +316,7 @@ void TestGrammar::roundTrip()
         const std::vector<Rule> rules = randomRules(random);
         const auto checked = checkGrammar({"A", rules});
         QVERIFY2(checked, test::why(checked));
-        const std::string text = formatRules(rules);
+        const std::string text = test::formatRules(rules);
         const auto read = parseRules(text);
         QVERIFY2(read, test::why(read) + "\n" + bytes(text));
         QVERIFY2(*read == rules, text.c_str());
@@ -359,7 +360,7 @@ void TestGrammar::everyRuleThatParsesSurvivesFormatting()
         for (std::uint32_t k = random.below(12); k > 0; --k)
             text += likely[random.below(std::uint32_t(likely.size()))];
         if (const auto rules = parseRules(text))
-            QVERIFY2(*parseRules(formatRules(*rules)) == *rules, text.c_str());
+            QVERIFY2(*parseRules(test::formatRules(*rules)) == *rules, text.c_str());
     }
 }
 

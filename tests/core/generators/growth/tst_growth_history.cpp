@@ -1,7 +1,7 @@
 #include "core/generators/colonisation/growth_space.h"
 #include "core/generators/growth/grown_skeleton.h"
 #include "core/skeleton/axes.h"
-#include "core/surface/mesher/branch_mesh.h"
+#include "core/surface/mesher/build_branch_mesh.h"
 #include "tests/support/suite.h"
 #include <cmath>
 #include <limits>

@@ -103,6 +103,62 @@ private slots:
         QCOMPARE(keys.size(), std::size_t(later->size()));
     }
 
+    /// A bare limb gets no shoots and no leaves: it breaks off from its end, a twig sooner than thick wood. A
+    /// bare piece below what lives stays bare.
+    void deadWoodStaysDeadAndFalls()
+    {
+        Skeleton tree = trunk(6, 2.0);
+        const Index thick = tree.add(3, tree.p1[3], tree.p1[3] + glm::dvec3(0.5, 0.2, 0.0), 0.05, 0.04, 1);
+        tree.add(thick, tree.p1[thick], tree.p1[thick] + glm::dvec3(0.6, 0.2, 0.0), 0.04, 0.004, 1);
+        const Index twig = tree.add(4, tree.p1[4], tree.p1[4] + glm::dvec3(0.0, 0.1, 0.4), 0.004, 0.002, 1);
+        tree.bare = {1, thick, Index(thick + 1), twig};
+        for (Index i = 0; i < tree.size(); ++i)
+            tree.key[i] = i + 1;
+        const TreeAxes axes = axesOf(tree);
+        struct Stands
+        {
+            double limb = 0.0, twig = 0.0; // m
+        };
+        const auto after = [&](double years) {
+            Stands stands;
+            const auto later = growOn(tree, axes, usual(), years, 3);
+            if (!later)
+                return stands;
+            const TreeAxes now = axesOf(*later);
+            for (const Axis& axis : now.axes) {
+                const bool isLimb = axis.address == axes.axes[axes.axisOf[thick]].address;
+                if (!isLimb && axis.address != axes.axes[axes.axisOf[twig]].address)
+                    continue;
+                for (const Index i : now.nodesOf(Index(&axis - now.axes.data()))) {
+                    (isLimb ? stands.limb : stands.twig) += later->length(i);
+                    if (!std::ranges::binary_search(later->bare, i) ||
+                        std::ranges::any_of(later->parent, [&](Index below) {
+                            return below == i && now.axisOf[below] != now.axisOf[i];
+                        }))
+                        stands.limb = -1e9;
+                }
+            }
+            const auto bareOfTrunk =
+                std::ranges::count(later->bare, Index(0), [&](Index i) { return now.axisOf[i]; });
+            if (bareOfTrunk == 0 || bareOfTrunk >= std::ptrdiff_t(now.nodesOf(0).size() / 2))
+                stands.limb = -1e9; // the trunk was bare in one of six places
+            return stands;
+        };
+        const double whole = tree.length(thick) + tree.length(thick + 1);
+        const Stands soon = after(2.0), later = after(6.0), last = after(25.0);
+        QVERIFY2(std::abs(soon.limb - whole) < 0.05 && soon.twig > 0.3,
+                 qPrintable(QString::number(soon.limb)));
+        QVERIFY2(later.limb > 0.4 && later.limb < whole - 0.1, qPrintable(QString::number(later.limb)));
+        QCOMPARE(later.twig, 0.0);
+        QCOMPARE(last.limb, 0.0);
+        for (Index i = 0; i < tree.size(); ++i)
+            tree.bare.push_back(i);
+        tree.bare.erase(tree.bare.begin(), tree.bare.begin() + 4);
+        const auto dead = growOn(tree, axes, usual(), 5.0, 3);
+        QVERIFY(!dead);
+        QCOMPARE(dead.error().code, ErrorCode::Invalid);
+    }
+
     void moreYearsAreMoreTree()
     {
         const Skeleton tree = trunk(8, 1.5);

@@ -1,6 +1,7 @@
 #include "core/generators/parametric/module_turtle.h"
 #include "core/pipeline/tree_pipeline.h"
 #include "core/skeleton/axes.h"
+#include "core/surface/foliage/place_foliage.h"
 #include "core/surface/proof/validate.h"
 #include "tests/support/book_trees.h"
 #include "tests/support/suite.h"

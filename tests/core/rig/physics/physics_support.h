@@ -6,7 +6,7 @@
 #include "core/params/param_def.h"
 #include "core/presets/presets.h"
 #include "core/rig/physics/tree_physics.h"
-#include "core/surface/foliage/foliage.h"
+#include "core/surface/foliage/place_foliage.h"
 #include "tests/support/preset_trees.h"
 #include "tests/support/suite.h"
 #include <algorithm>

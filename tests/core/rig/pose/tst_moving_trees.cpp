@@ -1,4 +1,6 @@
 #include "core/rig/pose/skin.h"
+#include "core/surface/foliage/place_foliage.h"
+#include "core/surface/mesher/build_branch_mesh.h"
 #include "core/surface/proof/validate.h"
 #include "tests/core/rig/physics/physics_support.h"
 

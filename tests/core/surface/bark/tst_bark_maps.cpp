@@ -3,6 +3,9 @@
 #include "core/surface/bark/bark_pattern.h"
 #include "tests/support/suite.h"
 #include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
 #include <set>
 
 namespace tst_bark_maps {
@@ -128,6 +131,50 @@ private slots:
         QCOMPARE(barkAge(BarkFamily(family), 1.01 * double(maps.oldRadius)), 1.0F);
     }
 
+    void limbsHaveTheirOwnBark_data() { everyFamily(); }
+    void limbsHaveTheirOwnBark()
+    {
+        QFETCH(int, family);
+        const BarkParams params = of(BarkFamily(family));
+        const BarkMaps maps = made(params, 32);
+        float last = 0.0F;
+        for (double radius = 0.0; radius < 2.5; radius += 0.005) {
+            const float ripe = barkRipeness(BarkFamily(family), radius);
+            QVERIFY(ripe >= last && ripe <= 1.0F);
+            last = ripe;
+        }
+        QCOMPARE(last, 1.0F);
+        const bool own = barkRipeness(BarkFamily(family), 0.0) == 0.0F;
+        QCOMPARE(own, limbColour(params) != meanColour(params));
+        // The picture's mean times the limbs' tone is the limbs' colour.
+        const glm::vec3 toned = glm::vec3(meanColour(params)) * maps.limb;
+        QVERIFY(glm::length(toned - glm::vec3(limbColour(params))) < 1.0F);
+        QVERIFY(maps.youngRadius < maps.limbRadius && maps.limbRadius < maps.ripeRadius);
+        QVERIFY(maps.grey > 0.1F && maps.grey < 1.0F);
+    }
+
+    /// Wide patches of the tree: no step from one millimetre to the next, and as much clean bark as
+    /// weathered.
+    void weatherIsOfThePlace()
+    {
+        double sum = 0.0;
+        int clean = 0, count = 0;
+        for (float y = -20.0F; y < 20.0F; y += 0.093F)
+            for (float x = -0.5F; x < 0.5F; x += 0.11F) {
+                const glm::vec3 place(x, y, 0.3F * x);
+                const float here = barkWeather(place);
+                QVERIFY(here >= 0.0F && here <= 1.0F && here == barkWeather(place));
+                QVERIFY(std::abs(barkWeather(place + glm::vec3(0.001F)) - here) < 0.03F);
+                sum += double(here);
+                clean += here < 0.1F ? 1 : 0;
+                ++count;
+            }
+        QVERIFY(sum > 0.15 * count && sum < 0.6 * count);
+        QVERIFY(clean > count / 8 && clean < count / 2);
+        for (const float far : {1e5F, -1e30F, std::numeric_limits<float>::infinity()})
+            QVERIFY(std::isfinite(barkWeather({far, -far, 0.0F})));
+    }
+
     void familiesDiffer()
     {
         std::set<QByteArray> seen;
@@ -179,8 +226,8 @@ private slots:
                     .add((maps.normal[i].x << 16) + (maps.normal[i].y << 8) + maps.normal[i].z)
                     .add((maps.height[i] << 16) + (maps.occlusion[i] << 8) + maps.roughness[i]);
         }
-        QCOMPARE(barkVersion, 7);
-        QCOMPARE(hash.value(), std::uint64_t(0x7ED2E2C627D9F3DD));
+        QCOMPARE(barkVersion, 8);
+        QCOMPARE(hash.value(), std::uint64_t(0x396AD1610623DA45));
     }
 };
 

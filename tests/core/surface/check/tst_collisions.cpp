@@ -1,5 +1,6 @@
 #include "core/surface/check/collisions.h"
 #include "core/surface/check/mesh_analysis.h"
+#include "core/surface/mesher/build_branch_mesh.h"
 #include "tests/support/preset_trees.h"
 #include "tests/support/solids.h"
 #include "tests/support/suite.h"

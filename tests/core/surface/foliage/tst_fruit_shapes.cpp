@@ -2,8 +2,8 @@
 
 #include "core/rig/physics/tree_body.h"
 #include "core/skeleton/sections.h"
-#include "core/surface/foliage/foliage.h"
 #include "core/surface/foliage/foliage_texture.h"
+#include "core/surface/foliage/place_foliage.h"
 #include "tests/support/mesh_checker.h"
 #include "tests/support/suite.h"
 

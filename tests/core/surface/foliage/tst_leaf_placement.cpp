@@ -3,6 +3,7 @@
 #include "core/pipeline/tree_pipeline.h"
 #include "core/presets/presets.h"
 #include "core/surface/foliage/leaf_table.h"
+#include "core/surface/foliage/place_foliage.h"
 #include "tests/support/suite.h"
 
 #include <cmath>

@@ -4,6 +4,7 @@
 #include "core/scene/material.h"
 #include "core/surface/foliage/fruit_shapes.h"
 #include "core/surface/foliage/leaf_table.h"
+#include "core/surface/foliage/place_foliage.h"
 #include "tests/support/preset_trees.h"
 #include "tests/support/suite.h"
 #include <algorithm>

@@ -1,3 +1,4 @@
+#include "core/surface/mesher/build_branch_mesh.h"
 #include "core/surface/mesher/fork_spread.h"
 
 #include "tests/support/fork_judge.h"

@@ -1,3 +1,4 @@
+#include "core/surface/mesher/build_branch_mesh.h"
 #include "core/surface/mesher/fork_spread.h"
 
 #include "core/surface/proof/validate.h"

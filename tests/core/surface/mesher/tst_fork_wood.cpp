@@ -14,7 +14,9 @@ using namespace ramure::test;
 
 namespace {
 
+/// The bars below are of all seeds together: a sanitizer looks at fewer species, not at fewer seeds.
 constexpr int seeds = 6;
+constexpr int everySpecies = isSanitized ? 6 : 1;
 constexpr double thickLimb = 0.01; ///< m
 constexpr std::size_t fewLimbs = 10;
 
@@ -33,7 +35,7 @@ constexpr Bars own[] = {
     {.preset = "CaliforniaBlackOak", .mostCollar = 1.52},
     {.preset = "CommonYew", .quarter = 0.32, .mostTwins = 1.12}, // many stems at a fork
     {.preset = "EnglishOak1995", .quarter = 0.27},
-    {.preset = "LiveOak", .quarter = 0.27},
+    {.preset = "LiveOak1995", .quarter = 0.27},
     {.preset = "StonePine", .quarter = 0.28},
     {.preset = "WhiteWillow", .quarter = 0.31},
     // Limbs run along the stem, some of them inside it.
@@ -45,16 +47,18 @@ constexpr Bars own[] = {
     {.preset = "BlackTupelo", .leastCollar = 1.14},
     // Grown by years: stout limbs of one year stand close to each other.
     {.preset = "LombardyPoplar", .leastCollar = 1.0},
-    {.preset = "OliveTree", .quarter = 0.34, .whole = 0.55},
-    {.preset = "OrchardApple", .quarter = 0.43, .whole = 0.48},
-    {.preset = "WeepingWillow", .whole = 0.49},
+    {.preset = "Hornbeam", .leastCollar = 1.11},
+    {.preset = "Rowan", .leastCollar = 1.13},
+    {.preset = "LiveOak", .mostCollar = 1.56},
+    {.preset = "RedOak", .mostCollar = 1.55},
     // Without a budget all branches have the same few cross-sections.
     {.preset = "ParkTree", .leastCollar = 1.07},
     {.preset = "UmbrellaAcacia", .leastCollar = 1.09},
     // Fronds around the end of a trunk.
     {.preset = "DatePalm", .quarter = 0.66, .whole = 0.48, .leastCollar = 1.0},
     {.preset = "FanPalm", .quarter = 0.43, .whole = 0.63, .leastCollar = 1.0},
-    {.preset = "CoconutPalm", .leastCollar = 1.0},
+    {.preset = "CoconutPalm", .quarter = 0.42, .leastCollar = 1.0},
+    {.preset = "CoconutPalmRules", .leastCollar = 1.0},
 };
 
 Bars barsOf(std::string_view preset)
@@ -92,8 +96,9 @@ private slots:
     void woodGoesOn_data()
     {
         QTest::addColumn<QString>("name");
+        int nth = 0;
         for (const Preset& preset : presets())
-            if (isMeasured(preset))
+            if (isMeasured(preset) && nth++ % everySpecies == 0)
                 QTest::newRow(preset.name) << QString(preset.name);
     }
     void woodGoesOn()
@@ -102,7 +107,7 @@ private slots:
         const Bars bars = barsOf(name.toStdString());
         WoodLoss worst;
         std::vector<double> collars, twins;
-        for (int seed = 1; seed <= runs(seeds); ++seed) {
+        for (int seed = 1; seed <= seeds; ++seed) {
             TreePipeline pipeline;
             const auto tree =
                 pipeline.evaluate(reseeded(presetParams(name.toStdString()).value(), seed), Stage::Mesh);

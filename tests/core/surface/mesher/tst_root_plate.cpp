@@ -1,7 +1,7 @@
 #include "core/math/random.h"
 #include "core/pipeline/tree_pipeline.h"
 #include "core/surface/check/mesh_analysis.h"
-#include "core/surface/mesher/branch_mesh.h"
+#include "core/surface/mesher/build_branch_mesh.h"
 #include "tests/support/fork_judge.h"
 #include "tests/support/suite.h"
 

@@ -21,6 +21,7 @@ private slots:
     void limbsStandWhereTheyComeOut();
     void limbsBesideEachOtherNeedRoom();
     void limbsComeOutAboveTheFork();
+    void thinOnesEndInAForkOfEquals();
 };
 
 namespace {
@@ -115,6 +116,20 @@ void TestStemLimbs::limbsComeOutAboveTheFork()
         last = start;
     }
     QVERIFY(std::abs(limbStart(child(150.0, 1.0, 0.02), trunk)) <= 2.0 * trunk.radius);
+}
+
+void TestStemLimbs::thinOnesEndInAForkOfEquals()
+{
+    const auto endsInside = [](const StemLimb& thin, double other) {
+        const StemLimb fork[] = {child(28.0, 0.3, 0.22), child(28.0, 0.4, other, true, 3.14159), thin};
+        return endsInFork(fork, 2, child(0.0, 0.1, 0.3));
+    };
+    QVERIFY(!endsInFork(std::vector{child(90.0, 0.2, 0.05)}, 0, trunk));
+    QVERIFY(endsInside(child(90.0, 0.2, 0.05), 0.22));
+    QVERIFY(!endsInside(child(90.0, 0.2, 0.05), 0.05)); // no equals
+    QVERIFY(!endsInside(child(90.0, 0.2, 0.15), 0.22)); // not thin
+    QVERIFY(!endsInside(child(90.0, 1.0, 0.05), 0.22)); // it shows
+    QVERIFY(!endsInside(child(10.0, 1.0, 0.05), 0.22));
 }
 
 RAMURE_SUITE(TestStemLimbs)

@@ -1,7 +1,7 @@
 #include "core/surface/mesher/trunk_foot.h"
 
 #include "core/surface/check/self_intersections.h"
-#include "core/surface/mesher/branch_mesh.h"
+#include "core/surface/mesher/build_branch_mesh.h"
 #include "core/surface/proof/validate.h"
 #include "core/surface/texture/texture_coordinates.h"
 #include "tests/support/suite.h"

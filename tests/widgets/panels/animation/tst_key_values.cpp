@@ -8,6 +8,7 @@
 #include "widgets/panels/animation/key_values.h"
 #include "widgets/panels/properties/param_row.h"
 #include "widgets/panels/properties/properties_panel.h"
+#include <QSignalSpy>
 #include <QToolButton>
 #include <array>
 
@@ -85,17 +86,28 @@ private slots:
         panel.show();
         ParamRow* row = panel.row(*findParam("primitive.size"));
         QVERIFY(row->keyButton());
-        QVERIFY(!row->keyButton()->toolTip().isEmpty());
+        const auto tip = [row] { return row->keyButton()->toolTip(); };
+        QVERIFY(tip().contains(QStringLiteral("sets the first one")));
+        QSignalSpy told(&panel, &PropertiesPanel::messageRaised);
         QVERIFY(!panel.row(*findParam("primitive.shape"))->keyButton());
         const QByteArray before = dock.bytes();
         row->keyButton()->click();
         QCOMPARE(dock.document.scene().find(node)->animation.tracks().size(), std::size_t(1 + 3));
+        QVERIFY(told.back().front().toString().contains(QStringLiteral("has a key at frame 0 now: Undo")));
+        QVERIFY(tip().contains(QStringLiteral("a click removes it")));
         dock.player.seek(24);
+        QVERIFY(tip().contains(QStringLiteral("sets one at this frame")));
         const GestureId gesture = newGesture();
         for (int i = 0; i < 5; ++i)
             emit row->editor()->componentEdited(1, 2.0 + i, gesture);
         QCOMPARE(dock.steps(), 3); // the shape, the button, and all of the drag
         QCOMPARE(std::get<glm::dvec3>(keys.value(node, row->def())).y, 6.0);
+        row->keyButton()->click(); // the two components that were not dragged
+        row->keyButton()->click();
+        QVERIFY(told.back().front().toString().contains(QStringLiteral("at frame 24 is gone: Undo brings")));
+        QCOMPARE(told.size(), 3);
+        dock.document.undo();
+        dock.document.undo();
         dock.document.undo();
         dock.document.undo();
         QCOMPARE(dock.bytes(), before);

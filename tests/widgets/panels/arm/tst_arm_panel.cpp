@@ -166,7 +166,9 @@ void TestArmPanel::numbersHaveKeys()
     for (const QToolButton* button : buttons)
         QVERIFY(button->isVisibleTo(&desk.panel) && !button->toolTip().isEmpty());
     const auto tracks = [&] { return desk.document.scene().find(1)->animation.tracks().size(); };
+    QSignalSpy told(&desk.panel, &ArmPanel::messageRaised);
     buttons[0]->click(); // the length
+    QVERIFY(told.back().front().toString().contains(QStringLiteral("has a key at frame 0 now")));
     QCOMPARE(tracks(), std::size_t(1));
     player.seek(24);
     QVERIFY(player.waitForIdle(20'000));

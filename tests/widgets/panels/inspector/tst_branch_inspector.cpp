@@ -89,7 +89,7 @@ void TestBranchInspector::showsTheFactsOfTheActiveBranch()
         bench.trees.select(bench.tree, {branch}, branch);
         const BranchFacts facts = branchFacts(bench.skeleton(), children, *tree.sections, masses, branch);
         const auto deg = AngleUnit::Degrees;
-        QCOMPARE(bench.fact("Level"), QString::number(facts.level));
+        QCOMPARE(bench.fact("Order"), QString::number(facts.order));
         QCOMPARE(bench.fact("Start (p0)"), facttext::point(facts.p0, 3));
         QCOMPARE(bench.fact("End (p1)"), facttext::point(facts.p1, 3));
         QCOMPARE(bench.fact("Start radius (a0)"), facttext::length(facts.a0));

@@ -395,9 +395,9 @@ private slots:
                                SceneModel::LengthColumn, SceneModel::ChildrenColumn};
         QCOMPARE(shown(m_panel->view()), usual);
         m_panel->chooseColumn(SceneModel::LengthColumn, false);
-        m_panel->chooseColumn(SceneModel::LevelColumn, true);
+        m_panel->chooseColumn(SceneModel::OrderColumn, true);
         const QList<int> chosen{SceneModel::NameColumn, SceneModel::VisibleColumn, SceneModel::LockedColumn,
-                                SceneModel::ChildrenColumn, SceneModel::LevelColumn};
+                                SceneModel::ChildrenColumn, SceneModel::OrderColumn};
         for (const SceneTree* view : {m_panel->view(), m_panel->resultView()})
             QCOMPARE(shown(view), chosen);
         const Preferences later;

@@ -41,7 +41,7 @@ private slots:
     void unfinishedQuestionsAreErrors_data()
     {
         QTest::addColumn<QString>("text");
-        for (const char* text : {"length >", "> 3", "weight > 3", "level = two", "oak < 2", "length > 3 s"})
+        for (const char* text : {"length >", "> 3", "weight > 3", "order = two", "oak < 2", "length > 3 s"})
             QTest::newRow(text) << QString::fromLatin1(text);
     }
     void unfinishedQuestionsAreErrors()
@@ -95,8 +95,8 @@ private slots:
         const Skeleton& bones = m_rows->skeleton();
         QCOMPARE(found(QStringLiteral("terminal")), those([&](Index b) { return m_rows->forks(b) == 0; }));
         QCOMPARE(found(QStringLiteral("children>=3")), those([&](Index b) { return m_rows->forks(b) >= 3; }));
-        QCOMPARE(found(QStringLiteral("level = 1")), those([&](Index b) { return bones.level[b] == 1; }));
-        QCOMPARE(found(QStringLiteral("lev != 1")), those([&](Index b) { return bones.level[b] != 1; }));
+        QCOMPARE(found(QStringLiteral("order = 1")), those([&](Index b) { return bones.level[b] == 1; }));
+        QCOMPARE(found(QStringLiteral("ord != 1")), those([&](Index b) { return bones.level[b] != 1; }));
         const auto lengthOf = [&](Index b) { return m_rows->length(m_rows->axisOf(b)); }; // of the limb
         const double length = lengthOf(bones.size() - 1) + 0.001;
         const auto shorter = those([&](Index b) { return lengthOf(b) < length; });
@@ -106,7 +106,7 @@ private slots:
         QCOMPARE(found(QStringLiteral("length<%1cm").arg(length * 100, 0, 'g', 12).replace(u'.', u',')),
                  shorter);
         const auto both = those([&](Index b) { return bones.level[b] == 2 && m_rows->forks(b) == 0; });
-        QCOMPARE(found(QStringLiteral("level=2 terminal")), both);
+        QCOMPARE(found(QStringLiteral("order=2 terminal")), both);
         const double radius = bones.a0[0];
         QCOMPARE(found(QStringLiteral("radius ≥ %1").arg(radius, 0, 'g', 17)),
                  those([&](Index b) { return bones.a0[b] >= radius; }));
@@ -115,19 +115,19 @@ private slots:
     void aCountNeedsNoSign()
     {
         const Skeleton& bones = m_rows->skeleton();
-        QCOMPARE(found(QStringLiteral("level 2")), found(QStringLiteral("level = 2")));
+        QCOMPARE(found(QStringLiteral("order 2")), found(QStringLiteral("order = 2")));
         QCOMPARE(found(QStringLiteral("Children 0")), found(QStringLiteral("terminal")));
         const auto shortTwigs =
             those([&](Index b) { return bones.level[b] == 2 && m_rows->length(m_rows->axisOf(b)) < 0.3; });
         QVERIFY(!shortTwigs.empty());
-        QCOMPARE(found(QStringLiteral("level 2 length < 0.3")), shortTwigs);
-        for (const char* text : {"sealevel 2", "level 2b", "lev 2"}) // names
+        QCOMPARE(found(QStringLiteral("order 2 length < 0.3")), shortTwigs);
+        for (const char* text : {"seaorder 2", "order 2b", "ord 2"}) // names
             QVERIFY(!SceneQuery::parse(QString::fromLatin1(text))->findsBranches());
     }
 
     void nodesHaveNoQuantities()
     {
-        const auto query = SceneQuery::parse(QStringLiteral("oak level = 1"));
+        const auto query = SceneQuery::parse(QStringLiteral("oak order = 1"));
         QVERIFY(query && !query->matchesNode(QStringLiteral("Oak")));
     }
 };

@@ -43,7 +43,7 @@ private slots:
     {
         document().setSelection({});
         for (const auto step : {SelectionStep::Parent, SelectionStep::Children, SelectionStep::Siblings,
-                                SelectionStep::Subtree, SelectionStep::Level})
+                                SelectionStep::Subtree, SelectionStep::Order})
             QVERIFY(afterStep(document(), step) == Selection());
     }
 
@@ -71,7 +71,7 @@ private slots:
             QCOMPARE(stepped({branch}, SelectionStep::Children),
                      children.empty() ? std::vector<Index>{branch} : children);
             QCOMPARE(stepped({branch}, SelectionStep::Siblings), siblings);
-            QCOMPARE(stepped({branch}, SelectionStep::Level), level);
+            QCOMPARE(stepped({branch}, SelectionStep::Order), level);
             QCOMPARE(stepped({branch}, SelectionStep::Subtree), subtree);
         }
     }

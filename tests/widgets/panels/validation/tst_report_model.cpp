@@ -207,7 +207,7 @@ void TestReportModel::nearVerticesAreALineOfTheirOwn()
     MeshQuality quality;
     for (const auto& [pairs, number] : {std::pair(0U, "0"), std::pair(1U, "1"), std::pair(71U, "71")}) {
         quality.nearPairs = pairs;
-        const QStringList lines = qualityText(quality).split(QLatin1Char('\n'));
+        const QStringList lines = ReportTexts::quality(quality).split(QLatin1Char('\n'));
         QCOMPARE(lines.size(), 2);
         QVERIFY2(lines[1].startsWith(QLatin1String(number) + QLatin1Char(' ')), qPrintable(lines[1]));
         QVERIFY2(lines[1].contains(QStringLiteral("0.1\u00a0mm")), qPrintable(lines[1]));

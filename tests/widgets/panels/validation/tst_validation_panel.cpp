@@ -289,7 +289,7 @@ void TestValidationPanel::everyKindOfDefectIsListed()
             if (!top.isValid())
                 continue;
             ++kinds;
-            QVERIFY(top.data().toString().contains(kindText(other).name));
+            QVERIFY(top.data().toString().contains(KindTexts::of(other).name));
             QVERIFY(top.data().toString().contains(QString::number(bench.report().count(other))));
             bench.openKind(other);
             QCOMPARE(bench.model()->rowCount(top), static_cast<int>(bench.report().count(other)));
@@ -418,7 +418,7 @@ void TestValidationPanel::explanationsFollowTheRow()
         bench.setMesh(broken(kind));
         const QModelIndex top = bench.openKind(kind);
         bench.view()->setCurrentIndex(top);
-        const KindText text = kindText(kind);
+        const KindText text = KindTexts::of(kind);
         for (const QString& part : {text.name, text.meaning, text.print, text.game}) {
             QVERIFY(!part.isEmpty());
             QVERIFY(bench.text("explanation").contains(part.toHtmlEscaped()));
@@ -429,7 +429,7 @@ void TestValidationPanel::explanationsFollowTheRow()
         QCOMPARE(bench.text("explanation"), ofKind);
     }
     for (int k = 0; k < repairKindCount; ++k) {
-        const KindText text = kindText(static_cast<SkeletonRepair>(k));
+        const KindText text = KindTexts::of(static_cast<SkeletonRepair>(k));
         QVERIFY(seen.insert(text.name).second);
         QVERIFY(seen.insert(text.meaning).second);
     }
@@ -448,8 +448,8 @@ void TestValidationPanel::theReportIsCopied()
     QVERIFY(text.contains(QLatin1String("Oak")));
     QVERIFY(text.contains(bench.text("reportDetails")));
     for (const DefectKind kind : allDefects)
-        QVERIFY(
-            text.contains(QStringLiteral("%1: %2").arg(kindText(kind).name).arg(bench.report().count(kind))));
+        QVERIFY(text.contains(
+            QStringLiteral("%1: %2").arg(KindTexts::of(kind).name).arg(bench.report().count(kind))));
     for (const Defect& defect : bench.report().defects)
         QVERIFY(text.contains(defectName(defect)));
     QVERIFY(!text.contains(u'<')); // plain

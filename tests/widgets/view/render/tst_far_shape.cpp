@@ -1,5 +1,5 @@
 #include "core/math/box.h"
-#include "core/surface/foliage/foliage.h"
+#include "core/surface/foliage/place_foliage.h"
 #include "tests/support/suite.h"
 #include "widgets/view/render/far_shape.h"
 #include <algorithm>

@@ -1,3 +1,4 @@
+#include "core/surface/foliage/place_foliage.h"
 #include "tests/support/preset_trees.h"
 #include "tests/support/suite.h"
 #include "widgets/view/render/light/crown_light.h"

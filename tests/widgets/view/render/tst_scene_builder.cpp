@@ -168,6 +168,18 @@ private slots:
         trees.results.clear();
         QVERIFY(trees.build(SceneView()).box.empty());
     }
+    /// Trees on roots stand in litter; those of the coursework stand in grass.
+    void rootsHaveAFoot()
+    {
+        Trees trees;
+        trees.add();
+        QVERIFY(trees.build(SceneView()).feet.empty());
+        const NodeId id = trees.add("SilverBirch1995");
+        trees.scene.find(id)->params.tree.scale = glm::dvec3(2.0);
+        const std::vector<Foot> feet = trees.build(SceneView()).feet;
+        QCOMPARE(feet.size(), std::size_t(1));
+        QVERIFY(feet[0].reach > 2.0 * trees.results[id].skeleton->a0[0]);
+    }
     void isolatedBranchesAreShownAlone()
     {
         Trees trees;

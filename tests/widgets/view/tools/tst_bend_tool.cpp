@@ -45,7 +45,7 @@ void TestBendTool::whatFollowsIsShownBefore()
     HandBench bench(HandTool::Bend);
     bench.tools.hover(bench.at(bench.on(bench.twig())));
     QVERIFY(!bench.marked.empty() && !bench.markedGo);
-    QVERIFY(bench.says("bows where it is green"));
+    QVERIFY(bench.says("bows along its green part"));
     bench.tools.hover(bench.at({2.0, 2.0}));
     QVERIFY(bench.marked.empty());
 }

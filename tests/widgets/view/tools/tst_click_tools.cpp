@@ -50,6 +50,8 @@ void TestClickTools::besideTheTreeTheyLeaveThePress()
     bench.click({2.0, 2.0});
     QVERIFY(bench.edits().empty());
     QVERIFY(bench.document.selection().branches.empty()); // as without a tool
+    QCOMPARE(bench.messages.size(), 1);
+    QVERIFY(bench.messages.front().contains(QStringLiteral("No limb is there")));
 }
 
 void TestClickTools::lockedTreesStay()

@@ -14,6 +14,7 @@ class TestEditTool : public QObject
 private slots:
     void init() { test::failOnAnyWarning(); }
     void besideTheTreeNothingIsAimedAt();
+    void thinLimbsAreHitFromBeside();
     void everyToolAimsWhileNothingIsReadyToPickIn();
     void aStrokeBeginsOnTheBranchThatIsSeen();
     void whatIsGoneByNowIsRefused();
@@ -47,6 +48,26 @@ void TestEditTool::besideTheTreeNothingIsAimedAt()
         bench.tools.hover(bench.at({2.0, 2.0}));
         QVERIFY(bench.marked.empty());
     }
+}
+
+/// Much thinner on the screen than a pixel: from any side, but not from afar.
+void TestEditTool::thinLimbsAreHitFromBeside()
+{
+    HandBench bench(HandTool::Remove);
+    const Index twig = bench.twig();
+    bench.camera.distance *= 3.0;
+    const double mostRadius = bench.camera.metresPerPixel(bench.skeleton().p0[twig], bench.size.y);
+    QVERIFY2(bench.skeleton().a0[twig] < mostRadius, qPrintable(QString::number(mostRadius)));
+    const QPointF middle = bench.on(twig, 0.6), way = bench.on(twig, 1.0) - middle;
+    const QPointF across = QPointF(-way.y(), way.x()) / std::hypot(way.x(), way.y());
+    for (const double aside : {-5.0, -3.7, -2.2, 0.0, 1.6, 2.9, 4.4, 5.5}) {
+        bench.tools.hover(bench.at(middle + aside * across));
+        QVERIFY2(!bench.marked.empty(), qPrintable(QString::number(aside)));
+    }
+    bench.tools.hover(bench.at(middle));
+    QVERIFY(std::ranges::count(bench.marked, twig) == 1);
+    bench.tools.hover(bench.at({2.0, 2.0}));
+    QVERIFY(bench.marked.empty());
 }
 
 void TestEditTool::everyToolAimsWhileNothingIsReadyToPickIn()

@@ -1,6 +1,6 @@
 #include "widgets/panels/properties/grammar/generations_view.h"
 
-#include "widgets/base/texts/core_text.h"
+#include "widgets/base/named.h"
 #include "widgets/base/theme/icons.h"
 #include "widgets/panels/properties/grammar/grammar_highlighter.h"
 #include <QEvent>
@@ -39,31 +39,26 @@ QString elided(const std::string& text)
 GenerationsView::GenerationsView(Document* document, QWidget* parent)
     : QWidget(parent)
     , m_document(document)
-    , m_fold(new QToolButton(this))
-    , m_summary(new QLabel(this))
-    , m_text(new QPlainTextEdit(this))
+    , m_fold(named(new QToolButton(this), "generationsFold"))
+    , m_summary(named(new QLabel(this), "generationsSummary"))
+    , m_text(named(new QPlainTextEdit(this), "generationsText"))
     , m_highlighter(new GrammarHighlighter(m_text->document(), GrammarText::Generations))
     , m_timer(new QTimer(this))
 {
     setObjectName(QStringLiteral("generations"));
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(4);
+    auto* layout = layoutOf<QVBoxLayout>(this, 4);
     auto* row = new QHBoxLayout;
     row->setSpacing(6);
-    m_fold->setObjectName(QStringLiteral("generationsFold"));
     m_fold->setText(tr("Generations"));
     m_fold->setAutoRaise(true);
     m_fold->setIconSize({12, 12});
     m_fold->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    m_summary->setObjectName(QStringLiteral("generationsSummary"));
     m_summary->setTextFormat(Qt::PlainText);
     m_summary->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_summary->setWordWrap(true);
     row->addWidget(m_fold);
     row->addWidget(m_summary, 1);
     layout->addLayout(row);
-    m_text->setObjectName(QStringLiteral("generationsText"));
     m_text->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
     m_text->setAccessibleName(tr("Strings of the generations"));
     m_text->setReadOnly(true);

@@ -1,6 +1,6 @@
 /// \file
-/// What the rules make of the axiom: the length of the string and the number of branches, and below, to be
-/// unfolded, how it grows and the strings of the generations.
+/// Shows the result of the rules: the length of the string and the number of branches. Below, folded at
+/// first, are its growth and the strings of the generations.
 #pragma once
 
 #include "core/qt/document/document.h"

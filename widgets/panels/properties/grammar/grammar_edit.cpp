@@ -173,7 +173,7 @@ void GrammarEdit::showMessage(const QString& text, bool offersReplacement)
 {
     m_message->setText(text);
     m_replace->setText(tr("Replace"));
-    m_replace->setToolTip(tr("Writes the characters of the language in place of those that look like them"));
+    m_replace->setToolTip(tr("Replaces lookalikes by the characters of the language"));
     m_replace->setVisible(offersReplacement);
     m_message->setVisible(!text.isEmpty());
     placeMessage();

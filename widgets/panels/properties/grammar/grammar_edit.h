@@ -1,6 +1,6 @@
 /// \file
-/// A text editor for axioms and rules: colours, matching brackets, the place of an error underlined. It is as
-/// high as the user made it: neither typing nor an error moves what stands below. Undo belongs to the
+/// A text editor for axioms and rules: colours, matching brackets, the place of an error underlined. Its
+/// height is set by the user, so neither typing nor an error moves the widgets below. Undo belongs to the
 /// document.
 #pragma once
 
@@ -28,8 +28,8 @@ public:
     /// Underlines the place of an error. \param line 1-based, 0 = no error. \param column 1-based, counted in
     /// bytes as the core does; 0 = the whole line. \param isWarning the text can be read all the same
     void showProblem(int line, int column, bool isWarning = false);
-    /// Says what is wrong at the lower edge, inside the frame; empty: nothing.
-    /// \param offersReplacement with a button that asks for replacementWanted()
+    /// Shows an error at the lower edge, inside the frame; an empty text hides it. \param offersReplacement
+    /// adds a button that asks for replacementWanted()
     void showMessage(const QString& text, bool offersReplacement = false);
     /// How many lines are in sight; more are scrolled.
     [[nodiscard]] int lines() const { return m_lines; }
@@ -44,10 +44,10 @@ public:
 
 signals:
     void edited(const QString& text);
-    /// A pause in typing: another line, deleting after writing, another place. What follows is another undo
-    /// step.
+    /// The typing was interrupted: a pause, another line, deleting after writing, another place. The next
+    /// change is another undo step.
     void gestureBroken();
-    /// The characters that are not what they look like are to be replaced.
+    /// Asks to replace lookalike characters.
     void replacementWanted();
 
 protected:

@@ -24,7 +24,7 @@ inline constexpr std::size_t longestGeneration = 20'000; ///< symbols
 
 /// Generations 0 (the axiom) to \p params.iterations, at most mostGenerations after the axiom. A few
 /// milliseconds: no string is longer than longestGeneration; beyond it symbols are counted, not written.
-/// Of the parametric dialect the generation that is too long is the last one. Errors: those of parseGrammar
+/// In the parametric dialect the generation that is too long is the last one. Errors: those of parseGrammar
 /// or parseParametric; where a number is not finite, those generations that there are before.
 Expected<std::vector<Generation>> generationsOf(const GrammarParams& params);
 

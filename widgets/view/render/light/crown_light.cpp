@@ -1,6 +1,7 @@
 #include "widgets/view/render/light/crown_light.h"
 
 #include "core/math/box.h"
+#include "core/surface/foliage/place_foliage.h"
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>

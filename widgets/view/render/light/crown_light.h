@@ -13,7 +13,7 @@ namespace ramure {
 struct CrownLight
 {
     glm::ivec3 cells{0};
-    glm::dmat4 place{1.0}; ///< of the tree's space -> 0..1 over the grid
+    glm::dmat4 place{1.0}; ///< from the tree's space to 0..1 over the grid
     std::vector<glm::u8vec4>
         light; ///< per cell, X fastest: the mean way out, -1..1 as bytes; share of the sky
 };

@@ -24,7 +24,7 @@ struct Sky
     glm::dvec3 scale;              ///< Y, x and y of the zenith over what Perez's formula gives there
     glm::dvec3 sunlight;           ///< on a surface that faces the sun
 
-    /// \param direction unit; what is below the horizon is as bright as the horizon
+    /// \param direction unit; below the horizon the sky is as bright as at the horizon
     [[nodiscard]] glm::dvec3 radiance(const glm::dvec3& direction) const;
 };
 
@@ -33,7 +33,7 @@ Sky clearSky(const glm::dvec3& sun, double turbidity);
 
 /// Irradiance over pi of the sky and of a ground of one radiance.
 Ambient ambientOf(const Sky& sky, const glm::dvec3& ground);
-/// Of light that changes from below to above and nowhere else.
+/// Returns light that changes from below to above and nowhere else.
 Ambient ambientOf(const glm::vec3& above, const glm::vec3& below);
 glm::vec3 ambientAt(const Ambient& ambient, const glm::vec3& normal);
 

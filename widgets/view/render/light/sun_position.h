@@ -1,7 +1,7 @@
 /// \file
-/// Where the sun stands at a place and a moment: Michalsky, "The Astronomical Almanac's algorithm for
-/// approximate solar position (1950-2050)", Solar Energy 40 (1988), to about 0.01 degrees; the air bends
-/// nothing.
+/// Computes the position of the sun at a place and a moment, to about 0.01 degrees and without refraction:
+/// Michalsky, "The Astronomical Almanac's algorithm for approximate solar position (1950-2050)", Solar Energy
+/// 40 (1988).
 #pragma once
 
 namespace ramure {

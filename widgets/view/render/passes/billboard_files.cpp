@@ -49,12 +49,9 @@ Expected<void> writeCardFile(const BillboardCards& cards, const QString& file)
     const QString colour = pictures.filePath(QStringLiteral("colour.png")),
                   normal = pictures.filePath(QStringLiteral("normal.png")),
                   opacity = pictures.filePath(QStringLiteral("opacity.png"));
-    if (auto done = writePng(colour, picture, picture.colour, 3, true); !done)
-        return done;
-    if (auto done = writePng(normal, picture, picture.normal, 3, false); !done)
-        return done;
-    if (auto done = writePng(opacity, picture, picture.colour, 1, true); !done)
-        return done;
+    RAMURE_TRY(writePng(colour, picture, picture.colour, 3, true));
+    RAMURE_TRY(writePng(normal, picture, picture.normal, 3, false));
+    RAMURE_TRY(writePng(opacity, picture, picture.colour, 1, true));
     Material material;
     material.name = "billboard";
     material.twoSided = true;

@@ -1,5 +1,5 @@
 /// \file
-/// What billboards are asked for, and their files.
+/// Options of billboards, and their files.
 #pragma once
 
 #include "widgets/view/render/passes/billboard_baker.h"
@@ -9,16 +9,16 @@
 namespace ramure {
 
 inline constexpr int leastBillboardSize = 64, mostBillboardSize = 8192; ///< pixels a side
-inline constexpr int leastViewSize = 16;                                ///< of an atlas, pixels a side
+inline constexpr int leastViewSize = 16; ///< pixels of one view of an atlas, each way
 
 /// Crossed cards, or an atlas of views.
 struct BillboardWish
 {
     bool isAtlas = false;
     int size = 2048;    ///< pixels a side of the pictures
-    int cards = 2;      ///< that stand
+    int cards = 2;      ///< number of upright cards
     bool lying = false; ///< one more card lies
-    int views = 8;      ///< of an atlas, each way
+    int views = 8;      ///< views of an atlas, each way
 };
 /// Whether an atlas of that size has whole views, each large enough.
 bool holdsViews(int size, int views);

@@ -31,7 +31,7 @@ public:
     /// close, m. Any vertex array must be bound. Leaves another framebuffer bound.
     void end(const Camera& camera, const glm::dmat4& clip, double radius, const Programs& programs,
              PictureParts& parts);
-    /// Of one colour, 0 .. 1; 0 before the first begin, and where the driver refused it.
+    /// Returns a texture of one colour, 0 .. 1; 0 before the first begin, and if the driver refused it.
     [[nodiscard]] GLuint texture() const { return m_textures[2]; }
 
 private:

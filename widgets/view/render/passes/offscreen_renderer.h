@@ -14,8 +14,8 @@
 
 namespace ramure {
 
-/// What surfaces are, for whoever lights them later. Both pictures in Format_ARGB32, transparent where
-/// nothing is.
+/// Properties of surfaces, to be lit later. Both pictures are in Format_ARGB32, and transparent without a
+/// surface.
 struct SurfacePictures
 {
     QImage colour; ///< their own, sRGB; opaque
@@ -41,8 +41,8 @@ public:
     /// Errors: Invalid (size), Unknown (a framebuffer the driver refuses), Cancelled.
     Expected<QImage> draw(const RenderScene& scene, const Camera& camera, QSize size,
                           const RenderOptions& options = {}, const Progress& progress = {});
-    /// As draw(), one sample a pixel. \param reach m before and behind the camera's target that the depth
-    /// tells \param sparing leaves of a few pixels have the least triangles
+    /// Like draw(), with one sample a pixel. \param reach m before and behind the camera's target that the
+    /// depth covers \param sparing leaves of a few pixels have the least triangles
     Expected<SurfacePictures> drawSurfaces(const RenderScene& scene, const Camera& camera, QSize size,
                                            double reach, bool sparing);
     /// On the thread of begin().

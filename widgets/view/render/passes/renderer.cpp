@@ -71,54 +71,10 @@ Expected<std::unique_ptr<Renderer>> Renderer::make()
     return made;
 }
 
-std::vector<std::pair<Renderer::Program, ShaderSources>> Renderer::programs()
-{
-    const std::vector<const char*> mesh{"states.glsl", "skin.glsl",      "copy.glsl",
-                                        "wind.glsl",   "skin_mesh.glsl", "mesh.vert"};
-    const std::vector<const char*> depth{"skin.glsl", "copy.glsl", "wind.glsl", "skin_mesh.glsl",
-                                         "shadow.vert"};
-    const std::vector<const char*> surface{"colour.glsl",  "pixel.glsl",  "lighting.glsl",
-                                           "texture.glsl", "shaded.glsl", "mesh.frag"};
-    const std::vector<const char*> far{"states.glsl",    "skin.glsl",   "copy.glsl",   "wind.glsl",
-                                       "skin_mesh.glsl", "colour.glsl", "corner.glsl", "lighting.glsl",
-                                       "shaded.glsl",    "mesh.vert"};
-    return {
-        {&Renderer::m_mesh, {mesh, nullptr, surface}},
-        {&Renderer::m_plain, {mesh, nullptr, surface, "#define BARK false\n#define VEINS false\n"}},
-        {&Renderer::m_bark, {mesh, nullptr, surface, "#define BARK true\n#define VEINS false\n"}},
-        {&Renderer::m_leaf, {mesh, nullptr, surface, "#define BARK false\n#define VEINS true\n"}},
-        {&Renderer::m_far, {far, nullptr, {"pixel.glsl", "far.frag"}, "#define FAR\n"}},
-        {&Renderer::m_meshColours, {mesh, nullptr, surface, "#define COLOURS\n"}},
-        {&Renderer::m_meshWire, {mesh, "mesh.geom", surface, "#define COLOURS\n#define WIRE\n"}},
-        {&Renderer::m_shadow, {depth, nullptr, {"shadow.frag"}}},
-        {&Renderer::m_shadowCut, {depth, nullptr, {"shadow.frag"}, "#define CUT\n"}},
-        {&Renderer::m_world,
-         {{"world.vert"}, nullptr, {"colour.glsl", "pixel.glsl", "lighting.glsl", "world.frag"}}},
-        {&Renderer::m_line, {{"states.glsl", "skin.glsl", "line.vert"}, nullptr, {"line.frag"}}},
-        {&Renderer::m_point, {{"states.glsl", "skin.glsl", "point.vert"}, nullptr, {"point.frag"}}},
-        {&Renderer::m_smooth, {{"world.vert"}, nullptr, {"smooth.frag"}}},
-        {&Renderer::m_shrink, {{"world.vert"}, nullptr, {"shrink.frag"}}},
-        {&Renderer::m_lensAdd, {{"world.vert"}, nullptr, {"colour.glsl", "lens_add.frag"}}},
-        {&Renderer::m_lensShow, {{"world.vert"}, nullptr, {"colour.glsl", "lens_show.frag"}}},
-        {&Renderer::m_ghost, {{"ghost.vert"}, nullptr, {"ghost.frag"}}},
-        {&Renderer::m_occlude, {{"world.vert"}, nullptr, {"occlusion.glsl", "occlusion.frag"}}},
-        {&Renderer::m_occludeBlur, {{"world.vert"}, nullptr, {"occlusion.glsl", "occlusion_blur.frag"}}},
-        {&Renderer::m_outlineRows, {{"world.vert"}, nullptr, {"outline_spread.frag"}, "#define ROWS\n"}},
-        {&Renderer::m_outlineColumns, {{"world.vert"}, nullptr, {"outline_spread.frag"}}},
-        {&Renderer::m_outlineClosing,
-         {{"world.vert"}, nullptr, {"outline_spread.frag"}, "#define ROWS\n#define CLOSED\n"}},
-        {&Renderer::m_outlineInk, {{"world.vert"}, nullptr, {"outline_ink.frag"}}},
-    };
-}
-
 Expected<void> Renderer::compile()
 {
     m_software = isSoftwareRenderer(reinterpret_cast<const char*>(m_gl.glGetString(GL_RENDERER)));
-    for (const auto& [program, sources] : programs()) {
-        auto made = ShaderProgram::make(m_gl, sources);
-        RAMURE_TRY(made);
-        this->*program = std::move(*made);
-    }
+    RAMURE_TRY(m_programs.compile(m_gl));
     m_gl.glGenVertexArrays(1, &m_emptyArray);
     m_gl.glGenTextures(1, &m_noStates);
     m_gl.glBindTexture(GL_TEXTURE_2D, m_noStates);
@@ -209,7 +165,7 @@ void Renderer::addThroughLens(QSize size, int sample)
         m_gl.glClear(GL_COLOR_BUFFER_BIT);
     m_gl.glEnable(GL_BLEND);
     m_gl.glBlendFunc(GL_ONE, GL_ONE);
-    m_lensPicture.end(sum, *m_lensAdd);
+    m_lensPicture.end(sum, *m_programs.lensAdd);
     m_gl.glDisable(GL_BLEND);
     resetState();
     m_shown = Shown::Lens;
@@ -221,9 +177,9 @@ void Renderer::show(QSize size, GLuint framebuffer)
     m_gl.glViewport(0, 0, size.width(), size.height());
     m_gl.glBindVertexArray(m_emptyArray);
     if (m_shown == Shown::Lens) {
-        m_lensShow->bind();
-        m_lensShow->set("uShare", 1.0f / float(m_lensPictures));
-        m_lensSum.end(framebuffer, *m_lensShow);
+        m_programs.lensShow->bind();
+        m_programs.lensShow->set("uShare", 1.0f / float(m_lensPictures));
+        m_lensSum.end(framebuffer, *m_programs.lensShow);
     } else if (m_shown == Shown::Part) {
         m_gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, m_large.begin(size));
         m_gl.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
@@ -232,7 +188,7 @@ void Renderer::show(QSize size, GLuint framebuffer)
         m_gl.glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     } else {
         Smoothing& aside = m_shown == Shown::Smoothed ? m_smoothing : m_large;
-        aside.end(framebuffer, m_shown == Shown::Shrunk ? *m_shrink : *m_smooth);
+        aside.end(framebuffer, m_shown == Shown::Shrunk ? *m_programs.shrink : *m_programs.smooth);
     }
     resetState();
 }
@@ -305,7 +261,7 @@ void Renderer::occlude(Picture& picture, QSize size)
     if (options.world && options.ground)
         drawWorld(picture, true);
     m_gl.glDepthFunc(GL_LEQUAL);
-    const DepthPrograms programs{*m_shadow, *m_shadowCut};
+    const DepthPrograms programs{*m_programs.shadow, *m_programs.shadowCut};
     for (const MeshItem& item : picture.scene.meshes) {
         if (item.opacity < 1.0f)
             continue;
@@ -320,7 +276,7 @@ void Renderer::occlude(Picture& picture, QSize size)
     m_gl.glBindVertexArray(m_emptyArray);
     m_occlusion.end(picture.camera, picture.projectedView,
                     std::min(ofScene * box.radius(), ofView * picture.camera.heightAtTarget()),
-                    {*m_occlude, *m_occludeBlur}, m_parts);
+                    {*m_programs.occlude, *m_programs.occludeBlur}, m_parts);
 }
 
 void Renderer::castShadows(Picture& picture)
@@ -329,9 +285,9 @@ void Renderer::castShadows(Picture& picture)
     if (!options.shadows || options.shading == ShadingMode::Wire)
         return;
     const bool finest = options.quality == Quality::Best && !options.hurried;
-    const auto fit =
-        m_shadowMap.update(picture.scene, picture.light.sun, m_cache, {*m_shadow, *m_shadowCut}, m_parts,
-                           PictureParts::Pass::Shadow, finest ? LeafDetail::All : LeafDetail::Few);
+    const auto fit = m_shadowMap.update(
+        picture.scene, picture.light.sun, m_cache, {*m_programs.shadow, *m_programs.shadowCut}, m_parts,
+        PictureParts::Pass::Shadow, finest ? LeafDetail::All : LeafDetail::Few);
     if (!fit)
         return;
     picture.shadow = placeOf(*fit, picture.camera.eye());
@@ -350,9 +306,9 @@ void Renderer::castNear(Picture& picture, double side)
     const double radius = around * camera.heightAtTarget() * std::max(picture.aspect, 1.0);
     if (2.0 * radius > worthwhile * side)
         return;
-    const auto fit = m_nearShadow.update(picture.scene, picture.light.sun, m_cache, {*m_shadow, *m_shadowCut},
-                                         m_parts, PictureParts::Pass::NearShadow, LeafDetail::All,
-                                         ShadowFocus{camera.target, radius});
+    const auto fit = m_nearShadow.update(
+        picture.scene, picture.light.sun, m_cache, {*m_programs.shadow, *m_programs.shadowCut}, m_parts,
+        PictureParts::Pass::NearShadow, LeafDetail::All, ShadowFocus{camera.target, radius});
     if (fit)
         picture.near = placeOf(*fit, picture.camera.eye());
 }
@@ -439,7 +395,7 @@ void Renderer::drawItem(const Picture& picture, const MeshItem& item, const GpuB
 
 void Renderer::drawMeshDepth(const Picture& picture, const MeshItem& item)
 {
-    ShaderProgram& program = m_shadow->with(item.motion.isStill(), switches::still);
+    ShaderProgram& program = m_programs.shadow->with(item.motion.isStill(), switches::still);
     program.bind();
     m_cache.bindMotion(program, item.motion);
     program.set("uClip", glm::mat4(picture.projectedView * picture.relative(item.world)));
@@ -503,16 +459,16 @@ void Renderer::drawMesh(ShaderProgram& program, const Picture& picture, const Me
 ShaderProgram& Renderer::programOf(const Picture& picture, const MeshItem& item, ShadingMode shading)
 {
     if (shading != ShadingMode::Solid)
-        return *m_meshWire;
+        return *m_programs.meshWire;
     if (m_cache.item(item).hasColours())
-        return *m_meshColours;
+        return *m_programs.meshColours;
     if (item.paint != Paint::Material || item.images)
-        return *m_mesh;
+        return *m_programs.mesh;
     const bool isFar = picture.detailOf(item) == LeafDetail::Least;
-    return (isFar       ? *m_far
-            : item.bark ? *m_bark
-            : item.leaf ? *m_leaf
-                        : *m_plain)
+    return (isFar       ? *m_programs.far
+            : item.bark ? *m_programs.bark
+            : item.leaf ? *m_programs.leaf
+                        : *m_programs.plain)
         .with(item.motion.isStill(), switches::still)
         .with(picture.scene.highlights.empty(), switches::unmarked)
         .with(!picture.near, switches::one);

@@ -8,6 +8,7 @@
 #include "widgets/view/render/outline.h"
 #include "widgets/view/render/passes/occlusion.h"
 #include "widgets/view/render/passes/picture_light.h"
+#include "widgets/view/render/passes/renderer_programs.h"
 #include "widgets/view/render/passes/shadow_map.h"
 #include "widgets/view/render/passes/smoothing.h"
 #include "widgets/view/render/picture_parts.h"
@@ -19,7 +20,7 @@ class QOpenGLDebugLogger;
 
 namespace ramure {
 
-/// Of the last picture, and since the start.
+/// Figures of the last picture, and since the start.
 struct RenderStats
 {
     double uploadMs = 0.0;  ///< blocks new in the last picture
@@ -33,9 +34,6 @@ struct RenderStats
 class Renderer
 {
 public:
-    /// Every program that a renderer compiles: what is not listed here is never given to a driver.
-    using Program = std::unique_ptr<ShaderProgram> Renderer::*;
-    static std::vector<std::pair<Program, ShaderSources>> programs();
     /// Compiles the programs in the current context, which must be OpenGL 3.3 core or later.
     /// Error: Unknown (context, shader), with the driver's words.
     static Expected<std::unique_ptr<Renderer>> make();
@@ -46,9 +44,9 @@ public:
     /// and depth test off, no program, buffer or texture bound.
     void draw(const RenderScene& scene, const Camera& camera, QSize size, GLuint framebuffer,
               const RenderOptions& options);
-    /// While it is set, draw() tells how far it is after each mesh, and leaves out the rest where it is to
-    /// stop: the framebuffer then has no picture. For pictures that take long; it waits for the card each
-    /// time. Null: none. Not owned.
+    /// Sets a progress: draw() reports to it after each mesh, and stops if asked to; the framebuffer then has
+    /// no picture. It is for pictures that take long, because it waits for the card each time. Null: none.
+    /// Not owned.
     void setProgress(const Progress* progress) { m_progress = progress; }
     /// Makes a picture in parts, to be called again with the same arguments until it returns true: then
     /// show() shows it, and until then what was drawn before. Takes about \p ms; infinity: as long as it
@@ -58,25 +56,23 @@ public:
                   int sample, double ms);
     /// The next part is of another picture.
     void restartParts() { m_parts.restart(); }
-    /// Draws into \p framebuffer once more what the last draw() with options.smoothing, or drawPart(), made
-    /// in the same size.
+    /// Draws the result of the last draw() with options.smoothing, or of drawPart(), into \p framebuffer once
+    /// more, in the same size.
     void show(QSize size, GLuint framebuffer);
-    /// Draws the line around what is outlined over a picture of the scene that is in \p framebuffer.
+    /// Draws the outline over a picture of the scene in \p framebuffer.
     void outline(const RenderScene& scene, const Camera& camera, QSize size, GLuint framebuffer,
                  const RenderOptions& options);
-    /// What surfaces are instead of how they look in the light: into the framebuffer's first picture their
-    /// own colour (sRGB), into the second their normal, in the world's axes from 0 to 1, and as alpha the
-    /// depth: 1/255 is \p reach (m) behind the camera's target, 1 as far before it. Where nothing is, all is
-    /// 0. No lines, points or marks. \param framebuffer has two colours and no multisampling
-    /// \param sparing leaves of a few pixels have the least triangles, in a third of the time
+    /// Draws properties of surfaces instead of their lit look. The framebuffer's first picture gets their own
+    /// colour (sRGB). The second gets their normal, in the world's axes from 0 to 1, and the depth as alpha:
+    /// 1/255 is \p reach (m) behind the camera's target, 1 is \p reach in front of it. Pixels without a
+    /// surface are 0. Lines, points and marks are left out. \param framebuffer has two colours and no
+    /// multisampling \param sparing leaves of a few pixels have the least triangles, in a third of the time
     void drawSurfaces(const RenderScene& scene, const Camera& camera, QSize size, GLuint framebuffer,
                       double reach, bool sparing);
     /// Large scenes before they are drawn: see GpuCache::prepare. The context must be current.
     bool prepare(const RenderScene& scene, std::size_t bytes) { return m_cache.prepare(scene, bytes); }
     [[nodiscard]] std::vector<std::shared_ptr<const void>> takeReleased() { return m_cache.takeReleased(); }
     [[nodiscard]] RenderStats stats() const;
-    /// A rasteriser on the CPU (llvmpipe): the renderer chooses fewer samples of the shadow.
-    [[nodiscard]] bool isSoftware() const { return m_software; }
 
 private:
     struct Picture; ///< all that one picture's passes share
@@ -123,16 +119,12 @@ private:
     int m_lensPictures = 0;          ///< in their sum
     Outline m_outline;
     Occlusion m_occlusion;
-    std::unique_ptr<ShaderProgram> m_plain, m_bark, m_leaf; ///< what m_mesh does, each a part of it
-    std::unique_ptr<ShaderProgram> m_far; ///< light at the corners only, for copies of a few pixels
-    std::unique_ptr<ShaderProgram> m_mesh, m_meshColours, m_meshWire, m_shadow, m_shadowCut, m_world, m_line,
-        m_point, m_smooth, m_shrink, m_lensAdd, m_lensShow, m_ghost;
-    std::unique_ptr<ShaderProgram> m_occlude, m_occludeBlur;
-    std::unique_ptr<ShaderProgram> m_outlineRows, m_outlineColumns, m_outlineClosing, m_outlineInk;
-    std::optional<std::pair<SceneLight, PictureLight>> m_light; ///< what the last picture asked for
+    RendererPrograms m_programs;
+    std::optional<std::pair<SceneLight, PictureLight>> m_light; ///< the lights of the last picture
     GLuint m_emptyArray = 0;
     GLuint m_noStates = 0; ///< a texture of one plain branch
-    GLint m_samples = 0;   ///< of a pixel of the picture at hand
+    GLint m_samples = 0;   ///< samples per pixel of the current picture
+    /// A rasteriser on the CPU (llvmpipe): the renderer chooses fewer samples of the shadow.
     bool m_software = false;
     RenderStats m_stats;
     const Progress* m_progress = nullptr;

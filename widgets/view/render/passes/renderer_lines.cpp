@@ -1,6 +1,7 @@
 // What is no mesh: sky and ground, ghosts, lines and points, and the line around what is selected.
 #include "widgets/view/render/passes/renderer_picture.h"
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/gtc/matrix_inverse.hpp>
 
@@ -28,6 +29,21 @@ glm::vec3 planeDepth(const glm::dmat4& projected, const glm::dmat3& rays, double
 
 } // namespace
 
+/// The feet that look largest.
+static void setFeet(ShaderProgram& world, std::vector<Foot> feet, const glm::dvec3& eye)
+{
+    constexpr std::array names{"uFeet[0]",  "uFeet[1]",  "uFeet[2]",  "uFeet[3]", "uFeet[4]",  "uFeet[5]",
+                               "uFeet[6]",  "uFeet[7]",  "uFeet[8]",  "uFeet[9]", "uFeet[10]", "uFeet[11]",
+                               "uFeet[12]", "uFeet[13]", "uFeet[14]", "uFeet[15]"};
+    const std::size_t count = std::min(feet.size(), names.size());
+    std::ranges::partial_sort(
+        feet, feet.begin() + std::ptrdiff_t(count), std::less(),
+        [&eye](const Foot& foot) { return glm::distance(foot.place, eye) / std::max(foot.reach, 1e-6); });
+    world.set("uFeetCount", int(count));
+    for (std::size_t i = 0; i < count; ++i)
+        world.set(names[i], glm::vec3(feet[i].place.x, feet[i].place.z, feet[i].reach));
+}
+
 void Renderer::drawWorld(const Picture& picture, bool depthOnly)
 {
     const Camera& camera = picture.camera;
@@ -37,7 +53,7 @@ void Renderer::drawWorld(const Picture& picture, bool depthOnly)
     const double reach = std::max(box.empty() ? 1.0 : box.radius(), 0.05);
     const double height = std::abs(camera.eye().y - picture.scene.ground);
     const bool meadow = picture.light.studio.r < 0.0f && !picture.light.sky;
-    ShaderProgram& world = m_world->with(meadow, switches::meadow)
+    ShaderProgram& world = m_programs.world->with(meadow, switches::meadow)
                                .with(picture.isLevel(), switches::level)
                                .with(!picture.near, switches::one)
                                .with(depthOnly, switches::depthOnly);
@@ -60,6 +76,7 @@ void Renderer::drawWorld(const Picture& picture, bool depthOnly)
     const double step = gridStep(camera.heightAtTarget());
     world.set("uGridStep", picture.options.grid ? float(step) : 0.0f);
     world.set("uPixelRatio", float(picture.options.pixelRatio));
+    setFeet(world, picture.scene.feet, camera.eye());
     world.set("uMottle", float(0.35 * reach));
     world.set("uClip", glm::mat4(picture.projectedView));
     m_gl.glBindVertexArray(m_emptyArray);
@@ -73,9 +90,9 @@ void Renderer::drawGhosts(const Picture& picture)
 {
     if (picture.scene.ghosts.empty())
         return;
-    m_ghost->bind();
-    m_ghost->set("uBackward",
-                 glm::vec4(glm::vec3(picture.camera.backward()), picture.camera.orthographic ? 1.0f : 0.0f));
+    m_programs.ghost->bind();
+    m_programs.ghost->set("uBackward", glm::vec4(glm::vec3(picture.camera.backward()),
+                                                 picture.camera.orthographic ? 1.0f : 0.0f));
     m_gl.glDepthMask(GL_FALSE);
     m_gl.glEnable(GL_CULL_FACE);
     m_gl.glEnable(GL_POLYGON_OFFSET_FILL); // where it lies in a surface, that is seen
@@ -83,10 +100,10 @@ void Renderer::drawGhosts(const Picture& picture)
     for (const GhostItem& item : picture.scene.ghosts) {
         const GpuBlock& block = m_cache.mesh(item.mesh, nullptr);
         const glm::dmat4 relative = picture.relative(item.world);
-        m_ghost->set("uClip", glm::mat4(picture.projectedView * relative));
-        m_ghost->set("uRelative", glm::mat4(relative));
-        m_ghost->set("uNormal", glm::mat3(glm::inverseTranspose(glm::dmat3(item.world))));
-        m_ghost->set("uColour", glm::vec4(item.colour) / 255.0f);
+        m_programs.ghost->set("uClip", glm::mat4(picture.projectedView * relative));
+        m_programs.ghost->set("uRelative", glm::mat4(relative));
+        m_programs.ghost->set("uNormal", glm::mat3(glm::inverseTranspose(glm::dmat3(item.world))));
+        m_programs.ghost->set("uColour", glm::vec4(item.colour) / 255.0f);
         m_gl.glFrontFace(glm::determinant(glm::dmat3(item.world)) < 0.0 ? GL_CW : GL_CCW);
         m_gl.glBindVertexArray(block.vertexArray);
         m_parts.rows([&] { m_gl.glDrawElements(GL_TRIANGLES, block.count, GL_UNSIGNED_INT, nullptr); });
@@ -99,16 +116,16 @@ void Renderer::drawGhosts(const Picture& picture)
 
 void Renderer::drawLines(const Picture& picture, bool hidden)
 {
-    m_line->bind();
-    m_line->set("uViewport", picture.viewport);
-    m_line->set("uPixelRatio", float(picture.options.pixelRatio));
-    m_line->set("uLift", hidden ? 0.0f : picture.lift());
+    m_programs.line->bind();
+    m_programs.line->set("uViewport", picture.viewport);
+    m_programs.line->set("uPixelRatio", float(picture.options.pixelRatio));
+    m_programs.line->set("uLift", hidden ? 0.0f : picture.lift());
     m_gl.glDepthFunc(hidden ? GL_GREATER : GL_LEQUAL);
     m_gl.glDepthMask(hidden ? GL_FALSE : GL_TRUE);
     for (const LineItem& item : picture.scene.lines) {
         if (hidden && !item.throughSurfaces)
             continue;
-        m_line->set("uOpacity", hidden ? item.hidden : 1.0f);
+        m_programs.line->set("uOpacity", hidden ? item.hidden : 1.0f);
         drawLineItem(picture, item);
     }
 }
@@ -116,29 +133,29 @@ void Renderer::drawLines(const Picture& picture, bool hidden)
 void Renderer::drawLineItem(const Picture& picture, const LineItem& item)
 {
     const GpuBlock& block = m_cache.lines(item.lines);
-    setStates(*m_line, picture.scene, item.node);
-    m_cache.bindBones(*m_line, item.motion);
-    m_line->set("uClip", glm::mat4(picture.projectedView * picture.relative(item.world)));
+    setStates(*m_programs.line, picture.scene, item.node);
+    m_cache.bindBones(*m_programs.line, item.motion);
+    m_programs.line->set("uClip", glm::mat4(picture.projectedView * picture.relative(item.world)));
     m_gl.glBindVertexArray(block.vertexArray);
     m_parts.rows([&] { m_gl.glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, block.count); });
 }
 
 void Renderer::drawPoints(const Picture& picture, bool hidden)
 {
-    m_point->bind();
-    m_point->set("uViewport", picture.viewport);
-    m_point->set("uPixelRatio", float(picture.options.pixelRatio));
-    m_point->set("uLift", hidden ? 0.0f : 1.5f * picture.lift());
+    m_programs.point->bind();
+    m_programs.point->set("uViewport", picture.viewport);
+    m_programs.point->set("uPixelRatio", float(picture.options.pixelRatio));
+    m_programs.point->set("uLift", hidden ? 0.0f : 1.5f * picture.lift());
     m_gl.glDepthFunc(hidden ? GL_GREATER : GL_LEQUAL);
     m_gl.glDepthMask(hidden ? GL_FALSE : GL_TRUE);
     for (const PointItem& item : picture.scene.points) {
         if (hidden && !item.throughSurfaces)
             continue;
-        m_point->set("uOpacity", hidden ? item.hidden : 1.0f);
+        m_programs.point->set("uOpacity", hidden ? item.hidden : 1.0f);
         const GpuBlock& block = m_cache.points(item.points);
-        setStates(*m_point, picture.scene, item.node);
-        m_cache.bindBones(*m_point, item.motion);
-        m_point->set("uClip", glm::mat4(picture.projectedView * picture.relative(item.world)));
+        setStates(*m_programs.point, picture.scene, item.node);
+        m_cache.bindBones(*m_programs.point, item.motion);
+        m_programs.point->set("uClip", glm::mat4(picture.projectedView * picture.relative(item.world)));
         m_gl.glBindVertexArray(block.vertexArray);
         m_parts.rows([&] { m_gl.glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, block.count); });
     }
@@ -163,7 +180,7 @@ void Renderer::drawOutline(const Picture& picture, GLuint target)
         if (!item.outlined)
             continue;
         const GpuBlock& block = m_cache.item(item);
-        ShaderProgram& program = m_shadow->with(item.motion.isStill(), switches::still);
+        ShaderProgram& program = m_programs.shadow->with(item.motion.isStill(), switches::still);
         program.bind();
         m_cache.bindMotion(program, item.motion);
         program.set("uClip", glm::mat4(picture.projectedView * picture.relative(item.world)));
@@ -174,19 +191,21 @@ void Renderer::drawOutline(const Picture& picture, GLuint target)
             m_outline.mask(*item.outlined, block.count);
         }
     }
-    m_line->bind();
-    m_line->set("uViewport", m_outline.maskSize());
-    m_line->set("uPixelRatio", 1.0f);
-    m_line->set("uLift", 0.0f);
+    m_programs.line->bind();
+    m_programs.line->set("uViewport", m_outline.maskSize());
+    m_programs.line->set("uPixelRatio", 1.0f);
+    m_programs.line->set("uLift", 0.0f);
     for (const LineItem& item : picture.scene.lines) {
         if (item.outlined == OutlinedLines::None)
             continue;
-        m_line->set("uOnlySelected", item.outlined == OutlinedLines::Selected);
+        m_programs.line->set("uOnlySelected", item.outlined == OutlinedLines::Selected);
         drawLineItem(picture, item);
     }
-    m_line->set("uOnlySelected", false);
+    m_programs.line->set("uOnlySelected", false);
     m_gl.glBindVertexArray(m_emptyArray);
-    m_outline.end(target, {*m_outlineRows, *m_outlineColumns, *m_outlineClosing, *m_outlineInk},
+    m_outline.end(target,
+                  {*m_programs.outlineRows, *m_programs.outlineColumns, *m_programs.outlineClosing,
+                   *m_programs.outlineInk},
                   picture.options.outlineOpacity);
 }
 

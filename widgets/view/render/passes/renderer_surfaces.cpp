@@ -24,11 +24,11 @@ void Renderer::drawSurfaces(const RenderScene& scene, const Camera& camera, QSiz
     for (const MeshItem& item : scene.meshes) {
         if (item.isMark)
             continue;
-        ShaderProgram& base = m_cache.item(item).hasColours()                ? *m_meshColours
-                              : item.paint != Paint::Material || item.images ? *m_mesh
-                              : item.bark                                    ? *m_bark
-                              : item.leaf                                    ? *m_leaf
-                                                                             : *m_plain;
+        ShaderProgram& base = m_cache.item(item).hasColours()                ? *m_programs.meshColours
+                              : item.paint != Paint::Material || item.images ? *m_programs.mesh
+                              : item.bark                                    ? *m_programs.bark
+                              : item.leaf                                    ? *m_programs.leaf
+                                                                             : *m_programs.plain;
         ShaderProgram& program = base.with(item.motion.isStill(), switches::still)
                                      .with(true, switches::unmarked)
                                      .with(true, switches::surfaces);

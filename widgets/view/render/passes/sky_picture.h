@@ -9,10 +9,11 @@
 namespace ramure {
 
 /// Writes a Radiance picture (.hdr, RGBE; Ward, "Real Pixels", Graphics Gems II, 1991), \p width (16..8192,
-/// even) by half of it: linear, in the numbers of a picture before exposure. As seen from inside: the west
-/// (-X) is at the left edge, then the north (-Z), the east in the middle and the south; the zenith is above.
-/// What is below the horizon is the lit ground. The sun itself is not in it: two lines of the header, "# sun"
-/// and "# sunlight", tell the way towards it and its light on a white surface that faces it. Errors: Io.
+/// even) by half of it. Values are linear, like those of a picture before exposure. The sky is seen from
+/// inside: the west (-X) is at the left edge, then the north (-Z), the east in the middle and the south; the
+/// zenith is above. Below the horizon is the lit ground. The sun itself is left out: two lines of the header,
+/// "# sun" and "# sunlight", give the way towards it and its light on a white surface that faces it. Errors:
+/// Io.
 Expected<void> saveSkyPicture(const SceneLight& light, int width, const std::string& path);
 
 } // namespace ramure

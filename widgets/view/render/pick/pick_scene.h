@@ -1,9 +1,9 @@
 /// \file
-/// What lies under the cursor: picking on the CPU, so that it is exact and tested without OpenGL. A PickScene
-/// is built from a render scene, in the background where one likes, and then only read.
+/// Finds the object under the cursor. Picking runs on the CPU, so that it is exact and tested without OpenGL.
+/// A PickScene is built from a render scene, in the background if desired, and then only read.
 ///
-/// Surfaces: the nearest triangle along the ray. Lines: the one nearest to the cursor in pixels, of several
-/// under it the one in front. Rectangles take everything inside, also what is hidden.
+/// Surfaces: the nearest triangle along the ray. Lines: the one nearest to the cursor in pixels; of several
+/// under it the one in front. Rectangles take everything inside, also hidden objects.
 #pragma once
 
 #include "widgets/view/render/camera.h"
@@ -16,7 +16,7 @@ namespace ramure {
 struct PickHit
 {
     NodeId node = noNode;
-    Index branch = noIndex; ///< of the simplified skeleton; noIndex for meshes without branches
+    Index branch = noIndex; ///< index in the simplified skeleton; noIndex for meshes without branches
     glm::dvec3 point{0.0};  ///< world
 };
 
@@ -32,7 +32,7 @@ struct PickView
     {
         return {2.0 * pixel.x / size.x - 1.0, 1.0 - 2.0 * pixel.y / size.y};
     }
-    /// Where a point of the world is seen; nothing behind the eye.
+    /// Returns the pixel at which a point of the world is seen; nothing behind the eye.
     [[nodiscard]] std::optional<glm::dvec2> pixel(const glm::dvec3& world) const
     {
         const auto at = camera.project(world, aspect());
@@ -61,9 +61,9 @@ public:
     /// \param tolerance how far from a line the cursor may be, logical pixels.
     [[nodiscard]] std::optional<PickHit> pick(const PickView& view, const glm::dvec2& pixel,
                                               double tolerance = 6.0) const;
-    /// Where the ray under the cursor first meets a surface of this node, world, whatever stands before it;
-    /// of several nodes see pick. \p world: where the node's surfaces are by now, in the place of where they
-    /// were. Nothing where this scene does not have them.
+    /// Returns where the ray under the cursor first meets a surface of this node, in the world, even if other
+    /// nodes are in front (for the first of all nodes see pick). \p world is the node's present place, which
+    /// may differ from the one in this scene. Nothing if this scene does not have the node's surfaces.
     [[nodiscard]] std::optional<glm::dvec3> meet(const PickView& view, const glm::dvec2& pixel, NodeId node,
                                                  const glm::dmat4& world) const;
     /// \param mesh that it must be; null: any.

@@ -10,7 +10,7 @@
 
 namespace ramure {
 
-static constexpr glm::vec2 usualYouth(0.01f, 0.06f); ///< m, under pictures that an artist brings
+static constexpr glm::vec4 usualYouth(0.01f, 0.06f, 1.0f, 2.0f); ///< m, under pictures that an artist brings
 namespace {
 
 using gpu::offset;
@@ -377,7 +377,12 @@ void GpuCache::bindPictures(ShaderProgram& program, const MeshItem& item)
     m_gl.glActiveTexture(GL_TEXTURE0);
     const bool isBark = !item.images && item.bark;
     program.set("uHasBark", isBark);
-    program.set("uYouth", isBark ? glm::vec2(item.bark->youngRadius, item.bark->oldRadius) : usualYouth);
+    program.set("uYouth", isBark ? glm::vec4(item.bark->youngRadius, item.bark->oldRadius,
+                                             item.bark->limbRadius, item.bark->ripeRadius)
+                                 : usualYouth);
+    program.set("uLimb", isBark ? item.bark->limb : glm::vec3(1.0f));
+    program.set("uGrey", isBark ? std::max(item.bark->grey, 0.01f) : 1.0f);
+    program.set("uWeathers", isBark);
     program.set("uYoung", isBark ? glm::vec3(item.bark->young) / 255.0f : glm::vec3(-1.0f));
     const bool isLeaf = !item.images && !item.bark && item.leaf;
     program.set("uVeins", isLeaf);

@@ -17,7 +17,8 @@
 namespace ramure {
 
 namespace gpu {
-inline constexpr int stateWidth = 2048; ///< of the textures of branch states, triangles' colours and bones
+/// Width of the textures of branch states, triangles' colours and bones.
+inline constexpr int stateWidth = 2048;
 inline const void* offset(std::size_t bytes)
 {
     return reinterpret_cast<const void*>(bytes);
@@ -30,20 +31,20 @@ struct GpuBlock
     std::shared_ptr<const void> source;
     GLuint vertexArray = 0;
     std::vector<GpuBuffer> buffers;
-    GLuint texture = 0;                        ///< of a mesh: the colours of its triangles
-    GLuint normals = 0;                        ///< of bark: a second texture
-    GLsizei count = 0;                         ///< indices, instances, or entries
-    GLsizei copies = 0;                        ///< of a mesh: how many are drawn; 0: it is drawn itself
-    std::array<MeshCopies::Faces, 3> detail{}; ///< of copies, by LeafDetail
-    std::shared_ptr<const void> skin;          ///< of a mesh: whose influences its vertex array reads
-    std::shared_ptr<const void> wind;          ///< likewise
+    GLuint texture = 0; ///< for a mesh: the colours of its triangles
+    GLuint normals = 0; ///< for bark: a second texture
+    GLsizei count = 0;  ///< indices, instances, or entries
+    GLsizei copies = 0; ///< for a mesh: number of copies that are drawn; 0: the mesh itself is drawn
+    std::array<MeshCopies::Faces, 3> detail{}; ///< for copies: faces by LeafDetail
+    std::shared_ptr<const void> skin; ///< for a mesh: the skin whose influences its vertex array reads
+    std::shared_ptr<const void> wind; ///< likewise
     std::uint64_t usedIn = 0;
     bool prepared = false; ///< kept for a picture to come
 
     /// Have the triangles of a mesh colours of their own?
     [[nodiscard]] bool hasColours() const { return texture != 0; }
 
-    /// What is not in its buffer yet.
+    /// A part of a block that is not in its buffer yet.
     struct Piece
     {
         std::size_t buffer = 0; ///< among the block's
@@ -70,20 +71,21 @@ public:
     GpuCache(const GpuCache&) = delete;
     GpuCache& operator=(const GpuCache&) = delete;
 
-    /// \param wind on what stands in one
+    /// \param wind for the trees that stand in it
     void beginPicture(const WindMoment& wind)
     {
         ++m_picture;
         m_wind = wind;
     }
     [[nodiscard]] const WindMoment& wind() const { return m_wind; }
-    /// Uploads at most some \p bytes of what a scene needs, to be called until it is true: then the scene can
-    /// be drawn without a delay. What is prepared stays until it is drawn, or another scene is prepared.
+    /// Uploads up to about \p bytes of the data that a scene needs. Call it until it returns true; then the
+    /// scene can be drawn without a delay. Prepared data stay until they are drawn, or another scene is
+    /// prepared.
     bool prepare(const RenderScene& scene, std::size_t bytes);
     /// \p skin may be null.
     const GpuBlock& mesh(const std::shared_ptr<const TriangleMesh>& mesh,
                          const std::shared_ptr<const Skin>& skin);
-    /// What is drawn of an item: its mesh or the copies in its place.
+    /// Returns the block that is drawn for an item: its mesh, or the copies in its place.
     const GpuBlock& item(const MeshItem& item);
     /// All that is no copy stands where its mesh has it: to be called before triangles are drawn.
     void restAttributes();
@@ -113,7 +115,7 @@ public:
     static constexpr GLenum bonesUnit = 3, coloursUnit = 4, barkUnit = 5, barkNormalsUnit = 6, crownUnit = 7,
                             elementsUnit = 11;
 
-    /// Frees what was not asked for since beginPicture.
+    /// Frees all data that was not used since beginPicture.
     void freeUnused();
     [[nodiscard]] UploadStats stats() const;
     /// The blocks of the processor's memory that were let go of since the last call: the caller says where
@@ -153,10 +155,10 @@ private:
     using DrawFrom = void(QOPENGLF_APIENTRYP)(GLenum, GLsizei, GLenum, const void*, GLsizei, GLuint);
 
     Gl& m_gl;
-    DrawFrom m_drawCopiesFrom = nullptr; ///< of OpenGL 4.2; null where the driver has none
+    DrawFrom m_drawCopiesFrom = nullptr; ///< function of OpenGL 4.2; null if the driver has none
     BufferPool m_pool;
     std::map<const void*, GpuBlock> m_blocks;
-    std::vector<glm::vec4> m_texels; ///< of bones, kept between pictures
+    std::vector<glm::vec4> m_texels; ///< texels of the bones, kept between pictures
     WindMoment m_wind;
     std::vector<std::shared_ptr<const void>> m_released;
     GLint m_largestTexture = 0;

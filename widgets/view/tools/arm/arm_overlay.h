@@ -1,5 +1,5 @@
 /// \file
-/// What the viewport says of an arm: how far its tip is from the target and how that went.
+/// The viewport's readout of an arm: the distance from its tip to the target, and its history.
 #pragma once
 
 #include "core/qt/session/arm/arm_reach.h"

@@ -56,7 +56,7 @@ public:
     [[nodiscard]] TransformSpace space() const { return m_space; }
     /// Where the gizmo is now: it goes along.
     [[nodiscard]] GizmoPlace place() const;
-    /// Of the turn or scale: where it stood at the beginning.
+    /// Returns where the turn or scale stood at the beginning.
     [[nodiscard]] const GizmoPlace& start() const { return m_place; }
     [[nodiscard]] bool keys() const { return m_keys; } ///< any of the nodes gets keys
     /// "X +1.250 m", "45.0°", "× 1.5"; while a number is typed it, with a cursor.

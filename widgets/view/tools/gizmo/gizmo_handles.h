@@ -14,7 +14,7 @@ class QPainter;
 
 namespace ramure {
 
-/// What a handle, or a locked axis, lets move.
+/// The movement that a handle, or a locked axis, allows.
 enum class GizmoPart : quint8 {
     Axis,   ///< along, about or stretched along one axis
     Plane,  ///< in the plane across an axis; scale: along the two axes of that plane
@@ -29,7 +29,7 @@ struct GizmoHandle
     bool operator==(const GizmoHandle&) const = default;
 };
 
-/// Where the gizmo stands, in the world.
+/// The place of the gizmo in the world.
 struct GizmoPlace
 {
     glm::dvec3 pivot{0.0};
@@ -49,9 +49,9 @@ QPolygonF gizmoRing(const PickView& view, const GizmoPlace& place, const glm::dv
 
 /// From the pivot to the eye, unit.
 glm::dvec3 gizmoSight(const PickView& view, const glm::dvec3& pivot);
-/// An axis, from near the middle to its end. Nothing where it is seen from its end.
+/// Returns an axis, from near the middle to its end. Nothing if it is seen from its end.
 std::optional<QLineF> gizmoAxisLine(const PickView& view, const GizmoPlace& place, int axis);
-/// The little square across an axis. Nothing where it is seen from its edge.
+/// Returns the little square across an axis. Nothing if it is seen from its edge.
 std::optional<QPolygonF> gizmoPlaneSquare(const PickView& view, const GizmoPlace& place, int axis);
 
 /// The handle under the cursor; none with the tool Select. Axes seen from their end and planes seen from

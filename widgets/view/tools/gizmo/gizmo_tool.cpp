@@ -164,7 +164,7 @@ bool GizmoTool::beginByKeys(TransformTool tool, const ToolPoint& point)
         const Selection& selection = m_context.document.selection();
         m_context.host.raiseMessage(
             selection.nodes.empty() && !selection.branches.empty()
-                ? tr("Branches are bent by a drag with Ctrl; what is moved is the tree: select it")
+                ? tr("Drag with Ctrl to bend branches. To move the tree, select it")
                 : tr("Select a node that is shown and not locked: then it can be moved"));
         return false;
     }

@@ -18,7 +18,7 @@ public:
     /// By keys, with the mouse at \p point helping: until Enter or a click. False, and it is said why, where
     /// nothing can be moved.
     bool beginByKeys(TransformTool tool, const ToolPoint& point);
-    /// Of the edits made; 0: nothing goes on.
+    /// Gesture of the edits made; 0: no gesture is going on.
     [[nodiscard]] GestureId gesture() const { return m_drag ? m_drag->gesture() : 0; }
 
     bool hover(const ToolPoint& point) override;
@@ -54,9 +54,9 @@ private:
     bool m_moves = false;              ///< the pointer has left the place of the press
     QPointF m_last;
     std::optional<GizmoHandle> m_hover;
-    std::optional<GizmoPlace> m_rest; ///< where it stands between gestures
+    std::optional<GizmoPlace> m_rest; ///< its place between gestures
     bool m_stale = true;              ///< m_rest is of before a change
-    double m_restSeconds = 0.0;       ///< of the playhead, of m_rest
+    double m_restSeconds = 0.0;       ///< time of the playhead for m_rest
 };
 
 } // namespace ramure

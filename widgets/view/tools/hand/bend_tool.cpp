@@ -42,10 +42,7 @@ class BendTool : public EditTool
 {
     Q_DECLARE_TR_FUNCTIONS(ramure::BendTool)
 public:
-    explicit BendTool(ToolContext& context)
-        : EditTool(context, HandTool::Bend)
-    {
-    }
+    using EditTool::EditTool;
 
     [[nodiscard]] bool goesOn() const override { return isBusy(); }
     void drag(const ToolPoint& point) override;
@@ -274,10 +271,9 @@ std::vector<Index> BendTool::affected(const LimbHit& limb)
 void BendTool::offer(ToolOffers& offers) const
 {
     if (isChosen() && !m_context.isPlaying() && offers.held() == Qt::NoModifier)
-        offers.add(ToolOffers::Drag,
-                   aim() ? tr("Drag: the limb bows where it is green, what is bright follows · "
-                              "Shift: down to the ground")
-                         : tr("Drag a branch: the limb bows as the hand goes"));
+        offers.add(ToolOffers::Drag, aim() ? tr("Drag: the limb bows along its green part, the bright part "
+                                                "follows · Shift: down to the ground")
+                                           : tr("Drag a branch: the limb bows as the hand goes"));
     offerLimbs(offers);
 }
 
@@ -356,7 +352,7 @@ void BendTool::paint(QPainter& painter, const PickView& view)
 
 std::unique_ptr<Tool> makeBendTool(ToolContext& context)
 {
-    return std::make_unique<BendTool>(context);
+    return std::make_unique<BendTool>(context, HandTool::Bend);
 }
 
 } // namespace ramure

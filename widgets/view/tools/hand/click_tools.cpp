@@ -41,10 +41,7 @@ class CutTool : public TakeTool
 {
     Q_DECLARE_TR_FUNCTIONS(ramure::CutTool)
 public:
-    explicit CutTool(ToolContext& context)
-        : TakeTool(context, HandTool::Cut)
-    {
-    }
+    using TakeTool::TakeTool;
     void offer(ToolOffers& offers) const override
     {
         if (isChosen() && offers.held() == Qt::NoModifier)
@@ -77,10 +74,7 @@ class RemoveTool : public TakeTool
 {
     Q_DECLARE_TR_FUNCTIONS(ramure::RemoveTool)
 public:
-    explicit RemoveTool(ToolContext& context)
-        : TakeTool(context, HandTool::Remove)
-    {
-    }
+    using TakeTool::TakeTool;
     void offer(ToolOffers& offers) const override
     {
         offerLimbs(offers);
@@ -106,10 +100,7 @@ class KeepTool : public ClickTool
 {
     Q_DECLARE_TR_FUNCTIONS(ramure::KeepTool)
 public:
-    explicit KeepTool(ToolContext& context)
-        : ClickTool(context, HandTool::Keep)
-    {
-    }
+    using ClickTool::ClickTool;
     void offer(ToolOffers& offers) const override
     {
         offerLimbs(offers);
@@ -136,10 +127,7 @@ class LeavesTool : public ClickTool
 {
     Q_DECLARE_TR_FUNCTIONS(ramure::LeavesTool)
 public:
-    explicit LeavesTool(ToolContext& context)
-        : ClickTool(context, HandTool::Leaves)
-    {
-    }
+    using ClickTool::ClickTool;
     void offer(ToolOffers& offers) const override
     {
         offerLimbs(offers);
@@ -166,19 +154,19 @@ protected:
 
 std::unique_ptr<Tool> makeCutTool(ToolContext& context)
 {
-    return std::make_unique<CutTool>(context);
+    return std::make_unique<CutTool>(context, HandTool::Cut);
 }
 std::unique_ptr<Tool> makeRemoveTool(ToolContext& context)
 {
-    return std::make_unique<RemoveTool>(context);
+    return std::make_unique<RemoveTool>(context, HandTool::Remove);
 }
 std::unique_ptr<Tool> makeKeepTool(ToolContext& context)
 {
-    return std::make_unique<KeepTool>(context);
+    return std::make_unique<KeepTool>(context, HandTool::Keep);
 }
 std::unique_ptr<Tool> makeLeavesTool(ToolContext& context)
 {
-    return std::make_unique<LeavesTool>(context);
+    return std::make_unique<LeavesTool>(context, HandTool::Leaves);
 }
 
 } // namespace ramure

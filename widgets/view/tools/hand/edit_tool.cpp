@@ -4,6 +4,7 @@
 #include "core/math/frame.h"
 #include "widgets/base/texts/core_text.h"
 #include "widgets/view/tools/hand/hand_cursor.h"
+#include "widgets/view/tools/motion_tools.h"
 #include <QCoreApplication>
 #include <QLocale>
 #include <QPainter>
@@ -84,22 +85,45 @@ std::optional<LimbHit> EditTool::twigAt(const ToolPoint& point, std::chrono::mil
                  : m_context.limbs.under(m_context.document, point.view, point.pixel());
 }
 
-/// Under the mouse, or, as thin as twigs are, a few pixels beside it.
+/// Under the mouse, or, as thin as twigs are, the nearest one a few pixels beside it that is seen.
 std::optional<LimbHit> EditTool::twigNear(const PickScene& scene, const ToolPoint& point)
 {
-    constexpr double reaches[] = {3.0, 6.0}; // logical pixels
+    const Document& document = m_context.document;
+    const PickView& view = point.view;
+    const auto at = [&](const glm::dvec2& pixel, const std::optional<PickHit>& hit) {
+        auto limb = hit ? m_context.limbs.at(document, *hit) : std::nullopt;
+        if (limb && pixel != point.pixel())
+            limb->side = m_context.limbs.sideTowards(document, *limb, view, point.pixel());
+        return limb;
+    };
+    if (auto limb = at(point.pixel(), scene.pick(view, point.pixel())))
+        return limb;
+    constexpr double reach = 6.0; // logical pixels
     constexpr glm::dvec2 ways[] = {{1, 0},     {0, 1},      {-1, 0},     {0, -1},
                                    {0.7, 0.7}, {-0.7, 0.7}, {0.7, -0.7}, {-0.7, -0.7}};
-    const auto at = [&](const glm::dvec2& aside) {
-        const auto hit = scene.pick(point.view, point.pixel() + aside);
-        return hit ? m_context.limbs.at(m_context.document, *hit) : std::nullopt;
-    };
-    auto limb = at({0.0, 0.0});
-    for (const double reach : reaches)
+    for (const double far : {0.5 * reach, reach})
         for (const glm::dvec2& way : ways)
-            if (!limb && (limb = at(reach * way)))
-                limb->side =
-                    m_context.limbs.sideTowards(m_context.document, *limb, point.view, point.pixel());
+            if (auto limb = at(point.pixel() + far * way, scene.pick(view, point.pixel() + far * way)))
+                return limb;
+    // What is thinner than a pixel, rays go past.
+    const auto around = scene.inRectangle(view, point.pixel() - reach, point.pixel() + reach);
+    std::vector<StandingTree> trees;
+    for (const PickedBranches& of : around)
+        if (const TreeResult* tree = m_context.limbs.tree(document, of.node))
+            trees.push_back({of.node, worldOf(of.node), &tree->simplified->skeleton, nullptr, &of.branches});
+    const auto near = branchUnder(view, point.pixel(), trees, reach);
+    const auto middle = near ? view.pixel(near->point) : std::nullopt;
+    if (!middle)
+        return std::nullopt;
+    const auto first = scene.pick(view, *middle);
+    if (auto limb = at(*middle, first))
+        return limb;
+    auto limb = m_context.limbs.onBranch(document, near->node, near->branch, near->along);
+    const bool isHidden =
+        limb && first && glm::dot(first->point - near->point, view.camera.backward()) > 2.0 * limb->radius;
+    if (!limb || isHidden)
+        return std::nullopt;
+    limb->aside = limb->side = m_context.limbs.sideTowards(document, *limb, view, point.pixel());
     return limb;
 }
 
@@ -110,7 +134,16 @@ bool EditTool::press(const ToolPoint& point)
     if (!isChosen() || point.button != Qt::LeftButton || (point.held & others))
         return false;
     m_eye = point.view.camera.eye();
-    return take(point, limbAt(point, shapePatience));
+    const auto limb = limbAt(point, shapePatience);
+    const bool takes = take(point, limb);
+    if (!takes && !limb) // what else a press does there is not what was meant
+        missed();
+    return takes;
+}
+
+void EditTool::missed()
+{
+    m_context.host.raiseMessage(EditWords::tr("No limb is there: click on one, or a few pixels beside it."));
 }
 
 /// With Shift: of the twig under the cursor the limb that it grows on, and that one's; or back.
@@ -203,7 +236,7 @@ std::optional<double> EditTool::fallsAfter() const
 void EditTool::reportFall()
 {
     if (fallsAfter())
-        m_context.host.raiseMessage(EditWords::tr("Cut: what hangs there falls when the timeline plays."));
+        m_context.host.raiseMessage(EditWords::tr("Cut: the part falls when the timeline plays."));
 }
 
 bool EditTool::refuse(const Error& why)
@@ -259,6 +292,8 @@ void ClickTool::sceneReady()
     const auto limb = isChosen() ? limbAt(point, pickPatience) : std::nullopt;
     if (limb)
         report(act(*limb, point.held));
+    else if (isChosen())
+        missed();
 }
 
 NodeId treeMeant(const Document& document)

@@ -65,6 +65,7 @@ protected:
     /// A press that cannot be done: why, goes to the status bar. \return true, so that take() has the
     /// gesture: what was meant to shape a tree must not select
     bool refuse(const Error& why);
+    void missed(); ///< nothing was hit: to the status bar
     /// What went wrong goes to the status bar. \return whether nothing did
     bool report(const Expected<void>& done);
     [[nodiscard]] glm::dmat4 worldOf(NodeId node) const;

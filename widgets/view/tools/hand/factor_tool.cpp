@@ -49,7 +49,7 @@ constexpr FactorKind factorKinds[] = {
     {HandTool::Curl, EditOperation::Curl, Way::Rolled, QT_TRANSLATE_NOOP("ramure::FactorTool", "Curl %1°"),
      QT_TRANSLATE_NOOP("ramure::FactorTool", "Drag a branch to one side: it rolls up that way")},
     {HandTool::Twist, EditOperation::Twist, Way::Around, QT_TRANSLATE_NOOP("ramure::FactorTool", "Twist %1°"),
-     QT_TRANSLATE_NOOP("ramure::FactorTool", "Drag a branch to the right or left: what grows on it turns")},
+     QT_TRANSLATE_NOOP("ramure::FactorTool", "Drag a branch to the right or left: its twigs turn")},
 };
 
 class FactorTool : public NumberTool

@@ -77,7 +77,7 @@ Expected<void> GraftTool::copy(const LimbHit& limb)
 {
     return HandEdit::begin(m_context.document, limb.node).map([&](std::unique_ptr<HandEdit>&& gesture) {
         m_source = Source{limb.node, limb.address, gesture->context().limb(limb.address)};
-        m_context.host.raiseMessage(tr("The limb is copied: click where it is to grow."));
+        m_context.host.raiseMessage(tr("The limb is copied: click its new place."));
         m_context.host.updateHint();
     });
 }

@@ -54,8 +54,7 @@ Expected<void> HandEdit::add(const TreeEdit& edit, bool inTreeSpace)
     auto ready = m_context.prepared(edit, inTreeSpace);
     if (!ready)
         return tl::unexpected(ready.error());
-    if (auto done = m_context.apply(*ready); !done)
-        return done;
+    RAMURE_TRY(m_context.apply(*ready));
     m_edits.push_back(std::move(*ready));
     return {};
 }
@@ -67,8 +66,7 @@ Expected<void> HandEdit::replace(const std::vector<TreeEdit>& edits, bool inTree
         auto ready = m_context.prepared(edit, inTreeSpace);
         if (!ready)
             return tl::unexpected(ready.error());
-        if (auto can = m_context.tried(*ready); !can)
-            return can;
+        RAMURE_TRY(m_context.tried(*ready));
         made.push_back(std::move(*ready));
     }
     m_edits = std::move(made);
@@ -175,8 +173,7 @@ template <class Add> Expected<void> atOnce(Document& document, NodeId tree, Add&
     auto gesture = HandEdit::begin(document, tree);
     if (!gesture)
         return tl::unexpected(gesture.error());
-    if (Expected<void> done = add(**gesture); !done)
-        return done;
+    RAMURE_TRY(add(**gesture));
     Expected<void> shown = (*gesture)->show();
     shown ? (*gesture)->keep() : (*gesture)->cancel();
     return shown;
@@ -229,8 +226,7 @@ Expected<void> removeLimbs(Document& document, const std::vector<LimbHit>& limbs
             TreeEdit edit = editOf(all && !fallsAfter ? EditOperation::Remove : EditOperation::Cut, limb);
             edit.falls = fallsAfter.has_value();
             edit.seconds = fallsAfter.value_or(0.0);
-            if (auto added = gesture.add(edit); !added)
-                return added;
+            RAMURE_TRY(gesture.add(edit));
         }
         if (done.empty())
             return fail(ErrorCode::Unknown, RAMURE_NOOP("the tree has no such limb"));
@@ -278,8 +274,7 @@ Expected<void> toggleLeaves(Document& document, const std::vector<LimbHit>& limb
                 continue;
             TreeEdit edit = editOf(EditOperation::Leaves, limb);
             edit.shown = shown;
-            if (auto added = gesture.add(edit); !added)
-                return added;
+            RAMURE_TRY(gesture.add(edit));
         }
         return {};
     });

@@ -62,7 +62,7 @@ private:
     LimbDrag(Document& document, const PickHit& hit, const Node& node,
              std::shared_ptr<const SimplifiedSkeleton> skeleton, std::size_t branches);
     [[nodiscard]] Limb limb() const;
-    /// Of all that turns.
+    /// Returns the bends of all that turns.
     [[nodiscard]] Limb::Bends wanted() const;
     void takeLimb();
     void pull();

@@ -216,7 +216,7 @@ void LimbTool::playingStopped()
 QString LimbTool::hint(Qt::KeyboardModifiers held) const
 {
     return held.testFlag(Qt::ShiftModifier)
-               ? tr("The limb and what is thick follow · wheel: how many branches · Esc: back")
+               ? tr("The limb and its thick branches follow · wheel: how many branches · Esc: back")
                : tr("The limb follows · wheel: how many branches · Shift: trunk and root, too · Esc: back");
 }
 

@@ -21,10 +21,7 @@ class MoveTool : public NumberTool
 {
     Q_DECLARE_TR_FUNCTIONS(ramure::MoveTool)
 public:
-    explicit MoveTool(ToolContext& context)
-        : NumberTool(context, HandTool::Move)
-    {
-    }
+    using NumberTool::NumberTool;
 
     void drag(const ToolPoint& point) override;
     [[nodiscard]] QString hint(Qt::KeyboardModifiers) const override
@@ -37,7 +34,7 @@ public:
     {
         if (!isChosen() || offers.held() != Qt::NoModifier)
             return;
-        offers.add(ToolOffers::Drag, tr("Drag a branch: its fork slides along what it grows on"));
+        offers.add(ToolOffers::Drag, tr("Drag a branch: its fork slides along its parent"));
         offers.add(ToolOffers::Click, tr("Click: type its place"));
     }
     void paint(QPainter& painter, const PickView& view) override;
@@ -281,7 +278,7 @@ void MoveTool::paint(QPainter& painter, const PickView& view)
 
 std::unique_ptr<Tool> makeMoveTool(ToolContext& context)
 {
-    return std::make_unique<MoveTool>(context);
+    return std::make_unique<MoveTool>(context, HandTool::Move);
 }
 
 } // namespace ramure

@@ -9,7 +9,7 @@
 
 namespace ramure {
 
-/// Of a factor: pixels that double it, and what a notch of the wheel makes of it.
+/// A drag over so many pixels doubles a factor; a notch of the wheel multiplies it by this.
 inline constexpr double pixelsPerDouble = 140.0, factorPerNotch = 1.05;
 inline constexpr double anglePerPixel = 0.5 * oneDegree;
 

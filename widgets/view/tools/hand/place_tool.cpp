@@ -13,10 +13,7 @@ class PlaceTool : public ClickTool
 {
     Q_DECLARE_TR_FUNCTIONS(ramure::PlaceTool)
 public:
-    explicit PlaceTool(ToolContext& context)
-        : ClickTool(context, HandTool::Place)
-    {
-    }
+    using ClickTool::ClickTool;
 
     [[nodiscard]] QString hint(Qt::KeyboardModifiers) const override
     {
@@ -81,7 +78,7 @@ void PlaceTool::sayWhatItIs(NodeId tree)
 
 std::unique_ptr<Tool> makePlaceTool(ToolContext& context)
 {
-    return std::make_unique<PlaceTool>(context);
+    return std::make_unique<PlaceTool>(context, HandTool::Place);
 }
 
 } // namespace ramure

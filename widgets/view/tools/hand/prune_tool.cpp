@@ -30,10 +30,7 @@ class PruneTool : public EditTool
 {
     Q_DECLARE_TR_FUNCTIONS(ramure::PruneTool)
 public:
-    explicit PruneTool(ToolContext& context)
-        : EditTool(context, HandTool::Prune)
-    {
-    }
+    using EditTool::EditTool;
 
     [[nodiscard]] bool goesOn() const override { return isBusy(); }
     void drag(const ToolPoint& point) override;
@@ -87,7 +84,7 @@ void PruneTool::offer(ToolOffers& offers) const
     if (!isChosen() || offers.held() != Qt::NoModifier)
         return;
     if (kind() == EditShapeKind::Mesh)
-        offers.add(ToolOffers::Click, tr("Click a solid around the tree: what stands out of it is cut"));
+        offers.add(ToolOffers::Click, tr("Click a solid around the tree: the wood outside it is cut"));
     else if (kind() == EditShapeKind::Profile)
         offers.add(ToolOffers::Drag, tr("Draw half of the outline beside the trunk: the tree is cut to it"));
     else
@@ -243,10 +240,11 @@ void PruneTool::release(const ToolPoint& point)
         return;
     if (m_moves)
         return finish(report(m_edit->replace({editTo(point)}).and_then([this] { return m_edit->show(); })));
-    m_context.host.raiseMessage(kind() == EditShapeKind::Profile
-                                    ? tr("That was too short: draw half of the outline beside the trunk.")
-                                    : tr("That was too short: drag from the middle of the tree outwards, and "
-                                         "what is red goes."));
+    m_context.host.raiseMessage(
+        kind() == EditShapeKind::Profile
+            ? tr("The stroke was too short: draw half of the outline beside the trunk.")
+            : tr("The stroke was too short: drag from the middle of the tree outwards, and the red parts "
+                 "go."));
     finish(false);
 }
 
@@ -342,7 +340,7 @@ void PruneTool::paint(QPainter& painter, const PickView& view)
 
 std::unique_ptr<Tool> makePruneTool(ToolContext& context)
 {
-    return std::make_unique<PruneTool>(context);
+    return std::make_unique<PruneTool>(context, HandTool::Prune);
 }
 
 } // namespace ramure

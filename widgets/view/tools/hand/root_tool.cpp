@@ -17,10 +17,7 @@ class RootTool : public NumberTool
 {
     Q_DECLARE_TR_FUNCTIONS(ramure::RootTool)
 public:
-    explicit RootTool(ToolContext& context)
-        : NumberTool(context, HandTool::Root)
-    {
-    }
+    using NumberTool::NumberTool;
 
     void drag(const ToolPoint& point) override;
     [[nodiscard]] QString hint(Qt::KeyboardModifiers) const override
@@ -173,7 +170,7 @@ void RootTool::paint(QPainter& painter, const PickView& view)
 
 std::unique_ptr<Tool> makeRootTool(ToolContext& context)
 {
-    return std::make_unique<RootTool>(context);
+    return std::make_unique<RootTool>(context, HandTool::Root);
 }
 
 } // namespace ramure

@@ -55,10 +55,7 @@ class SawTool : public EditTool
 {
     Q_DECLARE_TR_FUNCTIONS(ramure::SawTool)
 public:
-    explicit SawTool(ToolContext& context)
-        : EditTool(context, HandTool::Saw)
-    {
-    }
+    using EditTool::EditTool;
 
     /// Also the other end of the pen that draws.
     bool press(const ToolPoint& point) override
@@ -75,8 +72,8 @@ public:
     [[nodiscard]] QString hint(Qt::KeyboardModifiers) const override
     {
         return m_way == SawWay::Line
-                   ? tr("What the line crosses is cut · release: done · Esc: nothing is cut")
-                   : tr("What comes into it is cut · release: done · Esc: nothing is cut");
+                   ? tr("The line cuts all branches it crosses · release: done · Esc: nothing is cut")
+                   : tr("Branches inside are cut · release: done · Esc: nothing is cut");
     }
     void offer(ToolOffers& offers) const override
     {
@@ -84,7 +81,7 @@ public:
             return;
         const bool isLine = m_context.hand.options().sawWay == SawWay::Line;
         offers.add(ToolOffers::Drag, isLine ? tr("Drag a line through twigs: they are cut there")
-                                            : tr("Drag around twigs: what comes into it is cut"));
+                                            : tr("Drag around twigs: the twigs inside are cut"));
     }
     void paint(QPainter& painter, const PickView& view) override;
 
@@ -321,7 +318,7 @@ void SawTool::paint(QPainter& painter, const PickView& view)
 
 std::unique_ptr<Tool> makeSawTool(ToolContext& context)
 {
-    return std::make_unique<SawTool>(context);
+    return std::make_unique<SawTool>(context, HandTool::Saw);
 }
 
 } // namespace ramure

@@ -1,4 +1,4 @@
-#include "core/surface/mesher/bark_place.h"
+#include "core/surface/foliage/bark_place.h"
 
 #include <glm/geometric.hpp>
 #include <limits>

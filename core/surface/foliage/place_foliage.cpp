@@ -1,4 +1,4 @@
-#include "core/surface/foliage/foliage.h"
+#include "core/surface/foliage/place_foliage.h"
 
 #include "core/base/parallel.h"
 #include "core/math/frame.h"
@@ -123,10 +123,12 @@ TriangleMesh scaled(TriangleMesh shape, double scale)
 
 /// A copy of \p shape for every item.
 TriangleMesh scatter(const Skeleton& skeleton, const std::vector<FoliageItem>& items,
-                     const TriangleMesh& shape)
+                     const TriangleMesh& shape, const Progress& progress)
 {
     const std::size_t vertices = shape.positions.size(), faces = shape.triangles.size();
     TriangleMesh mesh;
+    if (progress.cancelled())
+        return mesh; // before the memory is taken
     mesh.positions.resize(items.size() * vertices);
     mesh.normals.resize(items.size() * vertices);
     mesh.branch.resize(items.size() * vertices);
@@ -135,7 +137,7 @@ TriangleMesh scatter(const Skeleton& skeleton, const std::vector<FoliageItem>& i
     mesh.colours.resize(items.size() * shape.colours.size());
     parallelFor(items.size(), std::max<std::size_t>(1, verticesAtOnce / vertices),
                 [&](std::size_t begin, std::size_t end) {
-                    for (std::size_t i = begin; i < end; ++i)
+                    for (std::size_t i = begin; i < end && !progress.cancelled(); ++i)
                         place(items[i], skeleton.level[items[i].branch], shape, i, mesh);
                 });
     return mesh;
@@ -259,14 +261,16 @@ TriangleMesh oneApple(const FruitForm& form, double alpha, FoliageModel model)
                   alpha * fruitRadius(form));
 }
 
-TriangleMesh buildLeaves(const Skeleton& skeleton, const Foliage& foliage, double alpha, FoliageModel model)
+TriangleMesh buildLeaves(const Skeleton& skeleton, const Foliage& foliage, double alpha, FoliageModel model,
+                         const Progress& progress)
 {
-    return scatter(skeleton, foliage.leaves, oneLeaf(foliage.form, alpha, model));
+    return scatter(skeleton, foliage.leaves, oneLeaf(foliage.form, alpha, model), progress);
 }
 
-TriangleMesh buildApples(const Skeleton& skeleton, const Foliage& foliage, double alpha, FoliageModel model)
+TriangleMesh buildApples(const Skeleton& skeleton, const Foliage& foliage, double alpha, FoliageModel model,
+                         const Progress& progress)
 {
-    return scatter(skeleton, foliage.apples, oneApple(foliage.fruit, alpha, model));
+    return scatter(skeleton, foliage.apples, oneApple(foliage.fruit, alpha, model), progress);
 }
 
 } // namespace ramure

@@ -1,4 +1,4 @@
-#include "core/surface/mesher/cut_wood.h"
+#include "core/surface/texture/cut_wood.h"
 
 #include "core/math/random.h"
 #include "core/math/reproducible.h"

@@ -1,14 +1,14 @@
 #include "core/lod/level_leaves.h"
 #include "core/math/random.h"
-#include "core/surface/foliage/foliage.h"
 #include "core/surface/foliage/foliage_shapes.h"
+#include "core/surface/foliage/place_foliage.h"
 #include "tests/support/mesh_checker.h"
 #include "tests/support/suite.h"
 
 #include <cmath>
 #include <numbers>
 
-namespace tst_foliage {
+namespace tst_place_foliage {
 
 using namespace ramure;
 
@@ -76,7 +76,7 @@ bool same(const std::vector<FoliageItem>& a, const std::vector<FoliageItem>& b)
 
 } // namespace
 
-class TestFoliage : public QObject
+class TestPlaceFoliage : public QObject
 {
     Q_OBJECT
 private slots:
@@ -97,7 +97,7 @@ private slots:
     void fineModel();
 };
 
-void TestFoliage::tooManyIsAnError()
+void TestPlaceFoliage::tooManyIsAnError()
 {
     Skeleton skeleton;
     for (Index i = 0; i < 150'000; ++i)
@@ -112,16 +112,21 @@ void TestFoliage::tooManyIsAnError()
     QCOMPARE(apples.error().path, std::string("foliage.applesProbability"));
 }
 
-void TestFoliage::cancelStops()
+void TestPlaceFoliage::cancelStops()
 {
     std::stop_source source;
     source.request_stop();
     const auto foliage = placeFoliage(randomTree(1), FoliageParams(), alpha, {source.get_token(), {}});
     QVERIFY(!foliage);
     QCOMPARE(foliage.error().code, ErrorCode::Cancelled);
+    const Progress stopped{source.get_token(), {}};
+    const Foliage whole = placed(randomTree(1), {1.0, 10, 1.0, 1});
+    QVERIFY(!whole.leaves.empty() && !whole.apples.empty());
+    QVERIFY(buildLeaves(randomTree(1), whole, alpha, FoliageModel::Fine, stopped).empty());
+    QVERIFY(buildApples(randomTree(1), whole, alpha, FoliageModel::Fine, stopped).empty());
 }
 
-void TestFoliage::nothingOnBareTrees()
+void TestPlaceFoliage::nothingOnBareTrees()
 {
     for (const FoliageParams& params : {FoliageParams{0.0, 10, 1.0, 1}, FoliageParams{0.1, 0, 0.0, 1},
                                         FoliageParams{0.1, -3, 0.0, 1}, FoliageParams{-1.0, 10, 1.0, 1}}) {
@@ -133,7 +138,7 @@ void TestFoliage::nothingOnBareTrees()
     QVERIFY(none.leaves.empty() && none.apples.empty());
 }
 
-void TestFoliage::onlyThinBranchesCarry()
+void TestPlaceFoliage::onlyThinBranchesCarry()
 {
     const Skeleton tree = randomTree(2);
     const Foliage foliage = placed(tree, {0.1, 7, 1.0, 1});
@@ -151,7 +156,7 @@ void TestFoliage::onlyThinBranchesCarry()
     QCOMPARE(placed(tree, {0.5, 7, 1.0, 1}).leaves.size(), foliage.leaves.size());
 }
 
-void TestFoliage::leavesStandAroundTheirBranch()
+void TestPlaceFoliage::leavesStandAroundTheirBranch()
 {
     const Skeleton tree = randomTree(3);
     const ChildLists children = childLists(tree);
@@ -166,7 +171,7 @@ void TestFoliage::leavesStandAroundTheirBranch()
         }
 }
 
-void TestFoliage::wholeReachIsUsed()
+void TestPlaceFoliage::wholeReachIsUsed()
 {
     // One long thin branch: its own length counts, not alpha; the disc across is filled evenly.
     Skeleton skeleton;
@@ -185,7 +190,7 @@ void TestFoliage::wholeReachIsUsed()
     QVERIFY(std::abs(inner / count - 0.25) < 0.02);
 }
 
-void TestFoliage::applesFollowTheProbability()
+void TestPlaceFoliage::applesFollowTheProbability()
 {
     const Skeleton tree = randomTree(4, 20'000);
     const double share = double(placed(tree, {0.1, 0, 0.3, 1}).apples.size()) / 10'000;
@@ -197,7 +202,7 @@ void TestFoliage::applesFollowTheProbability()
             std::ranges::any_of(many.apples, [&](const FoliageItem& other) { return same(apple, other); }));
 }
 
-void TestFoliage::orientationsAreUniform()
+void TestPlaceFoliage::orientationsAreUniform()
 {
     const Foliage foliage = placed(randomTree(5, 2'000), {0.1, 20, 0.0, 1});
     glm::dvec3 mean(0.0), squares(0.0);
@@ -213,7 +218,7 @@ void TestFoliage::orientationsAreUniform()
     }
 }
 
-void TestFoliage::seedAloneRerolls()
+void TestPlaceFoliage::seedAloneRerolls()
 {
     const Skeleton tree = randomTree(6);
     const Foliage a = placed(tree, {0.1, 10, 0.5, 1});
@@ -228,7 +233,7 @@ void TestFoliage::seedAloneRerolls()
     QVERIFY(same(a.leaves[10], more.leaves[11]));
 }
 
-void TestFoliage::changesElsewhereMoveNothing()
+void TestPlaceFoliage::changesElsewhereMoveNothing()
 {
     const Skeleton tree = randomTree(7);
     Skeleton other = tree;
@@ -239,7 +244,7 @@ void TestFoliage::changesElsewhereMoveNothing()
         QCOMPARE(same(a.leaves[i], b.leaves[i]), a.leaves[i].branch != 200);
 }
 
-void TestFoliage::branchWithoutLength()
+void TestPlaceFoliage::branchWithoutLength()
 {
     Skeleton skeleton;
     skeleton.add(noIndex, {1, 2, 3}, {1, 2, 3}, 0.001, 0.001);
@@ -247,7 +252,7 @@ void TestFoliage::branchWithoutLength()
         QVERIFY(glm::length(leaf.position - glm::dvec3(1, 2, 3)) < 1.2 * alpha);
 }
 
-void TestFoliage::shapes()
+void TestPlaceFoliage::shapes()
 {
     const test::CheckedMesh sphere = test::checkMesh(unitSphere());
     QVERIFY2(sphere.closedManifold(), sphere.summary().c_str());
@@ -262,7 +267,7 @@ void TestFoliage::shapes()
         }
 }
 
-void TestFoliage::roughModel()
+void TestPlaceFoliage::roughModel()
 {
     const Skeleton tree = randomTree(8);
     const Foliage foliage = placed(tree, {0.1, 10, 0.5, 1});
@@ -292,7 +297,7 @@ void TestFoliage::roughModel()
     QVERIFY(std::abs(volume / double(foliage.apples.size()) - alpha * alpha * alpha) < 1e-6);
 }
 
-void TestFoliage::fineModel()
+void TestPlaceFoliage::fineModel()
 {
     const Skeleton tree = randomTree(9);
     const Foliage foliage = placed(tree, {0.1, 10, 0.5, 1});
@@ -322,8 +327,8 @@ void TestFoliage::fineModel()
     QCOMPARE(checked.components.size(), foliage.apples.size());
 }
 
-RAMURE_SUITE(TestFoliage)
+RAMURE_SUITE(TestPlaceFoliage)
 
-} // namespace tst_foliage
+} // namespace tst_place_foliage
 
-#include "tst_foliage.moc"
+#include "tst_place_foliage.moc"

@@ -4,7 +4,7 @@
 #include "core/skeleton/simplify.h"
 #include "core/surface/mesh/mesh_cleanup.h"
 #include "core/surface/mesh/near_positions.h"
-#include "core/surface/mesher/branch_mesh.h"
+#include "core/surface/mesher/build_branch_mesh.h"
 #include "tests/support/fork_judge.h"
 #include "tests/support/mesh_checker.h"
 #include "tests/support/preset_trees.h"
@@ -15,14 +15,14 @@
 #include <limits>
 #include <numbers>
 
-namespace tst_branch_mesh {
+namespace tst_build_branch_mesh {
 
 using namespace ramure;
 using namespace ramure::test;
 
 /// What the mesher says and does besides being watertight (tst_forks_topology): errors, repairs, where
 /// vertices lie, progress.
-class TestBranchMesh : public QObject
+class TestBuildBranchMesh : public QObject
 {
     Q_OBJECT
 private slots:
@@ -82,7 +82,7 @@ Skeleton cone(int children, double angle, double length)
 
 } // namespace
 
-void TestBranchMesh::badOptionsAreErrors()
+void TestBuildBranchMesh::badOptionsAreErrors()
 {
     const Skeleton good = stem();
     const auto refused = [&](auto change) {
@@ -110,7 +110,7 @@ void TestBranchMesh::badOptionsAreErrors()
     QVERIFY(refused([&](BranchMeshOptions& o) { o.rollRad = notANumber; }));
 }
 
-void TestBranchMesh::badSkeletonsAreErrors()
+void TestBuildBranchMesh::badSkeletonsAreErrors()
 {
     const auto message = [](const Skeleton& s) {
         const Expected<BranchMesh> built = buildBranchMesh(s, {});
@@ -135,7 +135,7 @@ void TestBranchMesh::badSkeletonsAreErrors()
     QVERIFY(message(s).contains("Branch 1"));
 }
 
-void TestBranchMesh::rootWithoutLengthBecomesAStub()
+void TestBuildBranchMesh::rootWithoutLengthBecomesAStub()
 {
     Skeleton s = stem();
     s.p1[0] = s.p0[0];
@@ -152,7 +152,7 @@ void TestBranchMesh::rootWithoutLengthBecomesAStub()
     QVERIFY(std::abs(low + 0.05f) < 1e-6f);
 }
 
-void TestBranchMesh::zeroLengthBranchHandsItsChildrenOn()
+void TestBuildBranchMesh::zeroLengthBranchHandsItsChildrenOn()
 {
     Skeleton s = stem();
     s.add(0, {0, 1, 0}, {0, 1, 0}, 0.1, 0.1);
@@ -167,7 +167,7 @@ void TestBranchMesh::zeroLengthBranchHandsItsChildrenOn()
     QVERIFY2(faults.empty(), faults.c_str());
 }
 
-void TestBranchMesh::thinBranchesAreThickened()
+void TestBuildBranchMesh::thinBranchesAreThickened()
 {
     const Skeleton s = stem(0.0);
     const Expected<BranchMesh> built = buildBranchMesh(s, {});
@@ -177,7 +177,7 @@ void TestBranchMesh::thinBranchesAreThickened()
     QVERIFY2(faults.empty(), faults.c_str());
 }
 
-void TestBranchMesh::insideOutTreesAreSlimmed()
+void TestBuildBranchMesh::insideOutTreesAreSlimmed()
 {
     // Half-turns of branches a tenth as long as thick
     Skeleton s;
@@ -190,7 +190,7 @@ void TestBranchMesh::insideOutTreesAreSlimmed()
     QVERIFY2(faults.empty(), faults.c_str());
 }
 
-void TestBranchMesh::twinRatioDecidesAboutNearTwins()
+void TestBuildBranchMesh::twinRatioDecidesAboutNearTwins()
 {
     Skeleton s = stem();
     s.add(0, {0, 1, 0}, {0.02, 2, 0}, 0.1, 0.1, 1);
@@ -206,7 +206,7 @@ void TestBranchMesh::twinRatioDecidesAboutNearTwins()
     QVERIFY(std::count(apart->mesh.branch.begin(), apart->mesh.branch.end(), 2u) > 0);
 }
 
-void TestBranchMesh::oneBranchIsATubeWithCaps()
+void TestBuildBranchMesh::oneBranchIsATubeWithCaps()
 {
     for (const int n : {3, 8, 128})
         for (const int rows : {2, 4, 64}) {
@@ -226,7 +226,7 @@ void TestBranchMesh::oneBranchIsATubeWithCaps()
         }
 }
 
-void TestBranchMesh::ringsLieOnTheirCircles()
+void TestBuildBranchMesh::ringsLieOnTheirCircles()
 {
     const Expected<BranchMesh> built = buildBranchMesh(stem(), {});
     QVERIFY2(built, why(built));
@@ -236,7 +236,7 @@ void TestBranchMesh::ringsLieOnTheirCircles()
     }
 }
 
-void TestBranchMesh::singleChildSharesItsParentsRing()
+void TestBuildBranchMesh::singleChildSharesItsParentsRing()
 {
     Skeleton s = stem();
     s.add(0, {0, 1, 0}, {0.5, 1.8, 0}, 0.1, 0.05);
@@ -247,7 +247,7 @@ void TestBranchMesh::singleChildSharesItsParentsRing()
     QVERIFY2(faults.empty(), faults.c_str());
 }
 
-void TestBranchMesh::rollTurnsTheRings()
+void TestBuildBranchMesh::rollTurnsTheRings()
 {
     Skeleton s = cone(3, 0.6, 1.0);
     s.add(1, s.p1[1], s.p1[1] + glm::dvec3(0.3, 0.6, 0.0), 0.05, 0.03, 1);
@@ -274,14 +274,14 @@ void TestBranchMesh::rollTurnsTheRings()
     QVERIFY(same->mesh == plain->mesh);
 }
 
-void TestBranchMesh::manyChildren_data()
+void TestBuildBranchMesh::manyChildren_data()
 {
     QTest::addColumn<int>("children");
     for (const int children : {1, 2, 3, 4, 5, 7, 14, 20, 33, 64, 200})
         QTest::addRow("%d", children) << children;
 }
 
-void TestBranchMesh::manyChildren()
+void TestBuildBranchMesh::manyChildren()
 {
     QFETCH(int, children);
     for (const double angle : {0.2, 0.8, 1.5, 2.4, 3.1})
@@ -293,7 +293,7 @@ void TestBranchMesh::manyChildren()
         }
 }
 
-void TestBranchMesh::childrenInOnePlane()
+void TestBuildBranchMesh::childrenInOnePlane()
 {
     for (int children = 2; children <= 13; ++children)
         for (const double tilt : {0.0, 0.4}) {
@@ -313,7 +313,7 @@ void TestBranchMesh::childrenInOnePlane()
         }
 }
 
-void TestBranchMesh::deepChain()
+void TestBuildBranchMesh::deepChain()
 {
     Skeleton s = stem(0.02);
     for (Index i = 1; i < 100000; ++i)
@@ -328,7 +328,7 @@ void TestBranchMesh::deepChain()
     QVERIFY2(checked.perfect(1), checked.summary().c_str());
 }
 
-void TestBranchMesh::farFromTheOrigin()
+void TestBuildBranchMesh::farFromTheOrigin()
 {
     const Expected<Skeleton> tiny = presetSkeleton({"TinyTree"});
     QVERIFY2(tiny, why(tiny));
@@ -343,14 +343,14 @@ void TestBranchMesh::farFromTheOrigin()
     }
 }
 
-void TestBranchMesh::scales_data()
+void TestBuildBranchMesh::scales_data()
 {
     QTest::addColumn<double>("scale");
     for (const double scale : {1e-9, 1e-5, 1e-2, 1e3, 1e6, 1e9})
         QTest::addRow("%g", scale) << scale;
 }
 
-void TestBranchMesh::scales()
+void TestBuildBranchMesh::scales()
 {
     QFETCH(double, scale);
     Expected<Skeleton> s = presetSkeleton({"TinyTree"});
@@ -369,7 +369,7 @@ void TestBranchMesh::scales()
     }
 }
 
-void TestBranchMesh::progressRisesAndCancelStops()
+void TestBuildBranchMesh::progressRisesAndCancelStops()
 {
     const Expected<Skeleton> s = presetSkeleton({"SmallTree"});
     QVERIFY2(s, why(s));
@@ -393,7 +393,7 @@ void TestBranchMesh::progressRisesAndCancelStops()
     QCOMPARE(stopped.error().code, ErrorCode::Cancelled);
 }
 
-void TestBranchMesh::cleanupPartsTwinsAndOpensFlatTriangles()
+void TestBuildBranchMesh::cleanupPartsTwinsAndOpensFlatTriangles()
 {
     const std::vector<glm::uvec3> triangles{{0, 1, 2}, {0, 1, 5}, {3, 4, 5}, {0, 4, 2}};
     for (const double leastGap : {0.0, 0.01}) {
@@ -412,7 +412,7 @@ void TestBranchMesh::cleanupPartsTwinsAndOpensFlatTriangles()
 }
 
 /// Branches of a grammar that end in one place, but for the last bit of their coordinates.
-void TestBranchMesh::placesDrawnTwiceHaveVerticesApart()
+void TestBuildBranchMesh::placesDrawnTwiceHaveVerticesApart()
 {
     const auto grammar = parseGrammar("AXF", "X -> \\\\\\[[AFF\\XB]/B[BB__--^]BB][CBA__]XAC\n"
                                              "B -> F[__BF][CB]\\\\F[FXC[FB\\\\BC]]\n");
@@ -436,7 +436,7 @@ void TestBranchMesh::placesDrawnTwiceHaveVerticesApart()
 }
 
 /// Twigs that end at nothing, pieces shorter than anything, and a least radius beyond what a tree can have.
-void TestBranchMesh::nothingIsFinerThanTheLeastRadius()
+void TestBuildBranchMesh::nothingIsFinerThanTheLeastRadius()
 {
     Skeleton s = stem();
     s.a1[0] = 0.0;
@@ -472,8 +472,8 @@ void TestBranchMesh::nothingIsFinerThanTheLeastRadius()
         }
 }
 
-RAMURE_SUITE(TestBranchMesh)
+RAMURE_SUITE(TestBuildBranchMesh)
 
-} // namespace tst_branch_mesh
+} // namespace tst_build_branch_mesh
 
-#include "tst_branch_mesh.moc"
+#include "tst_build_branch_mesh.moc"

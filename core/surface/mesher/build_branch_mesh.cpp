@@ -1,4 +1,4 @@
-#include "core/surface/mesher/branch_mesh.h"
+#include "core/surface/mesher/build_branch_mesh.h"
 
 #include "core/base/large_buffer.h"
 #include "core/base/parallel.h"
@@ -7,6 +7,7 @@
 #include "core/surface/mesh/mesh_cleanup.h"
 #include "core/surface/mesh/normals.h"
 #include "core/surface/mesher/branch_mesher.h"
+#include "core/surface/mesher/fork_fairing.h"
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -222,6 +223,7 @@ Expected<Shaped> shape(const Skeleton& skeleton, const BranchMeshOptions& option
     Builder builder(*normal, options);
     auto built = options.targetTriangles > 0 ? builder.byBudget(progress) : builder.byDivisions(progress);
     RAMURE_TRY(built);
+    finishForks(built->mesh, options);
     finish(*built, skeleton);
     // Moved away from the origin, positions were rounded again: then every triangle is looked at.
     return Shaped{std::move(*built), normal->origin != glm::dvec3(0.0)};

@@ -1,5 +1,5 @@
 #include "core/evaluate/tree_run.h"
-#include "core/surface/mesher/cut_wood.h"
+#include "core/surface/texture/cut_wood.h"
 #include "tests/support/shaped_tree.h"
 #include <cmath>
 

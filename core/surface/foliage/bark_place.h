@@ -15,10 +15,10 @@ std::vector<std::span<const glm::uvec3>> trianglesOfTubes(const BranchMesh& mesh
 struct BarkPlace
 {
     glm::uvec3 triangle{noIndex};
-    glm::dvec3 shares{1.0, 0.0, 0.0}; ///< of its corners
+    glm::dvec3 shares{1.0, 0.0, 0.0}; ///< weights of its corners
 };
 
-/// The first of those that are nearest. \pre the tube has triangles.
+/// Returns the first of the nearest places. \pre the tube has triangles.
 BarkPlace nearestOnBark(const TriangleMesh& mesh, std::span<const glm::uvec3> tube, const glm::dvec3& place);
 
 } // namespace ramure
