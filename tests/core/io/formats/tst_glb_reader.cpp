@@ -282,7 +282,7 @@ private slots:
         QFETCH(const QByteArray, named);
         Triangle file;
         file.json["extensionsRequired"] = {extension.toStdString()};
-        file.json["images"] = {Json::parse(image.toStdString())};
+        file.json["images"] = Json::array({Json::parse(image.toStdString())});
         file.json["textures"] = {{{"extensions", {{extension.toStdString(), {{"source", 0}}}}}}};
         file.json["materials"] = {
             {{"pbrMetallicRoughness",
