@@ -5235,10 +5235,6 @@
         <translation>Taille des feuilles</translation>
     </message>
     <message>
-        <source>1 as the plant has it on a tree with such a trunk; 0 leaves the twigs bare.</source>
-        <translation>1 comme la plante sur un arbre au tronc pareil&#xa0;; 0 laisse les rameaux nus.</translation>
-    </message>
-    <message>
         <source>Size varies</source>
         <translation>Variation de taille</translation>
     </message>
@@ -8917,6 +8913,26 @@
     <message>
         <source>a palm has no other buds: it gets older by its age</source>
         <translation>un palmier n’a pas d’autre bourgeon : il vieillit par son âge</translation>
+    </message>
+    <message>
+        <source>Leaf length</source>
+        <translation>Longueur des feuilles</translation>
+    </message>
+    <message>
+        <source>Length of a leaf of the mean size, without its petiole; of needles, that of the shoot which carries them. 0: the leaves grow with the radius of the trunk.</source>
+        <translation>Longueur d’une feuille de taille moyenne, sans son pétiole ; pour les aiguilles, celle de la pousse qui les porte. 0 : les feuilles grandissent avec le rayon du tronc.</translation>
+    </message>
+    <message>
+        <source>Leaves per shoot</source>
+        <translation>Feuilles par pousse</translation>
+    </message>
+    <message>
+        <source>1: every leaf stands on a branch. More: in its place there is a short shoot with so many leaves, which sways as one.</source>
+        <translation>1 : chaque feuille est sur une branche. Davantage : à sa place se trouve une courte pousse qui porte autant de feuilles et se balance d’un bloc.</translation>
+    </message>
+    <message>
+        <source>Multiplies the length of all leaves; 0 leaves the twigs bare.</source>
+        <translation>Multiplie la longueur de toutes les feuilles ; 0 laisse les rameaux nus.</translation>
     </message>
 </context>
 <context>

@@ -130,7 +130,9 @@ std::vector<LeafShapeOfLevel> leafShapesOfLevels(const LeafForm& form, const Pic
     LeafForm simpler = form;
     while (--simpler.detail >= 1)
         add(simpler, FoliageModel::Fine);
-    add(form, simplestLeaf(pictures));
+    simpler = form;
+    for (add(simpler, simplestLeaf(pictures)); simpler.perShoot > 1; add(simpler, simplestLeaf(pictures)))
+        simpler.perShoot = (simpler.perShoot + 1) / 2;
     return out;
 }
 

@@ -63,9 +63,17 @@ inline constexpr std::array dressRows{
         {"foliage.leafFlutter", foliageGroup, RAMURE_NOOP("Flutter"),
          RAMURE_NOOP("How much leaves tremble in the wind: 1 as usual, 0 not at all.")},
         ParamUnit::Factor, {0, 4, 0, 2, 0.05, 3}, Stage::Motion, paramNone, treeOnly, isOfPlant),
+    row<&NodeParams::leaf, &LeafParams::length>(
+        {"foliage.leafLength", foliageGroup, RAMURE_NOOP("Leaf length"),
+         RAMURE_NOOP("Length of a leaf of the mean size, without its petiole; of needles, that of the shoot which carries them. 0: the leaves grow with the radius of the trunk.")},
+        ParamUnit::Metre, {0, 20, 0, 0.5, 0.005, 4}, Stage::Foliage, paramNone, treeOnly, isOfPlant),
+    row<&NodeParams::leaf, &LeafParams::perShoot>(
+        {"foliage.leavesPerShoot", foliageGroup, RAMURE_NOOP("Leaves per shoot"),
+         RAMURE_NOOP("1: every leaf stands on a branch. More: in its place there is a short shoot with so many leaves, which sways as one.")},
+        ParamUnit::Count, {1, 40, 1, 12, 1, 0}, Stage::Foliage, paramNone, treeOnly, isOfPlant),
     row<&NodeParams::leaf, &LeafParams::size>(
         {"foliage.leafSize", foliageGroup, RAMURE_NOOP("Leaf size"),
-         RAMURE_NOOP("1 as the plant has it on a tree with such a trunk; 0 leaves the twigs bare.")},
+         RAMURE_NOOP("Multiplies the length of all leaves; 0 leaves the twigs bare.")},
         ParamUnit::Factor, {0, 100, 0.2, 3, 0.05, 3}, Stage::Foliage, paramAnimatable, treeOnly, isOfPlant),
     row<&NodeParams::leaf, &LeafParams::variation>(
         {"foliage.leafVariation", foliageGroup, RAMURE_NOOP("Size varies"),

@@ -70,11 +70,13 @@ enum class LeafArrangement : std::uint8_t {
 struct LeafParams
 {
     LeafShape shape = LeafShape::Faithful;
-    double size = 1.0;       ///< relative to the plant's natural size
-    double variation = 0.25; ///< share by which leaves are larger or smaller, at most
-    double width = 1.0;      ///< relative to the plant's natural width
-    double fold = 0.3;       ///< rad, each half up from the plane
-    double curl = 0.5;       ///< rad, from the foot of the blade to its tip, downwards
+    double length = 0.0;       ///< m, without the petiole; 0: in proportion to the tree's trunk
+    double size = 1.0;         ///< relative to that length
+    double variation = 0.25;   ///< share by which leaves are larger or smaller, at most
+    std::int64_t perShoot = 1; ///< leaves that stand on one short shoot and swing as one
+    double width = 1.0;        ///< relative to the plant's natural width
+    double fold = 0.3;         ///< rad, each half up from the plane
+    double curl = 0.5;         ///< rad, from the foot of the blade to its tip, downwards
     double cup = 0.2;
     double petiole = 1.0; ///< length, relative to the plant's natural petiole
     std::int64_t detail = 2;

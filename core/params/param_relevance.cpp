@@ -85,6 +85,8 @@ constexpr std::array relevances{
     Relevance{"foliage.season", "foliage.leaf", realLeaves},
     Relevance{"foliage.leafStiffness", "foliage.leaf", realLeaves},
     Relevance{"foliage.leafFlutter", "foliage.leaf", realLeaves},
+    Relevance{"foliage.leafLength", "foliage.leaf", realLeaves},
+    Relevance{"foliage.leavesPerShoot", "foliage.leaf", realLeaves},
     Relevance{"foliage.leafSize", "foliage.leaf", realLeaves},
     Relevance{"foliage.leafVariation", "foliage.leaf", realLeaves},
     Relevance{"foliage.leafWidth", "foliage.leaf", realLeaves},

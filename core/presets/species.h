@@ -39,6 +39,15 @@ struct Species
 std::span<const Species> species();
 std::span<const Species> broadleavedSpecies();
 std::span<const Species> coniferSpecies();
+/// Leaves in the sizes of a flora.
+struct GrownLeaves
+{
+    double length = 0.1;    ///< m, of a blade without its petiole; of needles, that of the shoot
+    double internode = 1.0; ///< between leaves, or short shoots, of a twig; see LeafParams
+    int perShoot = 1;
+    double width = 1.0; ///< see LeafParams
+};
+
 /// A species that grows year by year. Its bark, leaves and fruit are those of the species with the same name
 /// and "1995", or for a palm with the same name and "Rules".
 struct GrownSpecies
@@ -49,9 +58,7 @@ struct GrownSpecies
     bool conifer = false;
     std::array<int, 3> ages{}; ///< years: young, mature, old
     GrowthParams growth;       ///< with its axil in degrees
-    /// m, that leaves and the distances between them are shares of: a leaf of an oak is 11 cm long, where its
-    /// shape has 0.58.
-    double leaf = 0.15, leafInternode = 0.15;
+    GrownLeaves leaves;
 };
 std::span<const GrownSpecies> grownSpecies();
 /// \param dress the parameters of the other tree of the species

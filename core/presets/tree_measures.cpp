@@ -64,7 +64,68 @@ constexpr std::array measuredTrees{
     PublishedMeasures{"Washingtonia filifera", {12.2, 0.82, 3.7}, 71, urbanTrees},
 };
 
+// Mean and standard deviation of all stands of a kind of forest; a species that is known to be lighter or
+// denser has a range of its own.
+constexpr PublishedRange deciduous{3.46, 6.66}, evergreenBroadleaf{3.27, 8.13}, needles{2.10, 8.84},
+    deciduousNeedles{2.26, 7.00};
+
+/// Lengths of the usual leaves, in m. The ground below a poplar's column is so small that no index is given.
+constexpr std::array measuredLeaves{
+    PublishedLeaves{"Acer palmatum", {0.04, 0.08}, deciduous},
+    PublishedLeaves{"Acer platanoides", {0.08, 0.16}, {4, 7}},
+    PublishedLeaves{"Acer saccharum", {0.08, 0.14}, {4, 7}},
+    PublishedLeaves{"Aesculus hippocastanum", {0.18, 0.34}, {4, 7}},
+    PublishedLeaves{"Alnus glutinosa", {0.04, 0.09}, deciduous},
+    PublishedLeaves{"Betula pendula", {0.03, 0.07}, {2, 3.5}},
+    PublishedLeaves{"Carpinus betulus", {0.04, 0.10}, deciduous},
+    PublishedLeaves{"Castanea sativa", {0.10, 0.25}, deciduous},
+    PublishedLeaves{"Cedrus deodara", {0.10, 0.20}, needles},
+    PublishedLeaves{"Cedrus libani", {0.10, 0.20}, needles},
+    PublishedLeaves{"Crataegus monogyna", {0.02, 0.05}, deciduous},
+    PublishedLeaves{"Fagus sylvatica", {0.05, 0.10}, {5, 8}},
+    PublishedLeaves{"Fraxinus excelsior", {0.20, 0.35}, deciduous},
+    PublishedLeaves{"Ginkgo biloba", {0.04, 0.08}, deciduous},
+    PublishedLeaves{"Juglans regia", {0.20, 0.45}, deciduous},
+    PublishedLeaves{"Larix decidua", {0.08, 0.18}, deciduousNeedles},
+    PublishedLeaves{"Liquidambar styraciflua", {0.07, 0.15}, deciduous},
+    PublishedLeaves{"Liriodendron tulipifera", {0.08, 0.15}, deciduous},
+    PublishedLeaves{"Malus domestica", {0.04, 0.10}, {2, 4}},
+    PublishedLeaves{"Olea europaea", {0.04, 0.08}, {1.5, 4}},
+    PublishedLeaves{"Picea abies", {0.10, 0.25}, needles},
+    PublishedLeaves{"Picea pungens", {0.10, 0.25}, needles},
+    PublishedLeaves{"Pinus strobus", {0.12, 0.28}, needles},
+    PublishedLeaves{"Pinus sylvestris", {0.10, 0.24}, needles},
+    PublishedLeaves{"Platanus × hispanica", {0.10, 0.22}, deciduous},
+    PublishedLeaves{"Populus nigra 'Italica'", {0.05, 0.08}, {}},
+    PublishedLeaves{"Prunus avium", {0.07, 0.12}, deciduous},
+    PublishedLeaves{"Quercus robur", {0.07, 0.14}, {3, 6}},
+    PublishedLeaves{"Quercus rubra", {0.12, 0.20}, deciduous},
+    PublishedLeaves{"Quercus virginiana", {0.04, 0.10}, evergreenBroadleaf},
+    PublishedLeaves{"Robinia pseudoacacia", {0.15, 0.30}, deciduous},
+    PublishedLeaves{"Salix babylonica", {0.08, 0.16}, {3, 5}},
+    PublishedLeaves{"Sorbus aucuparia", {0.10, 0.20}, deciduous},
+    PublishedLeaves{"Tilia cordata", {0.04, 0.08}, {4, 7}},
+    PublishedLeaves{"Ulmus americana", {0.07, 0.14}, deciduous},
+};
+
 } // namespace
+
+const char* const publishedLeavesSource =
+    "Lengths: Flora of North America, and C. Stace: New flora of the British Isles. Index of a kind of "
+    "forest: "
+    "G. P. Asner, J. M. O. Scurlock, J. A. Hicke: Global synthesis of leaf area index observations. Global "
+    "Ecology and Biogeography 12, 2003";
+
+std::span<const PublishedLeaves> publishedLeaves()
+{
+    return measuredLeaves;
+}
+
+const PublishedLeaves* publishedLeaves(std::string_view latin)
+{
+    const auto found = std::ranges::find(measuredLeaves, latin, &PublishedLeaves::latin);
+    return found == measuredLeaves.end() ? nullptr : &*found;
+}
 
 std::span<const PublishedMeasures> publishedMeasures()
 {

@@ -1,5 +1,5 @@
 /// \file
-/// Published sizes of grown trees, species by species, as foresters measure them.
+/// Published sizes of grown trees, as foresters measure them, and of their leaves, as floras give them.
 #pragma once
 
 #include <array>
@@ -24,6 +24,24 @@ struct PublishedMeasures
     int measured = 0;       ///< trees in all
     const char* source = "";
 };
+
+struct PublishedRange
+{
+    double from = 0.0, to = 0.0;
+};
+
+struct PublishedLeaves
+{
+    std::string_view latin;
+    PublishedRange length; ///< m, of a leaf without its petiole; of needles, of the spray that carries them
+    PublishedRange areaIndex; ///< leaf area over the ground below the crown
+};
+/// Where the ranges of all PublishedLeaves come from.
+extern const char* const publishedLeavesSource;
+
+std::span<const PublishedLeaves> publishedLeaves();
+/// nullptr of a species that is not among them.
+const PublishedLeaves* publishedLeaves(std::string_view latin);
 
 std::span<const PublishedMeasures> publishedMeasures();
 /// nullptr of a species that is not among them.

@@ -69,7 +69,7 @@ QJsonObject countsOf(EvaluatedScene& now, const std::vector<CheckedMesh>& checke
         if (!tree)
             continue;
         ++trees;
-        leaves += tree->foliage ? qint64(tree->foliage->leaves.size()) : 0;
+        leaves += tree->foliage ? qint64(leafCount(*tree->foliage)) : 0;
         branches += qint64(tree->skeleton->size());
         if (trees == 1)
             line.insert(QStringLiteral("measures"), jsonMeasures(measuresOf(*tree->skeleton)));

@@ -38,7 +38,12 @@ constexpr CommandText infoText = {
     "there "
     "names with what became of each; \"badPictures\" names image files that are "
     "missing or cannot be read; \"axes\" with --axes lists the stems; \"measures\" are a tree's height, the "
-    "diameter of its stem 1.3 m above the ground and the width of its crown without leaves (m). Of a file "
+    "diameter of its stem 1.3 m above the ground and the width of its crown without leaves (m); "
+    "\"leafLength\" "
+    "and \"leafReach\" are the median length of a leaf without and with its petiole (m), \"leafArea\" that "
+    "of "
+    "all blades, one side counted (m²), and \"leafAreaIndex\" that area over the ground below the crown. Of "
+    "a file "
     "{read}: vertices, faces, box and its objects."};
 
 /// What is said of one skeleton, or of several together.
@@ -61,6 +66,7 @@ struct TreeFacts
     QJsonArray editList;
     QJsonArray axes;                      ///< where they were asked for
     std::optional<TreeMeasures> measures; ///< of one tree
+    std::optional<LeafMeasures> crown;    ///< of one tree whose leaves are those of a plant
 };
 
 SkeletonFacts factsOf(const Skeleton& skeleton)
@@ -124,6 +130,8 @@ QJsonObject jsonTree(const TreeFacts& tree)
         out.insert(QStringLiteral("axes"), tree.axes);
     if (tree.measures)
         out.insert(QStringLiteral("measures"), jsonMeasures(*tree.measures));
+    if (tree.crown)
+        insertLeaves(out, *tree.crown);
     return out;
 }
 
@@ -212,13 +220,16 @@ Expected<std::vector<TreeFacts>> factsOfTrees(EvaluatedScene& scene, const std::
         const Skeleton& simplified = result->simplified->skeleton;
         const auto foliage = placeFoliage(simplified, now.params.foliage, now.params.leaf, now.params.fruit,
                                           trunkRadius(now.params));
-        out.push_back({node->name, std::int64_t(result->symbols->size()), factsOf(*result->skeleton),
-                       factsOf(simplified), foliage ? std::int64_t(foliage->leaves.size()) : -1,
-                       foliage ? std::int64_t(foliage->shed) : 0,
-                       countEdits(now.params.branches, *result->simplified),
-                       result->edits ? countLayer(*result->edits) : LayerCount(),
-                       jsonEdits(now.params.edits, result->edits.get()),
-                       axes ? jsonAxes(*result->skeleton) : QJsonArray(), measuresOf(*result->skeleton)});
+        out.push_back(
+            {node->name, std::int64_t(result->symbols->size()), factsOf(*result->skeleton),
+             factsOf(simplified), foliage ? std::int64_t(leafCount(*foliage)) : -1,
+             foliage ? std::int64_t(foliage->shed) : 0, countEdits(now.params.branches, *result->simplified),
+             result->edits ? countLayer(*result->edits) : LayerCount(),
+             jsonEdits(now.params.edits, result->edits.get()),
+             axes ? jsonAxes(*result->skeleton) : QJsonArray(), measuresOf(*result->skeleton), std::nullopt});
+        if (foliage && foliage->form.shape != LeafShape::Faithful)
+            out.back().crown =
+                leafMeasures(*foliage, trunkRadius(now.params), out.back().measures->crownWidth);
     }
     return out;
 }

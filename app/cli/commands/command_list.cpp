@@ -9,6 +9,7 @@
 #include "core/presets/named_seeds.h"
 #include "core/presets/presets.h"
 #include "core/skeleton/measures.h"
+#include "core/surface/foliage/place_foliage.h"
 #include <QJsonArray>
 #include <QJsonObject>
 #include <span>
@@ -25,7 +26,9 @@ constexpr CommandText listText = {
     "Of a species --json names seeds worth a look, gives the mean height, stem diameter (1.3 m above the "
     "ground) and crown width of their trees in m (\"ours\"), and what was measured of such trees "
     "(\"published\", with its source; null where there is none). \"steps\" are those of its recipe, and of a "
-    "tree that grows by years \"ages\" says when it is young, mature and old."};
+    "tree that grows by years \"ages\" says when it is young, mature and old; \"ours\" then has the sizes of "
+    "its "
+    "leaves as `info` prints them, and \"publishedLeaves\" the ranges that floras give."};
 
 const char* unitName(ParamUnit unit)
 {
@@ -115,30 +118,45 @@ QJsonValue jsonValue(const ParamValue& value)
     return QJsonArray{vector.x, vector.y, vector.z};
 }
 
+struct SpeciesMeasures
+{
+    TreeMeasures tree;
+    LeafMeasures leaves; ///< of a species that grows by years
+};
+
 /// Mean of the trees of all named seeds; of a tree that grows by years, which takes longer, the typical one.
 /// Errors: those of the tree; Cancelled.
-Expected<TreeMeasures> meanMeasures(TreePipeline& pipeline, const Preset& preset, const Progress& progress)
+Expected<SpeciesMeasures> meanMeasures(TreePipeline& pipeline, const Preset& preset, const Progress& progress)
 {
     std::span<const std::int64_t> seeds = *namedSeeds(preset.name);
     if (preset.ages.front() > 0)
         seeds = seeds.first(1);
-    TreeMeasures sum;
+    SpeciesMeasures sum;
     for (const std::int64_t seed : seeds) {
         const auto tree = pipeline.evaluate(reseeded(preset.params, seed), Stage::Skeleton, progress);
         RAMURE_TRY(tree);
         const TreeMeasures one = measuresOf(*tree->skeleton);
         const auto count = static_cast<double>(seeds.size());
-        sum.height += one.height / count;
-        sum.stemDiameter += one.stemDiameter / count;
-        sum.crownWidth += one.crownWidth / count;
+        sum.tree.height += one.height / count;
+        sum.tree.stemDiameter += one.stemDiameter / count;
+        sum.tree.crownWidth += one.crownWidth / count;
+    }
+    if (publishedLeaves(preset.latin) && preset.ages.front() > 0) {
+        const NodeParams params = reseeded(preset.params, seeds.front());
+        const auto tree = pipeline.evaluate(params, Stage::Simplified, progress);
+        RAMURE_TRY(tree);
+        const auto foliage = placeFoliage(tree->simplified->skeleton, params.foliage, params.leaf,
+                                          params.fruit, trunkRadius(params), progress);
+        RAMURE_TRY(foliage);
+        sum.leaves = leafMeasures(*foliage, trunkRadius(params), sum.tree.crownWidth);
     }
     return sum;
 }
 
 /// Returns the means of all presets, and nothing for those without named seeds. They grow side by side.
-std::vector<Expected<TreeMeasures>> allMeasures(const Progress& progress)
+std::vector<Expected<SpeciesMeasures>> allMeasures(const Progress& progress)
 {
-    std::vector<Expected<TreeMeasures>> all(presets().size(), TreeMeasures());
+    std::vector<Expected<SpeciesMeasures>> all(presets().size(), SpeciesMeasures());
     parallelFor(all.size(), 1, [&](std::size_t i, std::size_t) {
         TreePipeline pipeline;
         if (const Preset& preset = presets()[i]; namedSeeds(preset.name))
@@ -148,18 +166,26 @@ std::vector<Expected<TreeMeasures>> allMeasures(const Progress& progress)
 }
 
 /// Adds what is known of a species.
-void addSpecies(QJsonObject& entry, const Preset& preset, const TreeMeasures& ours)
+void addSpecies(QJsonObject& entry, const Preset& preset, const SpeciesMeasures& ours)
 {
     QJsonObject seeds;
     for (std::size_t i = 0; i < namedSeedCount; ++i)
         seeds.insert(QLatin1String(seedNames[i]), qint64((*namedSeeds(preset.name))[i]));
     entry.insert(QStringLiteral("seeds"), seeds);
-    entry.insert(QStringLiteral("ours"), jsonMeasures(ours));
+    QJsonObject own = jsonMeasures(ours.tree);
+    if (ours.leaves.leaves > 0)
+        insertLeaves(own, ours.leaves);
+    entry.insert(QStringLiteral("ours"), own);
     const PublishedMeasures* published = publishedMeasures(preset.latin);
     entry.insert(QStringLiteral("published"),
                  published ? QJsonValue(jsonMeasures(published->mean)) : QJsonValue());
     entry.insert(QStringLiteral("source"),
                  published ? QJsonValue(QLatin1String(published->source)) : QJsonValue());
+    if (const PublishedLeaves* leaves = publishedLeaves(preset.latin); leaves && ours.leaves.leaves > 0)
+        entry.insert(QStringLiteral("publishedLeaves"),
+                     QJsonObject{{QStringLiteral("leafLength"), jsonRange(leaves->length)},
+                                 {QStringLiteral("leafAreaIndex"), jsonRange(leaves->areaIndex)},
+                                 {QStringLiteral("source"), QLatin1String(publishedLeavesSource)}});
 }
 
 Expected<QJsonArray> presetsJson()

@@ -5,6 +5,7 @@
 #include "core/math/reproducible.h"
 #include "core/rig/physics/lanes.h"
 #include "core/surface/foliage/leaf_table.h"
+#include "core/surface/foliage/place_foliage.h"
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -267,11 +268,14 @@ LeafSwing::LeafSwing(const Skeleton& skeleton, const Foliage& foliage, double al
     const double area = areaOf(foliage.form);
     m_drag = 1.5 * area / (area + 0.15);
     m_loose = 0.7 + 0.6 * std::min(row.petiole * foliage.form.petiole, 1.5);
-    m_hertz = usualHertz * std::sqrt(usualLength / std::max(alpha * row.length, 1e-3 * usualLength));
+    m_hertz =
+        usualHertz * std::sqrt(usualLength / std::max(leafLength(foliage.form, alpha), 1e-3 * usualLength));
     m_hertz = std::clamp(m_hertz, 0.4, 6.0);
+    double reach = 0.0;
+    for (const glm::vec3& at : oneLeaf(foliage.form, alpha, FoliageModel::Fine).positions)
+        reach = std::max(reach, double(glm::length(at)));
     for (const FoliageItem& leaf : foliage.leaves) {
-        m_reach =
-            std::max(m_reach, leaf.size * alpha * row.length * (1.1 + row.petiole * foliage.form.petiole));
+        m_reach = std::max(m_reach, leaf.size * reach);
         if (m_branches.empty() || m_branches.back() != leaf.branch)
             addTwig(skeleton, leaf.branch);
         addLeaf(leaf, skeleton.key[leaf.branch]);

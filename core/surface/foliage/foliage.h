@@ -35,8 +35,14 @@ struct Foliage
     std::vector<FoliageItem> apples; ///< fruit and flowers of all kinds
     LeafForm form;                   ///< common to all leaves
     FruitForm fruit;                 ///< common to all fruit
-    std::size_t shed = 0;            ///< number of leaves that the season took
+    std::size_t shed = 0;            ///< number of leaves, or of shoots, that the season took
 };
+
+/// Returns the number of leaves that hang: a shoot counts with all of its leaves.
+inline std::size_t leafCount(const Foliage& foliage)
+{
+    return foliage.leaves.size() * static_cast<std::size_t>(foliage.form.perShoot);
+}
 
 enum class FoliageModel : std::uint8_t {
     Rough, ///< squares of side alpha, cubes of edge alpha

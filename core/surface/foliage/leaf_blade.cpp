@@ -67,6 +67,7 @@ struct Edge
     bool fine = false; ///< the rounding of a smooth outline, and teeth
     double teeth = 0.0;
     bool hasLobes = false, pointed = false;
+    bool coarse = false; ///< one point a lobe
 
     [[nodiscard]] std::vector<glm::dvec2> between(const glm::dvec2& from, const glm::dvec2& to,
                                                   const Outline& outline, bool last) const
@@ -76,6 +77,9 @@ struct Edge
         if (hasLobes && pointed)
             return last ? std::vector<glm::dvec2>{}
                         : std::vector{glm::dvec2(std::max(from.x, widthAt(0.6)), from.y + 0.8 * rise)};
+        if (hasLobes && coarse && (last || from.x > 0.0))
+            return {last ? glm::dvec2(from.x, from.y + 0.55 * rise)
+                         : glm::dvec2(std::max(from.x, widthAt(0.55)), from.y + 0.60 * rise)};
         if (hasLobes && last) // a round cap: blunt outlines are cut straight there
             return {{1.10 * from.x, from.y + 0.30 * rise}, {0.66 * from.x, from.y + 0.78 * rise}};
         if (hasLobes && from.x <= 0.0) // a small lobe where the blade runs into its stalk
@@ -98,8 +102,9 @@ FlatBlade bladeOf(const LeafRow& row, double width, int stations, bool fine)
 {
     const Outline outline{row.base, row.tip, 0.5 * row.width * width};
     const bool hasLobes = row.lobes > 0;
-    const int count = hasLobes ? row.lobes : stations;
-    const Edge edge{fine, row.teeth, hasLobes, row.pointed};
+    const bool coarse = hasLobes && stations < 3;
+    const int count = coarse ? std::max(row.lobes - 1, 1) : hasLobes ? row.lobes : stations;
+    const Edge edge{fine, row.teeth, hasLobes, row.pointed, coarse};
     Halves halves;
     Index below = 0, besideBelow = 0; // the foot is on the midrib and on the edge
     glm::dvec2 from(0.0);
@@ -115,8 +120,10 @@ FlatBlade bladeOf(const LeafRow& row, double width, int stations, bool fine)
         const double share = k / (count + (hasLobes ? 0.8 : 1.0));
         const double y = last ? 1.0 : hasLobes ? share : outline.station(share);
         const double x = last ? 0.0 : outline.at(y) * (hasLobes ? 1.0 - row.depth : 1.0);
-        const Index middle = halves.onMidrib(y), side = last ? middle : halves.beside(x, y);
-        if (!last)
+        const bool onMidrib = !coarse || last || k == (count + 1) / 2;
+        const Index middle = onMidrib ? halves.onMidrib(y) : below,
+                    side = last ? middle : halves.beside(x, y);
+        if (!last && onMidrib)
             halves.triangle(below, side, middle);
         if (besideBelow != below)
             halves.triangle(below, besideBelow, side);

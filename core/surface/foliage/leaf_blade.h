@@ -18,8 +18,9 @@ struct FlatBlade
     double halfWidth = 0.0;
 };
 
-/// A blade of the row's outline. \param stations between foot and tip, >= 1. \param fine whether its edge is
-/// rounded and has teeth. \param width of what the row says.
+/// A blade of the row's outline. \param stations between foot and tip, >= 1; a lobed blade has one less of
+/// its lobes at 1 and all of them above. \param fine whether its edge is rounded and has teeth. \param width
+/// of what the row says.
 FlatBlade bladeOf(const LeafRow& row, double width, int stations, bool fine);
 /// Two triangles, widest below its middle.
 FlatBlade needleOf(const LeafRow& row, double width);

@@ -5,6 +5,7 @@
 #include "core/math/random.h"
 #include "core/math/reproducible.h"
 #include "core/surface/foliage/leaf_table.h"
+#include "core/surface/foliage/leaf_turns.h"
 #include "core/surface/foliage/twig_line.h"
 #include <algorithm>
 #include <cmath>
@@ -15,32 +16,6 @@ namespace {
 
 constexpr std::size_t twigsAtOnce = 64;
 
-/// How leaves go around a twig.
-struct Turns
-{
-    int perNode;
-    double fromNodeToNode; ///< rad
-    bool level;            ///< they lie left and right of a level twig
-};
-
-Turns turnsOf(LeafArrangement arrangement, int whorl)
-{
-    switch (arrangement) {
-    case LeafArrangement::Distichous:
-        return {1, pi, true};
-    case LeafArrangement::Spiral:
-        return {1, goldenAngle, false};
-    case LeafArrangement::Opposite:
-        return {2, 0.0, true};
-    case LeafArrangement::Decussate:
-        return {2, 0.5 * pi, false};
-    case LeafArrangement::Whorled:
-        return {whorl, pi / whorl, false};
-    default:
-        return {1, 0.8 * pi, false};
-    }
-}
-
 /// The leaves of one twig after the other.
 class Grower
 {
@@ -48,10 +23,10 @@ public:
     Grower(const Placing& placing, const LeafParams& params)
         : m_placing(placing)
         , m_params(params)
-        , m_internode(placing.alpha * leafRow(params.shape).internode * params.internode)
-        , m_turns(turnsOf(params.arrangement == LeafArrangement::Natural ? leafRow(params.shape).arrangement
-                                                                         : params.arrangement,
-                          static_cast<int>(params.whorl)))
+        , m_internode(internodeOf(params, placing.alpha))
+        , m_turns(leafTurns(params.arrangement == LeafArrangement::Natural ? leafRow(params.shape).arrangement
+                                                                           : params.arrangement,
+                            static_cast<int>(params.whorl)))
     {
     }
 
@@ -86,6 +61,11 @@ public:
     }
 
 private:
+    static double internodeOf(const LeafParams& params, double alpha)
+    {
+        const LeafRow& row = leafRow(params.shape);
+        return leafLength(leafForm(params), alpha) * row.internode / row.length * params.internode;
+    }
     [[nodiscard]] double nodes(double room) const
     {
         return room > 0.0 && m_internode > 0.0 ? std::floor(room / m_internode) : 0.0;
@@ -143,7 +123,7 @@ private:
     const Placing& m_placing;
     const LeafParams& m_params;
     double m_internode;
-    Turns m_turns;
+    LeafTurns m_turns;
 };
 
 } // namespace

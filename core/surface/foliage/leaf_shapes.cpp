@@ -3,6 +3,7 @@
 #include "core/math/angle.h"
 #include "core/math/reproducible.h"
 #include "core/surface/foliage/leaf_blade.h"
+#include "core/surface/foliage/leaf_shoot.h"
 #include "core/surface/foliage/leaf_table.h"
 #include "core/surface/mesh/normals.h"
 #include <algorithm>
@@ -38,15 +39,20 @@ public:
     explicit Builder(const LeafForm& form)
         : m_form(form)
         , m_row(leafRow(form.shape))
+        , m_stations(2 * form.detail - 1)
     {
+        if (form.perShoot > 1) { // there are many more of them
+            m_stations = form.detail;
+            if (m_row.family != LeafFamily::Shoot) // fewer needles would be too broad
+                m_form.detail = std::max(1, form.detail - 1);
+        }
     }
 
     TriangleMesh build()
     {
         switch (m_row.family) {
         case LeafFamily::Blade:
-            single(
-                bladeOf(m_row, m_form.width, 2 * m_form.detail - 1, m_form.detail > 1 && m_row.width > 0.3));
+            single(bladeOf(m_row, m_form.width, m_stations, m_stations > 2 && m_row.width > 0.3));
             break;
         case LeafFamily::Star:
             single(starOf(m_row, m_form.width, m_form.detail));
@@ -157,7 +163,8 @@ private:
         LeafRow row = m_row;
         if (m_form.detail == 1)
             row.lobes = 0;
-        const FlatBlade flat = bladeOf(row, width, m_form.detail > 2 ? 3 : 1, m_form.detail > 2);
+        const FlatBlade flat =
+            bladeOf(row, width, m_form.detail > 2 || row.lobes > 0 ? 3 : 1, m_form.detail > 2);
         blade(flat, BladeBend(m_form, flat.halfWidth, 0.35), pose, length);
     }
     void pinnate()
@@ -313,6 +320,7 @@ private:
 
     LeafForm m_form;
     const LeafRow& m_row;
+    int m_stations; ///< of a blade, between its foot and its tip
     TriangleMesh m_mesh;
 };
 
@@ -320,26 +328,56 @@ private:
 
 LeafForm leafForm(const LeafParams& params)
 {
-    return {params.shape,
-            params.width,
-            params.petiole,
-            params.fold,
-            params.curl,
-            params.cup,
-            static_cast<int>(params.detail),
-            params.season > 0.0};
+    LeafForm form{.shape = params.shape,
+                  .width = params.width,
+                  .petiole = params.petiole,
+                  .fold = params.fold,
+                  .curl = params.curl,
+                  .cup = params.cup,
+                  .detail = static_cast<int>(params.detail),
+                  .turns = params.season > 0.0,
+                  .length = params.length};
+    if (params.shape == LeafShape::Faithful || params.perShoot < 2)
+        return form;
+    form.perShoot = static_cast<int>(params.perShoot);
+    form.arrangement = params.arrangement == LeafArrangement::Natural ? leafRow(params.shape).arrangement
+                                                                      : params.arrangement;
+    form.whorl = static_cast<int>(params.whorl);
+    form.angle = params.angle;
+    return form;
+}
+
+double leafLength(const LeafForm& form, double alpha)
+{
+    if (form.shape == LeafShape::Faithful)
+        return alpha;
+    return form.length > 0.0 ? form.length : alpha * leafRow(form.shape).length;
 }
 
 TriangleMesh leafMesh(const LeafForm& form)
 {
     if (!(form.width > 0.0))
         return {};
-    return Builder(form).build();
+    return shootOf(Builder(form).build(), form);
 }
 
-TriangleMesh leafCard(const LeafForm& form)
+TriangleMesh rhombIn(TriangleMesh square)
 {
-    const TriangleMesh leaf = leafMesh(form);
+    const auto toMiddles = [](auto& corners) {
+        const auto old = corners;
+        for (std::size_t i = 0; i < corners.size(); ++i)
+            corners[i] = 0.5F * (old[i] + old[(i + 1) % old.size()]);
+    };
+    toMiddles(square.positions);
+    toMiddles(square.uv);
+    return square;
+}
+
+TriangleMesh leafCard(const LeafForm& form, CardOutline outline)
+{
+    LeafForm single = form;
+    single.perShoot = 1;
+    const TriangleMesh leaf = leafMesh(single);
     TriangleMesh card;
     if (leaf.empty())
         return card;
@@ -351,8 +389,10 @@ TriangleMesh leafCard(const LeafForm& form)
     card.triangles = {{0, 1, 2}, {0, 2, 3}};
     card.uv = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
     card.colours.assign(2, bladeShade);
+    if (outline == CardOutline::Rhomb)
+        card = rhombIn(std::move(card));
     computeNormals(card);
-    return card;
+    return shootOf(card, form);
 }
 
 } // namespace ramure

@@ -87,12 +87,12 @@ FoliageItem fruitAt(const Stand& stand, double size, double reach)
 Expected<void> placeOrgans(const Skeleton& skeleton, const LeafParams& leaf, double alpha, Foliage& foliage)
 {
     const bool faithful = foliage.form.shape == LeafShape::Faithful;
-    const double leafLength = alpha * (faithful ? 1.0 : leafRow(foliage.form.shape).length);
+    const double length = leafLength(foliage.form, alpha);
     const double radius = alpha * fruitRadius(foliage.fruit), reach = radius * fruitReach(foliage.fruit);
     std::uint32_t number = 1u << 20; // after all that grow by themselves
     for (const Organ& organ : skeleton.organs) {
         const bool isLeaf = organ.kind == OrganKind::Leaf;
-        const double usual = isLeaf ? leafLength : 2.0 * radius;
+        const double usual = isLeaf ? length : 2.0 * radius;
         const double size = organ.size < 0.0 ? -organ.size * (isLeaf && !faithful ? leaf.size : 1.0)
                                              : (usual > 0.0 ? organ.size / usual : 0.0);
         if (!(size > 0.0))

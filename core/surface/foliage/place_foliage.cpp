@@ -232,27 +232,16 @@ Expected<Foliage> placeFoliage(const Skeleton& skeleton, const FoliageParams& pa
     return placeFoliage(skeleton, params, LeafParams(), FruitParams(), alpha, progress);
 }
 
-/// The same triangles between the middles of the sides.
-static TriangleMesh rhombIn(TriangleMesh square)
-{
-    const auto toMiddles = [](auto& corners) {
-        const auto old = corners;
-        for (std::size_t i = 0; i < corners.size(); ++i)
-            corners[i] = 0.5F * (old[i] + old[(i + 1) % old.size()]);
-    };
-    toMiddles(square.positions);
-    toMiddles(square.uv);
-    return square;
-}
-
 TriangleMesh oneLeaf(const LeafForm& form, double alpha, FoliageModel model)
 {
     const bool faithful = form.shape == LeafShape::Faithful;
-    const double size = faithful ? alpha : alpha * leafRow(form.shape).length;
+    const double size = leafLength(form, alpha);
+    const bool rhomb = model == FoliageModel::Rhomb;
     if (model == FoliageModel::Fine)
         return scaled(faithful ? unitTriangle() : leafMesh(form), size);
-    TriangleMesh card = faithful ? unitSquare() : leafCard(form);
-    return scaled(model == FoliageModel::Rhomb ? rhombIn(std::move(card)) : std::move(card), size);
+    if (!faithful)
+        return scaled(leafCard(form, rhomb ? CardOutline::Rhomb : CardOutline::Square), size);
+    return scaled(rhomb ? rhombIn(unitSquare()) : unitSquare(), size);
 }
 
 TriangleMesh oneApple(const FruitForm& form, double alpha, FoliageModel model)

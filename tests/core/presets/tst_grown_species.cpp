@@ -1,8 +1,13 @@
 #include "core/generators/growth/grown_skeleton.h"
 #include "core/math/angle.h"
+#include "core/pipeline/tree_pipeline.h"
+#include "core/presets/presets.h"
 #include "core/presets/species.h"
 #include "core/presets/tree_measures.h"
 #include "core/skeleton/axes.h"
+#include "core/skeleton/measures.h"
+#include "core/surface/foliage/leaf_measures.h"
+#include "core/surface/foliage/place_foliage.h"
 #include "tests/support/suite.h"
 
 #include <algorithm>
@@ -248,6 +253,35 @@ private slots:
             QCOMPARE(double(species.ages[1]), species.growth.age);
             QVERIFY(species.ages[0] < species.ages[1] && species.ages[1] < species.ages[2]);
         }
+    }
+
+    /// The middle of a flora's range by a quarter, and an index inside its band.
+    void leavesAreAsFloraSay_data() { matureTreesAreAsFloraSay_data(); }
+    void leavesAreAsFloraSay()
+    {
+        QFETCH(const int, row);
+        const auto preset =
+            std::ranges::find(presets(), std::string_view(facts[std::size_t(row)].name), &Preset::name);
+        QVERIFY(preset != presets().end());
+        if (preset->params.growth.habit == GrowthHabit::Palm) // its fronds are twigs with leaflets
+            return;
+        const PublishedLeaves* published = publishedLeaves(preset->latin);
+        QVERIFY2(published, preset->name);
+        TreePipeline pipeline;
+        const auto tree = pipeline.evaluate(preset->params, Stage::Simplified);
+        QVERIFY(tree);
+        const double alpha = trunkRadius(preset->params);
+        const auto foliage = placeFoliage(tree->simplified->skeleton, preset->params.foliage,
+                                          preset->params.leaf, preset->params.fruit, alpha);
+        QVERIFY(foliage);
+        const LeafMeasures leaves = leafMeasures(*foliage, alpha, measuresOf(*tree->skeleton).crownWidth);
+        const double middle = 0.5 * (published->length.from + published->length.to);
+        QVERIFY2(std::abs(leaves.length - middle) <= 0.25 * middle,
+                 qPrintable(QStringLiteral("%1: %2 m").arg(preset->name).arg(leaves.length)));
+        if (published->areaIndex.to > 0.0)
+            QVERIFY2(leaves.areaIndex >= published->areaIndex.from &&
+                         leaves.areaIndex <= published->areaIndex.to,
+                     qPrintable(QStringLiteral("%1: %2").arg(preset->name).arg(leaves.areaIndex)));
     }
 
     void matureTreesAreAsFloraSay_data()

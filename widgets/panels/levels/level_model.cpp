@@ -24,7 +24,7 @@ QString percentText(double share)
 
 std::size_t leavesOf(const std::shared_ptr<const Foliage>& foliage)
 {
-    return foliage ? foliage->leaves.size() : 0;
+    return foliage ? leafCount(*foliage) : 0;
 }
 
 } // namespace

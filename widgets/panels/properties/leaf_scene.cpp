@@ -63,8 +63,10 @@ void add(RenderScene& scene, MeshItem item, Material material)
 
 } // namespace
 
-RenderScene leafScene(const NodeParams& params)
+RenderScene leafScene(const NodeParams& shown)
 {
+    NodeParams params = shown;
+    params.leaf.length = 0.0; // the picture has no scale: its trunk has a radius of 1
     const double length = twigLength(params.leaf);
     Skeleton twig;
     twig.add(noIndex, {0.0, 0.0, 0.0}, {0.0, length, 0.0}, thickness * length, 0.6 * thickness * length);

@@ -195,6 +195,8 @@ QImage leafPicture(const LeafParams& leaf, bool turns, int size, const PicturePa
 {
     LeafForm form = leafForm(leaf);
     form.turns = turns;
+    form.perShoot = 1;
+    form.length = 0.0; // the picture has no scale
     TriangleMesh mesh = oneLeaf(form, 1.0, FoliageModel::Fine);
     if (mesh.uv.empty())
         addLeafTexture(mesh, form);

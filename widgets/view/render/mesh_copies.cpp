@@ -144,7 +144,10 @@ MeshCopies leafCopies(const Foliage& foliage, double alpha, FoliageModel model,
     if (foliage.form.shape != LeafShape::Faithful && model != FoliageModel::Rough) {
         LeafForm simple = foliage.form;
         simple.detail = 1;
-        append(made, widened(oneLeaf(simple, alpha, model), leaf), LeafDetail::Few);
+        append(made,
+               simple.perShoot > 1 ? oneLeaf(simple, alpha, FoliageModel::Rhomb)
+                                   : widened(oneLeaf(simple, alpha, model), leaf),
+               LeafDetail::Few);
         appendFar(made);
     }
     measure(made);
