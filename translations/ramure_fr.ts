@@ -1207,6 +1207,14 @@
         <source>Begin a scene with nothing in it</source>
         <translation>Commencer une scène sans rien dedans</translation>
     </message>
+    <message>
+        <source>&amp;Person of 1.8 m</source>
+        <translation>&amp;Personne de 1,8 m</translation>
+    </message>
+    <message>
+        <source>A person beside the first tree, to see how large it is</source>
+        <translation>Une personne à côté du premier arbre, pour voir sa taille</translation>
+    </message>
 </context>
 <context>
     <name>ArmOverlay</name>

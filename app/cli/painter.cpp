@@ -31,7 +31,7 @@ Expected<SurfacePictures> Painter::drawSurfaces(const RenderScene& scene, const 
     return m_renderer->drawSurfaces(scene, camera, size, reach, sparing);
 }
 
-Expected<RenderScene> renderSceneOf(EvaluatedScene& now, DisplayMode mode)
+Expected<RenderScene> renderSceneOf(EvaluatedScene& now, DisplayMode mode, bool figure)
 {
     const Scene& scene = now.scene();
     const auto nodes = treesOrShapes(scene);
@@ -46,6 +46,7 @@ Expected<RenderScene> renderSceneOf(EvaluatedScene& now, DisplayMode mode)
     }
     SceneView view;
     view.mode = mode;
+    view.figure = figure;
     const auto resultOf = [&](NodeId id) {
         const auto found = results.find(id);
         return found == results.end() ? nullptr : &found->second;

@@ -170,6 +170,8 @@ void addPictureOptions(CommandLine& line)
              QStringLiteral("Also writes the sky of --background sky, all around and without the sun, as a "
                             "picture for other renderers."),
              QStringLiteral("FILE.hdr"));
+    line.add({QStringLiteral("figure")},
+             QStringLiteral("A person of 1.8 m stands beside the first tree, to show how large it is."));
     line.addDefault(
         {QStringLiteral("quality")},
         QStringLiteral("draft (sun and sky light alone), good (crowns that are darker inside, the "

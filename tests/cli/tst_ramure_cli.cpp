@@ -249,6 +249,11 @@ private slots:
                 QVERIFY(std::abs(entry["ours"]["crownWidth"].toDouble() - 10.7) < 1.0);
                 QVERIFY(entry["source"].toString().contains("RDS-2016-0005"));
             }
+            if (entry["name"] == "SilverBirch") {
+                QVERIFY(entry["ours"]["leafReach"].toDouble() > entry["ours"]["leafLength"].toDouble());
+                QVERIFY(entry["ours"]["leafAreaIndex"].toDouble() > 2.0);
+                QCOMPARE(entry["publishedLeaves"]["leafLength"].toArray().size(), 2);
+            }
             QCOMPARE(entry["source"].isString(), entry["published"].isObject());
         }
         QCOMPARE(names.mid(0, 4), (QStringList{"SmallTree", "FanTree", "TinyTree", "Fern2D"}));
@@ -357,9 +362,10 @@ private slots:
         const test::CliRun run = runCli({"info", "preset:TinyTree", "--json"});
         const QStringList shared = {"branches",  "max",    "maxChildren", "min",        "sumA1",
                                     "sumRadius", "sumTip", "terminals",   "totalLength"};
-        QCOMPARE(run.keys(), (QStringList{"branches", "edits", "leaves", "max", "maxChildren", "measures",
-                                          "min", "nodes", "shed", "simplified", "sumA1", "sumRadius",
-                                          "sumTip", "symbols", "terminals", "totalLength"}));
+        QCOMPARE(run.keys(), (QStringList{"branches", "edits", "leafArea", "leafAreaIndex", "leafLength",
+                                          "leafReach", "leaves", "max", "maxChildren", "measures", "min",
+                                          "nodes", "shed", "simplified", "sumA1", "sumRadius", "sumTip",
+                                          "symbols", "terminals", "totalLength"}));
         QCOMPARE(run.json()["simplified"].toObject().keys(), shared);
     }
     void axesAreListedFromTheGround()

@@ -4,13 +4,14 @@
 
 #include "core/presets/presets.h"
 #include "core/qt/session/jobs/recompute.h"
+#include "tests/support/suite.h"
 #include "tests/support/tool_bench.h"
 
 namespace ramure::test {
 
 struct HandBench : ToolBench
 {
-    static constexpr int patienceMs = 20'000;
+    static constexpr int patienceMs = isSanitized ? 160'000 : 20'000;
     Recompute recompute{&document};
 
     explicit HandBench(HandTool tool, int trees = 1, const char* preset = "TinyTree")

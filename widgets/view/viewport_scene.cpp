@@ -68,6 +68,7 @@ SceneView Viewport::Private::sceneView() const
     view.frames = settings->frameDisplay();
     view.selectedNodes = selection.nodes;
     view.crowns = settings->crownsVisible();
+    view.figure = settings->figureVisible();
     view.cameras = true;
     view.wind = settings->gameWind();
     view.seenThrough = through;

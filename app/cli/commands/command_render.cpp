@@ -109,7 +109,7 @@ Expected<Sight> sceneOf(const Input& input, const CommandLine& line, const Rende
     if (input.scene()) {
         EvaluatedScene now = evaluator.at(*input.scene(), timeSeconds);
         RAMURE_TRY(now.poseArms(progress));
-        auto scene = renderSceneOf(now, request.mode);
+        auto scene = renderSceneOf(now, request.mode, line.has("figure"));
         RAMURE_TRY(scene);
         return Sight{std::move(*scene), viewThrough(now, camera)};
     }

@@ -41,6 +41,8 @@ namespace tst_gallery {
 
 using namespace ramure;
 
+constexpr int patienceMs = test::isSanitized ? 480'000 : 60'000;
+
 class TestGallery : public QObject
 {
     Q_OBJECT
@@ -87,7 +89,7 @@ private:
     void show(QWidget& dialog, const char* name)
     {
         dialog.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&dialog));
+        QVERIFY(QTest::qWaitForWindowExposed(&dialog, patienceMs));
         look(&dialog, name);
     }
     /// A menu or dialog with an event loop of its own: looked at from within, then closed.
@@ -151,7 +153,7 @@ private:
         raise("validationDock");
         raise("levelsDock");
         auto* levels = dock<LevelsPanel>("levelsDock")->watch();
-        QTRY_VERIFY_WITH_TIMEOUT(levels->state() == LevelWatch::State::Done, 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(levels->state() == LevelWatch::State::Done, patienceMs);
         look(m_window.get(), "levels");
         raise("validationDock");
         scene->search()->field()->setText(QStringLiteral("length > 0.1"));
@@ -303,8 +305,8 @@ private slots:
                                                 &m_chooser);
         QVERIFY(m_window->files()->newFromPreset(QStringLiteral("TinyTree")));
         m_window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
-        QVERIFY(m_recompute->waitForFull(60'000));
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get(), patienceMs));
+        QVERIFY(m_recompute->waitForFull(patienceMs));
         m_window->showWelcome();
         look(m_window.get(), "welcome");
         m_window->showWelcome();

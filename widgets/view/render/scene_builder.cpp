@@ -10,6 +10,7 @@
 #include "widgets/view/render/arm_items.h"
 #include "widgets/view/render/camera_items.h"
 #include "widgets/view/render/crown_marks.h"
+#include "widgets/view/render/figure.h"
 #include "widgets/view/render/ground_height.h"
 #include "widgets/view/render/isolated_parts.h"
 #include "widgets/view/render/line_art.h"
@@ -532,6 +533,7 @@ RenderScene SceneBuilder::build(EvaluatedScene& now, const ResultOf& resultOf, c
     const Scene& scene = now.scene();
     m_cache->beginBuild();
     RenderScene built;
+    std::vector<Foot> trunks;
     ObjectItems objects{*m_cache, built};
     for (std::size_t i = 0; i < scene.nodes().size(); ++i) {
         const Node& node = scene.nodes()[i];
@@ -550,12 +552,19 @@ RenderScene SceneBuilder::build(EvaluatedScene& now, const ResultOf& resultOf, c
         else if (const TreeResult* tree = resultOf(node.id)) {
             TreeItems{*m_cache, built, view, node, *tree, world}.all();
             addFeet(built, *tree, now.params(node).mesh, world);
+            if (tree->skeleton && tree->skeleton->size() > 0)
+                trunks.push_back({glm::dvec3(world * glm::dvec4(tree->skeleton->p0[0], 1.0)),
+                                  glm::length(glm::dvec3(world[0])) * tree->skeleton->a0[0]});
         }
     }
     built.ground = m_ground->of(scene, built);
     outlineSelected(built, *m_cache, scene, resultOf, view);
     updateHighlights(built, resultOf, view);
     built.updateBoxes();
+    if (view.figure) {
+        addFigure(built, trunks);
+        built.updateBoxes();
+    }
     if (view.crowns)
         addCrowns(built, now, view.selectedNodes);
     m_cache->dropUnused();

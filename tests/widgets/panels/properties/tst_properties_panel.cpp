@@ -42,8 +42,9 @@ private:
     void addEveryParam()
     {
         QTest::addColumn<QString>("key");
-        for (const ParamDef& def : paramTable())
-            QTest::newRow(def.key) << QString::fromLatin1(def.key);
+        const auto table = paramTable();
+        for (std::size_t i = 0; i < table.size(); i += test::isSanitized ? 5 : 1)
+            QTest::newRow(table[i].key) << QString::fromLatin1(table[i].key);
     }
     /// The parameter of the present row of data; the nodes become of a kind that has it.
     const ParamDef& fetched()
