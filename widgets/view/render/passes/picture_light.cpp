@@ -32,15 +32,16 @@ glm::vec3 studioColour(Backdrop backdrop)
     return glm::vec3(-1.0f);
 }
 
-/// As a photographer exposes: for what faces the light, so that a low sun does not burn out all that stands.
+/// As a photographer exposes: for what faces the light, so that a low sun does not burn out all that stands;
+/// and not for all of it, so that an evening stays darker than a noon.
 void takeSky(PictureLight& out, double turbidity)
 {
-    constexpr double lowestLevel = 0.45, middle = 1.2;
+    constexpr double lowestLevel = 0.45, middle = 1.2, noon = 100.0, kept = 0.2; // noon: klx
     constexpr glm::vec3 up(0.0f, 1.0f, 0.0f);
     Sky sky = clearSky(out.sun, turbidity);
     const glm::dvec3 above = pi * glm::dvec3(ambientAt(ambientOf(sky, glm::dvec3(0.0)), up));
-    const double level =
-        glm::dot(brightness, above + sky.sunlight * std::max(out.sun.y, lowestLevel)) / middle;
+    const double facing = glm::dot(brightness, above + sky.sunlight * std::max(out.sun.y, lowestLevel));
+    const double level = facing / middle * std::pow(std::max(1.0, noon / facing), kept);
     const Ambient ambient = ambientOf(sky, meadow * (above + sky.sunlight * out.sun.y) / pi);
     for (std::size_t i = 0; i < ambient.size(); ++i)
         out.ambient[i] = ambient[i] * float(pi / level);
