@@ -26,7 +26,7 @@ struct FoliageItem
     /// Its number among the leaves of its branch. For a leaf of a plant it is the leaf's address, which
     /// random choices are keyed by.
     std::uint32_t number = 0;
-    glm::vec3 tint{1.0F}; ///< the season multiplies the material's colour by it
+    glm::vec3 tint{1.0F}; ///< multiplies the material's colour, by the leaf and by the season; at most 1
 };
 
 struct Foliage

@@ -93,7 +93,16 @@ private:
                                        place.frame.tangent, twist);
         leaf.size = static_cast<float>(m_params.size * size * (1.0 + m_params.variation * other));
         leaf.tone = static_cast<float>(1.0 - 0.32 * tone);
+        leaf.tint = tintOf(tone);
         return leaf;
+    }
+    /// Some leaves are yellower than their plant's and some bluer: about six degrees of hue either way.
+    /// \param tone a random number, whose later digits are used.
+    static glm::vec3 tintOf(double tone)
+    {
+        const double digits = 4099.0 * tone, way = 2.0 * (digits - std::floor(digits)) - 1.0;
+        const double yellow = std::max(way, 0.0), blue = std::max(-way, 0.0);
+        return {1.0 - 0.11 * blue, 1.0 - 0.05 * yellow, 1.0 - 0.22 * yellow};
     }
     /// Pulled down, but never into the bark.
     [[nodiscard]] glm::dvec3 drooped(const glm::dvec3& way, const glm::dvec3& out) const

@@ -50,7 +50,7 @@ void turnLeaves(const Skeleton& skeleton, double season, Foliage& foliage)
         const float hue = static_cast<float>(random.unit());
         const glm::vec3 turned = glm::mix(glm::mix(autumn, summer, 0.25F * hue * hue), withered,
                                           0.6F * smooth(random.range(0.5, 2.0) * (season - firstFalls)));
-        leaf.tint = glm::min(glm::mix(summer, turned, turnedShare(season, late)) / all, glm::vec3(1.0F));
+        leaf.tint *= glm::min(glm::mix(summer, turned, turnedShare(season, late)) / all, glm::vec3(1.0F));
         return false;
     };
     foliage.shed = std::erase_if(foliage.leaves, falls);

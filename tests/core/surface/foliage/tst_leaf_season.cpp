@@ -69,16 +69,24 @@ private slots:
                  leavesAt(0.0, LeafShape::Faithful).leaves.size());
     }
 
-    void summerIsAsItWas()
+    /// In summer leaves differ by what they are: some are yellower, some bluer, none is brighter than their
+    /// plant's.
+    void summerHasAllItsGreens()
     {
         const Foliage summer = leavesAt(0.0);
         QCOMPARE(summer.shed, std::size_t(0));
-        QVERIFY(std::ranges::all_of(summer.leaves,
-                                    [](const FoliageItem& leaf) { return leaf.tint == glm::vec3(1.0F); }));
+        std::size_t yellow = 0, blue = 0;
+        for (const FoliageItem& leaf : summer.leaves) {
+            QVERIFY(glm::all(glm::lessThanEqual(leaf.tint, glm::vec3(1.0F))));
+            QVERIFY(glm::all(glm::greaterThan(leaf.tint, glm::vec3(0.75F))));
+            yellow += leaf.tint.b < 0.95F ? 1 : 0;
+            blue += leaf.tint.r < 0.95F ? 1 : 0;
+        }
+        QVERIFY(4 * yellow > summer.leaves.size() && 5 * blue > summer.leaves.size());
         QCOMPARE(leavesMaterial(LeafShape::Maple).colour, leafRow(LeafShape::Maple).colour);
         // The first day after it looks the same.
         const Foliage next = leavesAt(1e-9);
-        const glm::vec3 green(leafRow(LeafShape::Maple).colour);
+        const glm::vec3 green = meanTint(summer) * glm::vec3(leafRow(LeafShape::Maple).colour);
         const glm::vec3 seen = meanTint(next) * glm::vec3(leavesMaterial(LeafShape::Maple, true).colour);
         QVERIFY(glm::length(seen - green) < 1.0F);
     }
@@ -150,7 +158,7 @@ private slots:
         for (const LeafShape shape : {LeafShape::Fir, LeafShape::Olive, LeafShape::Palm}) {
             const Foliage foliage = leavesAt(1.0, shape);
             QCOMPARE(foliage.shed, std::size_t(0));
-            QCOMPARE(meanTint(foliage), glm::vec3(1.0F));
+            QCOMPARE(meanTint(foliage), meanTint(leavesAt(0.0, shape)));
             QCOMPARE(leafColour(shape, true), leafColour(shape, false));
         }
     }
