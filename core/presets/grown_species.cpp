@@ -240,11 +240,7 @@ NodeParams grownParams(const GrownSpecies& species, const NodeParams& dress)
     }
     params.growth.axil *= oneDegree;
     // Leaves stand on the shoots of the last years; fruit is as large as on the other tree of the species.
-    params.leaf.length = species.leaves.length;
-    params.leaf.size = 1.0;
-    params.leaf.internode = species.leaves.internode;
-    params.leaf.perShoot = species.leaves.perShoot;
-    params.leaf.width = species.leaves.width;
+    setLeaves(params, species.leaves);
     params.fruit.size *= trunkRadius(dress) / trunkRadius(params);
     const double leafyTips = species.conifer ? 3.0 : 2.0; // needles stay for years
     params.foliage.leavesCutoff = leafyTips * params.growth.tipRadius / trunkRadius(params);

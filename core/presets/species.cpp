@@ -1,7 +1,9 @@
 #include "core/presets/species.h"
 
 #include "core/math/angle.h"
+#include <algorithm>
 #include <array>
+#include <string_view>
 
 namespace ramure {
 namespace {
@@ -91,6 +93,20 @@ const std::array mixedSpecies{
 /// m: shoots and leaves hang below the twigs.
 constexpr double usualClearance = 0.5;
 
+/// Leaves of species that have no tree which grows by years, in the sizes of a flora. Their few twigs carry
+/// long shoots.
+struct DressedLeaves
+{
+    std::string_view name;
+    GrownLeaves leaves;
+};
+constexpr std::array dressedLeaves{
+    DressedLeaves{"BlackTupelo", {0.10, 2.74, 6}},       DressedLeaves{"BlueGum", {0.20, 1.09, 6}},
+    DressedLeaves{"EasternCottonwood", {0.10, 1.63, 8}}, DressedLeaves{"FieldElm", {0.085, 1.6, 10}},
+    DressedLeaves{"Jacaranda", {0.36, 0.43, 3}},         DressedLeaves{"QuakingAspen", {0.05, 3.07, 6}},
+    DressedLeaves{"Sassafras", {0.12, 1.22, 4}},         DressedLeaves{"SouthernMagnolia", {0.17, 1.8, 6}},
+};
+
 } // namespace
 
 std::span<const Species> species()
@@ -119,6 +135,15 @@ double grownBarkTile(BarkFamily family)
     }
 }
 
+void setLeaves(NodeParams& params, const GrownLeaves& leaves)
+{
+    params.leaf.length = leaves.length;
+    params.leaf.size = 1.0;
+    params.leaf.internode = leaves.internode;
+    params.leaf.perShoot = leaves.perShoot;
+    params.leaf.width = leaves.width;
+}
+
 NodeParams speciesParams(const Species& species)
 {
     NodeParams params;
@@ -136,6 +161,9 @@ NodeParams speciesParams(const Species& species)
     params.leaf.shape = dress.leaf;
     params.leaf.size = dress.size;
     params.leaf.internode = dress.internode;
+    if (const auto own = std::ranges::find(dressedLeaves, species.name, &DressedLeaves::name);
+        own != dressedLeaves.end())
+        setLeaves(params, own->leaves);
     params.foliage.leavesCutoff = dress.twig;
     params.bark.family = dress.bark;
     params.bark.light = dress.light;

@@ -61,6 +61,7 @@ struct GrownSpecies
     GrownLeaves leaves;
 };
 std::span<const GrownSpecies> grownSpecies();
+void setLeaves(NodeParams& params, const GrownLeaves& leaves);
 /// \param dress the parameters of the other tree of the species
 NodeParams grownParams(const GrownSpecies& species, const NodeParams& dress);
 /// m, so that plates, furrows and scars are as large as on grown trees.

@@ -25,10 +25,10 @@ constexpr CommandText listText = {
     "A parameter's key is its name in project files and for --set. Numbers outside its range are refused. "
     "Of a species --json names seeds worth a look, gives the mean height, stem diameter (1.3 m above the "
     "ground) and crown width of their trees in m (\"ours\"), and what was measured of such trees "
-    "(\"published\", with its source; null where there is none). \"steps\" are those of its recipe, and of a "
-    "tree that grows by years \"ages\" says when it is young, mature and old; \"ours\" then has the sizes of "
-    "its "
-    "leaves as `info` prints them, and \"publishedLeaves\" the ranges that floras give."};
+    "(\"published\", with its source; null where there is none). Of a species whose leaves have a length "
+    "of their own \"ours\" has their sizes as `info` prints them, and \"publishedLeaves\" the ranges that "
+    "floras give. \"steps\" are those of its recipe, and of a tree that grows by years \"ages\" says when "
+    "it is young, mature and old."};
 
 const char* unitName(ParamUnit unit)
 {
@@ -121,7 +121,7 @@ QJsonValue jsonValue(const ParamValue& value)
 struct SpeciesMeasures
 {
     TreeMeasures tree;
-    LeafMeasures leaves; ///< of a species that grows by years
+    LeafMeasures leaves; ///< of a species whose leaves have a length of their own
 };
 
 /// Mean of the trees of all named seeds; of a tree that grows by years, which takes longer, the typical one.
@@ -141,7 +141,7 @@ Expected<SpeciesMeasures> meanMeasures(TreePipeline& pipeline, const Preset& pre
         sum.tree.stemDiameter += one.stemDiameter / count;
         sum.tree.crownWidth += one.crownWidth / count;
     }
-    if (publishedLeaves(preset.latin) && preset.ages.front() > 0) {
+    if (publishedLeaves(preset.latin) && preset.params.leaf.length > 0.0) {
         const NodeParams params = reseeded(preset.params, seeds.front());
         const auto tree = pipeline.evaluate(params, Stage::Simplified, progress);
         RAMURE_TRY(tree);
