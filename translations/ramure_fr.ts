@@ -8927,10 +8927,6 @@
         <translation>Longueur des feuilles</translation>
     </message>
     <message>
-        <source>Length of a leaf of the mean size, without its petiole; of needles, that of the shoot which carries them. 0: the leaves grow with the radius of the trunk.</source>
-        <translation>Longueur d’une feuille de taille moyenne, sans son pétiole ; pour les aiguilles, celle de la pousse qui les porte. 0 : les feuilles grandissent avec le rayon du tronc.</translation>
-    </message>
-    <message>
         <source>Leaves per shoot</source>
         <translation>Feuilles par pousse</translation>
     </message>
@@ -8941,6 +8937,10 @@
     <message>
         <source>Multiplies the length of all leaves; 0 leaves the twigs bare.</source>
         <translation>Multiplie la longueur de toutes les feuilles ; 0 laisse les rameaux nus.</translation>
+    </message>
+    <message>
+        <source>Length of a leaf of the mean size, without its petiole; of needles, that of the shoot which carries them. Longer leaves stand farther apart: see Internode. 0: the leaves grow with the radius of the trunk.</source>
+        <translation>Longueur d’une feuille de taille moyenne, sans son pétiole ; pour les aiguilles, celle de la pousse qui les porte. Des feuilles plus longues sont plus espacées : voir Entre-nœud. 0 : les feuilles grandissent avec le rayon du tronc.</translation>
     </message>
 </context>
 <context>

@@ -65,7 +65,7 @@ inline constexpr std::array dressRows{
         ParamUnit::Factor, {0, 4, 0, 2, 0.05, 3}, Stage::Motion, paramNone, treeOnly, isOfPlant),
     row<&NodeParams::leaf, &LeafParams::length>(
         {"foliage.leafLength", foliageGroup, RAMURE_NOOP("Leaf length"),
-         RAMURE_NOOP("Length of a leaf of the mean size, without its petiole; of needles, that of the shoot which carries them. 0: the leaves grow with the radius of the trunk.")},
+         RAMURE_NOOP("Length of a leaf of the mean size, without its petiole; of needles, that of the shoot which carries them. Longer leaves stand farther apart: see Internode. 0: the leaves grow with the radius of the trunk.")},
         ParamUnit::Metre, {0, 20, 0, 0.5, 0.005, 4}, Stage::Foliage, paramNone, treeOnly, isOfPlant),
     row<&NodeParams::leaf, &LeafParams::perShoot>(
         {"foliage.leavesPerShoot", foliageGroup, RAMURE_NOOP("Leaves per shoot"),

@@ -7,15 +7,16 @@
 #include "core/surface/mesh/normals.h"
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace ramure {
 namespace {
 
 /// Of the stem at its foot and at its end, and how far it reaches into the bark.
-constexpr double footRadius = 0.022, endRadius = 0.01, sunk = 0.05;
-/// Multiplies the colour of the leaves, which is green.
-constexpr glm::u8vec3 woodShade{210, 138, 200};
+constexpr double footRadius = 0.016, endRadius = 0.008, sunkStem = 0.02;
+/// sRGB, of young bark.
+constexpr glm::vec3 youngBark(98.0F, 84.0F, 66.0F);
 
 /// The fraction of a number by the golden section: spread evenly, the same wherever it is asked for.
 double spread(int i)
@@ -36,6 +37,9 @@ public:
         m_gap = row.internode / row.length;
         m_nodes = (form.perShoot - 2 + m_turns.perNode) / m_turns.perNode; // the last leaf ends the stem
         m_length = m_gap * (m_nodes + 0.25);
+        m_pieces = std::clamp(form.detail - 1, 1, m_nodes);
+        m_wood =
+            glm::u8vec3(glm::min(255.0F * youngBark / glm::vec3(leafColour(form.shape, form.turns)), 255.0F));
     }
 
     TriangleMesh build()
@@ -55,6 +59,13 @@ public:
     }
 
 private:
+    /// Where a leaf stands: on the stem as it is drawn.
+    [[nodiscard]] glm::dvec3 onStem(double y) const
+    {
+        const double piece = m_length / m_pieces, from = piece * std::floor(y / piece);
+        return from >= m_length ? stemAt(m_length)
+                                : glm::mix(stemAt(from), stemAt(from + piece), (y - from) / piece);
+    }
     /// The stem bows a little towards the light, and from node to node.
     [[nodiscard]] glm::dvec3 stemAt(double y) const
     {
@@ -77,7 +88,7 @@ private:
         const double size = (1.0 - 0.35 * (1.0 - share) * (1.0 - share) - 0.2 * share * share) *
                             (0.9 + 0.2 * spread(number + 11));
         const auto shade = static_cast<float>(0.86 + 0.14 * spread(number + 5));
-        const glm::dvec3 foot = stemAt(y);
+        const glm::dvec3 foot = onStem(y);
         const auto first = static_cast<Index>(m_mesh.positions.size());
         for (const glm::vec3& p : m_leaf.positions)
             m_mesh.positions.emplace_back(
@@ -92,12 +103,11 @@ private:
     /// Three sides, and a tip that the last leaf covers.
     void addStem()
     {
-        const int pieces = std::clamp(m_form.detail - 1, 1, m_nodes);
         const auto first = static_cast<Index>(m_mesh.positions.size());
-        for (int i = 0; i < pieces; ++i) {
-            const double share = static_cast<double>(i) / pieces;
+        for (int i = 0; i < m_pieces; ++i) {
+            const double share = static_cast<double>(i) / m_pieces;
             const double radius = footRadius + (endRadius - footRadius) * share;
-            const glm::dvec3 centre = i == 0 ? glm::dvec3(0.0, -sunk, 0.0) : stemAt(m_length * share);
+            const glm::dvec3 centre = i == 0 ? glm::dvec3(0.0, -sunkStem, 0.0) : stemAt(m_length * share);
             for (int k = 0; k < 3; ++k) {
                 const auto [sine, cosine] = maths::sincos(2.0 * pi * k / 3.0 + 0.5 * pi);
                 m_mesh.positions.emplace_back(centre + glm::dvec3(radius * cosine, 0.0, -radius * sine));
@@ -106,10 +116,10 @@ private:
         m_mesh.positions.emplace_back(stemAt(m_length));
         m_mesh.uv.resize(m_mesh.positions.size(), {0.5F, 0.0F});
         const auto end = static_cast<Index>(m_mesh.positions.size() - 1);
-        for (int i = 0; i < pieces; ++i)
+        for (int i = 0; i < m_pieces; ++i)
             for (Index k = 0; k < 3; ++k) {
                 const Index ring = first + static_cast<Index>(3 * i), a = ring + k, b = ring + (k + 1) % 3;
-                if (i + 1 == pieces) {
+                if (i + 1 == m_pieces) {
                     face({a, end, b});
                 } else {
                     face({a, b + 3, b});
@@ -120,14 +130,15 @@ private:
     void face(const glm::uvec3& triangle)
     {
         m_mesh.triangles.push_back(triangle);
-        m_mesh.colours.push_back(woodShade);
+        m_mesh.colours.push_back(m_wood);
     }
 
     const TriangleMesh& m_leaf;
     const LeafForm& m_form;
     LeafTurns m_turns;
     double m_gap = 0.0, m_length = 0.0;
-    int m_nodes = 1;
+    int m_nodes = 1, m_pieces = 1; ///< leaves stand at nodes; the stem is drawn in so many straight pieces
+    glm::u8vec3 m_wood;            ///< what makes young bark of the plant's own colour
     TriangleMesh m_mesh;
 };
 
@@ -149,7 +160,8 @@ double bladeArea(const LeafForm& form)
     const double round = row.family == LeafFamily::Shoot && !row.flat ? 0.5 * pi : 1.0;
     double area = 0.0;
     for (std::size_t t = 0; t < leaf.triangles.size(); ++t) {
-        if (leaf.colours[t].r != leaf.colours[t].g) // stalks and wood have a colour, blades a shade of grey
+        if (leaf.colours[t].r != leaf.colours[t].g ||
+            leaf.colours[t].g != leaf.colours[t].b) // stalks and wood
             continue;
         const glm::uvec3& corner = leaf.triangles[t];
         const glm::dvec3 a(leaf.positions[corner.x]), b(leaf.positions[corner.y]),

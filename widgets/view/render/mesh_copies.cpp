@@ -106,6 +106,15 @@ void measure(MeshCopies& made)
     made.reach = largest * float(2.0 * box.radius());
 }
 
+/// How much longer a shoot is than one of its leaves.
+float shootOverLeaf(const LeafForm& form, double alpha)
+{
+    LeafForm single = form;
+    single.perShoot = 1;
+    return float(meshBox(oneLeaf(form, alpha, FoliageModel::Fine)).radius() /
+                 meshBox(oneLeaf(single, alpha, FoliageModel::Fine)).radius());
+}
+
 std::vector<MeshCopy> spread(const std::vector<FoliageItem>& items, const std::vector<bool>& shown)
 {
     std::vector<const FoliageItem*> kept;
@@ -144,13 +153,16 @@ MeshCopies leafCopies(const Foliage& foliage, double alpha, FoliageModel model,
     if (foliage.form.shape != LeafShape::Faithful && model != FoliageModel::Rough) {
         LeafForm simple = foliage.form;
         simple.detail = 1;
-        append(made,
-               simple.perShoot > 1 ? oneLeaf(simple, alpha, FoliageModel::Rhomb)
-                                   : widened(oneLeaf(simple, alpha, model), leaf),
-               LeafDetail::Few);
-        appendFar(made);
+        const TriangleMesh few = oneLeaf(simple, alpha, model);
+        append(made, simple.perShoot > 1 ? few : widened(few, leaf), LeafDetail::Few);
+        if (simple.perShoot > 1) // one for each leaf: a shoot is no leaf from any distance
+            append(made, oneLeaf(simple, alpha, FoliageModel::Rhomb), LeafDetail::Least);
+        else
+            appendFar(made);
     }
     measure(made);
+    if (foliage.form.perShoot > 1) // what is seen of a shoot are its leaves
+        made.reach /= shootOverLeaf(foliage.form, alpha);
     return made;
 }
 
