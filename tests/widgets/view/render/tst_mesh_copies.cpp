@@ -77,6 +77,26 @@ private slots:
                 }
             }
     }
+    /// From far away a shoot still has a card for each of its leaves, and is as large as one of them is seen.
+    void shootsStayLeavesFromFarAway()
+    {
+        LeafParams leaf;
+        leaf.shape = LeafShape::Linden;
+        const auto reachOf = [&](std::int64_t perShoot) {
+            leaf.perShoot = perShoot;
+            const Foliage foliage = placeFoliage(m_skeleton, {}, leaf, {}, 0.5).value_or(Foliage{});
+            const MeshCopies made = leafCopies(foliage, 0.5, FoliageModel::Fine);
+            if (perShoot > 1) { // two triangles a leaf, and three of the stem
+                const Index least = made.faces(LeafDetail::Least).count;
+                if (least != Index(2 * perShoot) + 3)
+                    qWarning("%u triangles", least);
+            }
+            return made.reach;
+        };
+        const float single = reachOf(1);
+        for (const std::int64_t perShoot : {2, 5, 12})
+            QVERIFY(std::abs(reachOf(perShoot) / single - 1.0F) < 0.35F);
+    }
     void theFirstOnesAreSpreadOverTheTree()
     {
         const MeshCopies made = leafCopies(m_foliage, 0.5, FoliageModel::Fine);
