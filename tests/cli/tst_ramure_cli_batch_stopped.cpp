@@ -76,7 +76,7 @@ private slots:
         const auto whole = filesBelow(path("whole"));
         QProcess process;
         process.start(QStringLiteral(RAMURE_CLI), batchOf(table(text), path("out")));
-        QTRY_VERIFY_WITH_TIMEOUT(rowsDone("out") >= 3, 60'000); // large trees are under way
+        QTRY_VERIFY_WITH_TIMEOUT(rowsDone("out") >= 3, test::patience(60'000)); // large trees are under way
         QElapsedTimer timer;
         timer.start();
         QCOMPARE(::kill(pid_t(process.processId()), signal), 0);
@@ -113,7 +113,7 @@ private slots:
             process.start(QStringLiteral(RAMURE_CLI), batchOf(csv, path("out"), {"--resume"}));
             // A journal that is gone on with has a line more at once: that of a torn one.
             QTRY_VERIFY_WITH_TIMEOUT(rowsDone("out") >= before + 2 || process.state() == QProcess::NotRunning,
-                                     60'000);
+                                     test::patience(60'000));
             test::anyMoment(int(random() % 40));
             process.kill();
             QVERIFY(process.waitForFinished());

@@ -295,7 +295,7 @@ private slots:
                 }
             return false;
         };
-        QTRY_VERIFY_WITH_TIMEOUT(waitsForInterrupts(), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(waitsForInterrupts(), test::patience(60'000));
         ::kill(static_cast<pid_t>(process.processId()), SIGINT);
         QVERIFY(process.waitForFinished(60'000));
         QCOMPARE(process.exitStatus(), QProcess::NormalExit);

@@ -339,14 +339,15 @@ private slots:
         process.setProcessEnvironment(bare);
         process.start(QStringLiteral(RAMURE_CLI), {"render", "preset:TinyTree", "-o", path("turn.png"),
                                                    "--size", "16x16", "--turntable", "10000"});
-        QTRY_VERIFY_WITH_TIMEOUT(!QDir(m_folder.path()).entryList({"turn*.png"}).isEmpty(), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(!QDir(m_folder.path()).entryList({"turn*.png"}).isEmpty(),
+                                 test::patience(60'000));
         const QByteArray server =
             test::bytesOf(QStringLiteral("/proc/%1/task/%1/children").arg(process.processId())).trimmed();
         const QString command = QStringLiteral("/proc/%1/cmdline").arg(QString::fromLatin1(server));
         QVERIFY(test::bytesOf(command).contains("Xvfb"));
         process.kill();
         QVERIFY(process.waitForFinished());
-        QTRY_VERIFY_WITH_TIMEOUT(test::bytesOf(command).isEmpty(), 30'000);
+        QTRY_VERIFY_WITH_TIMEOUT(test::bytesOf(command).isEmpty(), test::patience(30'000));
     }
     /// Not only between two of them: one with so many samples takes minutes here.
     void stopsWithinAPicture()
@@ -361,7 +362,7 @@ private slots:
                     return true;
             return false;
         };
-        QTRY_VERIFY_WITH_TIMEOUT(isDrawing(), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(isDrawing(), test::patience(60'000));
         QCOMPARE(::kill(pid_t(process.processId()), SIGINT), 0);
         QVERIFY(process.waitForFinished(60'000));
         QCOMPARE(process.exitCode(), 2);

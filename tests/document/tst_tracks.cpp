@@ -252,7 +252,7 @@ private slots:
         ImportTask task(&f.document);
         QSignalSpy finished(&task, &ImportTask::finished);
         task.start(temporary.path());
-        QVERIFY(finished.wait(20'000));
+        QVERIFY(finished.wait(test::patience(20'000)));
         QCOMPARE(f.document.scene().nodes().size(), std::size_t(4));
         QVERIFY(f.document.scene().timeline().lastFrame >= 480);
         QVERIFY(!task.notes().empty());
@@ -261,7 +261,7 @@ private slots:
         QCOMPARE(writeProject(f.document.project()), before);
         write("B.animation", "0,LINEAR\n");
         task.start(temporary.path());
-        QVERIFY(finished.wait(20'000));
+        QVERIFY(finished.wait(test::patience(20'000)));
         QCOMPARE(writeProject(f.document.project()), before);
     }
 };

@@ -258,10 +258,10 @@ void TestArmViewport::aLimbFollowsTheHand()
     };
     // A click waits for the structure to pick in; a limb is grabbed only where that is ready.
     QTest::mouseClick(window.view, Qt::LeftButton, Qt::NoModifier, from);
-    QTRY_VERIFY_WITH_TIMEOUT(!window.view->work().pick, 20'000);
+    QTRY_VERIFY_WITH_TIMEOUT(!window.view->work().pick, test::patience(20'000));
     QTRY_VERIFY(!window.view->work().settling);
     window.waitForPicture();
-    QTRY_VERIFY_WITH_TIMEOUT(!window.view->work().pick, 20'000);
+    QTRY_VERIFY_WITH_TIMEOUT(!window.view->work().pick, test::patience(20'000));
     drag("limb-grabbed");
     QCOMPARE(window.document.undoStack()->count(), 1);
     QVERIFY(!window.document.scene().find(tree.id)->params.branches.empty());
@@ -269,7 +269,7 @@ void TestArmViewport::aLimbFollowsTheHand()
     compute();
     player.setPace(PlayPace::EveryFrame);
     player.play();
-    QTRY_VERIFY_WITH_TIMEOUT(player.frame() > 5 && player.motion()->of(tree.id), 20'000);
+    QTRY_VERIFY_WITH_TIMEOUT(player.frame() > 5 && player.motion()->of(tree.id), test::patience(20'000));
     window.waitForPicture();
     const std::vector<Index> selected = window.document.selection().branches;
     drag("limb-while-playing");

@@ -18,7 +18,7 @@ using namespace ramure;
 
 namespace {
 
-constexpr int patienceMs = 180'000;
+constexpr int patienceMs = test::patience(180'000);
 constexpr int turningMs = 5000;
 
 /// How long the interface's thread was away from its events at most, and how many pictures it drew.

@@ -27,7 +27,7 @@ using namespace ramure;
 
 namespace {
 
-constexpr int patienceMs = 60'000;
+constexpr int patienceMs = test::patience(60'000);
 
 /// The actions on a document, without their window.
 struct Bench

@@ -63,11 +63,11 @@ private slots:
         const auto draw = [view] {
             QSignalSpy drawn(view, &Viewport::frameDrawn);
             view->update();
-            return !drawn.isEmpty() || drawn.wait(20'000);
+            return !drawn.isEmpty() || drawn.wait(test::patience(20'000));
         };
         QVERIFY(draw());
         QTRY_VERIFY_WITH_TIMEOUT(!view->work().picture && !view->work().settling,
-                                 20'000); // bark comes later
+                                 test::patience(20'000)); // bark comes later
         QVERIFY(draw());
         const QImage before = view->grabFramebuffer();
         int losses = 0;
@@ -75,7 +75,7 @@ private slots:
         for (const bool floating : {true, false, true, false}) {
             dock->setFloating(floating);
             QVERIFY(draw());
-            QTRY_VERIFY_WITH_TIMEOUT(!view->work().settling, 20'000);
+            QTRY_VERIFY_WITH_TIMEOUT(!view->work().settling, test::patience(20'000));
             QVERIFY(draw());
             losses += context != view->context() ? 1 : 0;
             context = view->context();

@@ -21,7 +21,7 @@ using namespace ramure;
 
 namespace {
 
-constexpr int patienceMs = 60'000;
+constexpr int patienceMs = test::patience(60'000);
 
 /// How many colours a picture has, looked at in a grid: 1 is a picture of nothing.
 std::size_t colours(const QImage& image)

@@ -21,7 +21,7 @@ using namespace ramure;
 
 namespace {
 
-constexpr int patienceMs = 60'000;
+constexpr int patienceMs = test::patience(60'000);
 
 /// How much of the picture's width or height, whichever is more, everything visible takes up; over 1 where
 /// something is cut off.

@@ -220,11 +220,12 @@ private slots:
         settings->gameWind.set(WindProfile::Unity);
         window.waitForPicture();
         QSignalSpy drawn(window.view, &Viewport::frameDrawn);
-        QTRY_VERIFY_WITH_TIMEOUT(drawn.size() > 3, 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(drawn.size() > 3, test::patience(60'000));
         const QImage blown = screenshot(*window.view);
         window.keep("game_wind");
         QVERIFY(test::differing(blown, rest) > 500);
-        QTRY_VERIFY_WITH_TIMEOUT(test::differing(screenshot(*window.view), blown) > 500, 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(test::differing(screenshot(*window.view), blown) > 500,
+                                 test::patience(60'000));
         settings->gameWind.set(WindProfile::None);
         window.waitForPicture();
         QVERIFY(screenshot(*window.view) == rest);

@@ -77,7 +77,8 @@ struct Window
     {
         QSignalSpy drawn(view, &Viewport::frameDrawn);
         view->update();
-        if (!QTest::qWaitFor([&] { return !drawn.isEmpty() && !view->work().picture; }, 20'000))
+        if (!QTest::qWaitFor([&] { return !drawn.isEmpty() && !view->work().picture; },
+                             test::patience(20'000)))
             qWarning("no picture of now comes");
     }
     [[nodiscard]] PickView pick() const

@@ -36,7 +36,7 @@ class TestHandTools : public QObject
 {
     Q_OBJECT
 private:
-    static constexpr int patienceMs = 60'000;
+    static constexpr int patienceMs = test::patience(60'000);
     std::unique_ptr<test::Desk> m_desk;
     test::OwnSettings m_settings;
     std::unique_ptr<Preferences> m_preferences;

@@ -32,7 +32,7 @@ using namespace ramure;
 
 namespace {
 
-constexpr int patienceMs = 120'000;
+constexpr int patienceMs = test::patience(120'000);
 constexpr qsizetype largestFile = 100 * 1024;
 constexpr QSize windowSize(1040, 660);
 constexpr int layoutDepth = 10;

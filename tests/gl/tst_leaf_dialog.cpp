@@ -66,21 +66,21 @@ private slots:
         QVERIFY(QTest::qWaitForWindowActive(&dialog));
         LeafView& view = *dialog.view();
         const auto settled = [&] { return !view.isBusy() && !view.picture().isNull(); };
-        QTRY_VERIFY_WITH_TIMEOUT(settled(), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(settled(), test::patience(60'000));
         QVERIFY2(covered(view.picture()) > 0.05, qPrintable(QString::number(covered(view.picture()))));
 
         const QImage before = view.picture();
         QVERIFY(edit::setParam(trees.document(), {tree}, *findParam("foliage.leafWidth"), 1.8));
-        QTRY_VERIFY_WITH_TIMEOUT(settled() && view.picture() != before, 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(settled() && view.picture() != before, test::patience(60'000));
         QTest::keyClick(&dialog, Qt::Key_Z, Qt::ControlModifier); // as in the main window
-        QTRY_VERIFY_WITH_TIMEOUT(settled() && view.picture() == before, 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(settled() && view.picture() == before, test::patience(60'000));
 
         QTest::mousePress(&view, Qt::LeftButton, {}, {100, 100});
         QTest::mouseMove(&view, {180, 110});
         QTest::mouseRelease(&view, Qt::LeftButton, {}, {180, 110});
-        QTRY_VERIFY_WITH_TIMEOUT(settled() && view.picture() != before, 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(settled() && view.picture() != before, test::patience(60'000));
         QTest::keyClick(&view, Qt::Key_Home);
-        QTRY_VERIFY_WITH_TIMEOUT(settled() && view.picture() == before, 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(settled() && view.picture() == before, test::patience(60'000));
         trees.document().undo(); // the tree is gone: the last leaf stays
         QTRY_VERIFY(settled());
         QVERIFY(view.picture() == before);

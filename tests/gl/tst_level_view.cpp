@@ -16,7 +16,7 @@ class TestLevelView : public QObject
     Q_OBJECT
 public:
     static void initMain() { prepareOpenGl(); }
-    static constexpr int patienceMs = 60'000;
+    static constexpr int patienceMs = test::patience(60'000);
 
     /// Pixels of leaves: green.
     static int green(const QImage& picture)

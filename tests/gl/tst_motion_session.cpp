@@ -31,7 +31,7 @@ using namespace ramure;
 
 namespace {
 
-constexpr int patienceMs = 120'000;
+constexpr int patienceMs = test::patience(120'000);
 
 /// Memory that is in use now, bytes.
 double residentBytes()

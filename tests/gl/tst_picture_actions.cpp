@@ -34,7 +34,7 @@ private slots:
         Document document;
         Recompute recompute(&document);
         test::openNodes(document, {test::treeNode(1, "Oak")});
-        QVERIFY(recompute.waitForFull(20'000));
+        QVERIFY(recompute.waitForFull(test::patience(20'000)));
         test::FakeChooser chooser;
         ActionSet set;
         ViewportHost host(&document);
@@ -50,7 +50,7 @@ private slots:
             QVERIFY(asked);
             choose(*asked);
             QTRY_VERIFY(!dialog());
-            QTRY_VERIFY_WITH_TIMEOUT(!pictures.job()->isRunning(), 20'000);
+            QTRY_VERIFY_WITH_TIMEOUT(!pictures.job()->isRunning(), test::patience(20'000));
         };
         const auto save = [&] { ask([](PictureDialog& asked) { asked.accept(); }); };
         ask([](PictureDialog& asked) { asked.reject(); });
@@ -94,7 +94,7 @@ private slots:
         set.find(QStringLiteral("view.savePicture"))->trigger();
         dialog()->accept();
         pictures.job()->cancel();
-        QTRY_VERIFY_WITH_TIMEOUT(!pictures.job()->isRunning(), 20'000);
+        QTRY_VERIFY_WITH_TIMEOUT(!pictures.job()->isRunning(), test::patience(20'000));
         QCOMPARE(QFileInfo(chooser.answer).lastModified(), before);
         QCOMPARE(messages.count(), 3);
         set.find(QStringLiteral("view.copyPicture"))->trigger();
@@ -110,7 +110,7 @@ private slots:
         Document document;
         Recompute recompute(&document);
         test::openNodes(document, {test::treeNode(1, "Oak")});
-        QVERIFY(recompute.waitForFull(20'000));
+        QVERIFY(recompute.waitForFull(test::patience(20'000)));
         test::FakeChooser chooser;
         ActionSet set;
         ViewportHost host(&document);

@@ -16,7 +16,7 @@ class TestPrintView : public QObject
     Q_OBJECT
 public:
     static void initMain() { prepareOpenGl(); }
-    static constexpr int patienceMs = 60'000;
+    static constexpr int patienceMs = test::patience(60'000);
 
     /// Pixels of overhangs: much more red than blue.
     static int orange(const QImage& picture)

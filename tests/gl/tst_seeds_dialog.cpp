@@ -39,7 +39,7 @@ class TestSeedsDialog : public QObject
     }
 
     /// Drawing leaves the processor to every other suite that runs.
-    static constexpr int patienceMs = 280'000;
+    static constexpr int patienceMs = test::patience(280'000);
 
 private slots:
     void init() { test::failOnAnyWarning(); }

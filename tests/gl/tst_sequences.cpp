@@ -19,7 +19,7 @@ class TestSequences : public QObject
 {
     Q_OBJECT
 private:
-    static constexpr int patienceMs = 120'000;
+    static constexpr int patienceMs = test::patience(120'000);
     QTemporaryDir m_folder;
     Document m_document;
     Recompute m_recompute{&m_document};

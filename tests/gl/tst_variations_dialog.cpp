@@ -56,7 +56,7 @@ class TestVariationsDialog : public QObject
     }
 
     /// Drawing leaves the processor to every other suite that runs.
-    static constexpr int patienceMs = 280'000;
+    static constexpr int patienceMs = test::patience(280'000);
 
 private slots:
     void init() { test::failOnAnyWarning(); }

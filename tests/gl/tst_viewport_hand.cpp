@@ -56,7 +56,7 @@ struct Window : test::ViewWindow
     }
     void compute()
     {
-        if (!recompute.waitForFull(20'000))
+        if (!recompute.waitForFull(test::patience(20'000)))
             qWarning("no result");
     }
     [[nodiscard]] NodeId tree() const { return document.scene().nodes().front().id; }

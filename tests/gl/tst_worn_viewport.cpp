@@ -66,7 +66,8 @@ struct Window
     {
         QSignalSpy drawn(view, &Viewport::frameDrawn);
         view->update();
-        if (!QTest::qWaitFor([&] { return !drawn.isEmpty() && !view->work().picture; }, 20'000))
+        if (!QTest::qWaitFor([&] { return !drawn.isEmpty() && !view->work().picture; },
+                             test::patience(20'000)))
             qWarning("no picture of now comes");
     }
     [[nodiscard]] QPoint pixelOf(const glm::dvec3& world) const

@@ -322,7 +322,7 @@ void TestAnalysis::theInterfaceStaysAwake()
     Recompute recompute(&document);
     Analysis analysis(&document);
     analysis.setRest(0);
-    QVERIFY(recompute.waitForFull(60'000));
+    QVERIFY(recompute.waitForFull(test::patience(60'000)));
     QVERIFY(analysis.waitForAll(60'000));
     QCOMPARE(analysis.state(tree), State::Done);
     const auto found = analysis.findings(tree);

@@ -43,7 +43,7 @@ struct Desk
                                            [&told](const std::optional<Error>& error) { told = error; });
         if (const auto started = baker.start(1, options); !started)
             told = started.error();
-        else if (!finished.wait(20'000))
+        else if (!finished.wait(test::patience(20'000)))
             told = fail(ErrorCode::Limit, "no end").value();
         QObject::disconnect(hear);
         return told;
@@ -96,7 +96,7 @@ void TestArmBaker::changedMeanwhileIsAnError()
     std::optional<Error> told;
     connect(&desk.baker, &ArmBaker::finished, this,
             [&told](const std::optional<Error>& error) { told = error; });
-    QVERIFY(finished.wait(20'000));
+    QVERIFY(finished.wait(test::patience(20'000)));
     QVERIFY(told);
     QVERIFY(desk.arm().animation.empty());
 }
@@ -108,7 +108,7 @@ void TestArmBaker::cancelledLeavesNothing()
     QVERIFY(desk.baker.start(1, {}));
     desk.baker.job()->cancel();
     QSignalSpy finished(&desk.baker, &ArmBaker::finished);
-    QVERIFY(finished.wait(20'000));
+    QVERIFY(finished.wait(test::patience(20'000)));
     QVERIFY(desk.arm().animation.empty());
 }
 

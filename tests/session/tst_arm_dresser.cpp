@@ -110,7 +110,7 @@ private slots:
         QVERIFY(desk.dresser.wear(1, 4, true));
         QVERIFY(!desk.dresser.wear(1, 4, true)); // one after the other
         QCOMPARE(desk.arm().mesh.pointer(), before);
-        QTRY_COMPARE_WITH_TIMEOUT(desk.finished.count(), 2, 20'000);
+        QTRY_COMPARE_WITH_TIMEOUT(desk.finished.count(), 2, test::patience(20'000));
         QVERIFY(!desk.outcome());
         QCOMPARE(desk.arm().mesh->vertexCount(), 2 * ArmDresser::fewVertices);
         QVERIFY(std::abs(desk.top() - 4.4F) < 1e-5F);
@@ -130,12 +130,12 @@ private slots:
         QVERIFY(desk.dresser.wear(1, 4, true));
         QVERIFY(edit::addJoint(desk.document, 1, 0));
         const Scene edited = desk.document.scene();
-        QTRY_COMPARE_WITH_TIMEOUT(desk.finished.count(), 1, 20'000);
+        QTRY_COMPARE_WITH_TIMEOUT(desk.finished.count(), 1, test::patience(20'000));
         QCOMPARE(desk.outcome()->code, ErrorCode::Invalid);
         QVERIFY(desk.document.scene() == edited);
         QVERIFY(desk.dresser.wear(1, 4, false));
         desk.document.reset({}, {});
-        QTRY_COMPARE_WITH_TIMEOUT(desk.finished.count(), 2, 20'000);
+        QTRY_COMPARE_WITH_TIMEOUT(desk.finished.count(), 2, test::patience(20'000));
         QVERIFY(desk.outcome().has_value() && desk.document.scene().empty());
     }
 
@@ -144,7 +144,7 @@ private slots:
         Desk desk;
         QVERIFY(desk.dresser.wear(1, 4, true));
         desk.dresser.job()->cancel();
-        QTRY_COMPARE_WITH_TIMEOUT(desk.finished.count(), 1, 20'000);
+        QTRY_COMPARE_WITH_TIMEOUT(desk.finished.count(), 1, test::patience(20'000));
         QCOMPARE(desk.outcome()->code, ErrorCode::Cancelled);
         QVERIFY(!desk.arm().mesh);
         QCOMPARE(desk.document.undoStack()->count(), 0);
@@ -161,14 +161,14 @@ private slots:
         QFETCH(int, mesh);
         Desk desk;
         QVERIFY(desk.dresser.wear(1, NodeId(mesh), true));
-        QTRY_COMPARE_WITH_TIMEOUT(desk.finished.count(), 1, 20'000);
+        QTRY_COMPARE_WITH_TIMEOUT(desk.finished.count(), 1, test::patience(20'000));
         auto joints = desk.arm().params.joints;
         joints[1].length += 1.5;
         QVERIFY(edit::setJoints(desk.document, 1, joints, QStringLiteral("longer")));
         QVERIFY(std::abs(desk.top() - 4.4F) < 1e-5F); // lengths do not stretch it
         const int steps = desk.document.undoStack()->count();
         QVERIFY(desk.dresser.fitAgain(1));
-        QTRY_COMPARE_WITH_TIMEOUT(desk.finished.count(), 2, 20'000);
+        QTRY_COMPARE_WITH_TIMEOUT(desk.finished.count(), 2, test::patience(20'000));
         QVERIFY(std::abs(desk.top() - 5.9F) < 1e-5F);
         QCOMPARE(desk.document.undoStack()->count(), steps + 1);
         desk.document.undo();

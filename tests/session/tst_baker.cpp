@@ -17,7 +17,7 @@ class TestBaker : public QObject
 {
     Q_OBJECT
 private:
-    static constexpr int patienceMs = 30'000;
+    static constexpr int patienceMs = test::patience(30'000);
     static constexpr std::size_t memory = std::size_t(256) << 20;
 
     struct Bench

@@ -141,7 +141,7 @@ void TestEvaluator::itIsWhatThePlayerShows()
     Player player(&document);
     const Node node = treeNode("TinyTree");
     const auto id = edit::insertNodes(document, {node}, noNode, 0);
-    QVERIFY(recompute.waitForFull(20000));
+    QVERIFY(recompute.waitForFull(test::patience(20000)));
     player.seek(31);
     QVERIFY(player.waitForIdle(20000));
     const NodeMotion& shown = *player.motion()->of(*id);

@@ -83,7 +83,7 @@ NodeId TestPlayer::addTree(const char* preset)
     node.name = preset;
     node.params = presetParams(preset).value_or(NodeParams{});
     const auto id = edit::insertNodes(*m_document, {node}, noNode, 0);
-    [&] { QVERIFY(m_recompute->waitForFull(20000)); }();
+    [&] { QVERIFY(m_recompute->waitForFull(test::patience(20000))); }();
     return id.value_or(noNode);
 }
 
@@ -240,12 +240,12 @@ void TestPlayer::busyUntilTheLastFrameIsThere()
     });
     m_player->seek(5);
     test::work(500); // its frame and its end are told in one go
-    QVERIFY(QTest::qWaitFor([&] { return !m_player->isBusy(); }, 20000));
+    QVERIFY(QTest::qWaitFor([&] { return !m_player->isBusy(); }, test::patience(20000)));
     QCOMPARE(m_player->motion()->frame, std::int64_t(9));
     disconnect(once);
     m_player->seek(20);
     m_player->cancel();
-    QVERIFY(QTest::qWaitFor([&] { return !m_player->isBusy(); }, 20000));
+    QVERIFY(QTest::qWaitFor([&] { return !m_player->isBusy(); }, test::patience(20000)));
 }
 
 void TestPlayer::bandTellsCachedStaleAndMissing()
@@ -288,7 +288,7 @@ void TestPlayer::shapeEditsChangeTheFrameOnShow()
     const NodeId tree = addTree("TinyTree");
     seek(24);
     QVERIFY(edit::setParam(*m_document, {tree}, *findParam("sections.radialDivisions"), std::int64_t(12)));
-    QVERIFY(m_recompute->waitForFull(20000));
+    QVERIFY(m_recompute->waitForFull(test::patience(20000)));
     QVERIFY(m_player->waitForIdle(20000));
     QTRY_COMPARE(motion(tree).mesh, m_document->result(tree)->tree.branches);
     QVERIFY(motion(tree).moves());
@@ -329,7 +329,7 @@ void TestPlayer::removedTreesAreForgotten()
     QVERIFY(edit::removeNodes(*m_document, {tree}));
     QTRY_VERIFY(m_player->motion()->nodes.empty());
     m_document->undo();
-    QVERIFY(m_recompute->waitForFull(20000));
+    QVERIFY(m_recompute->waitForFull(test::patience(20000)));
     QTRY_VERIFY(m_player->motion()->of(tree));
 }
 
@@ -370,7 +370,7 @@ void TestPlayer::shakenApplesFall()
     const NodeId tree = addTree("TinyTree");
     QVERIFY(edit::setParam(*m_document, {tree}, *findParam("foliage.leavesCutoff"), 1.0));
     QVERIFY(edit::setParam(*m_document, {tree}, *findParam("foliage.applesProbability"), 1.0));
-    QVERIFY(m_recompute->waitForFull(20000));
+    QVERIFY(m_recompute->waitForFull(test::patience(20000)));
     const TreeResult result = m_document->result(tree)->tree;
     QVERIFY(!result.foliage->apples.empty());
     seek(1);

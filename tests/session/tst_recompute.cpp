@@ -122,7 +122,7 @@ struct Fixture
     void settleWithDrafts()
     {
         recompute->setDirectLimit(0);
-        QVERIFY(recompute->waitForFull(20000));
+        QVERIFY(recompute->waitForFull(test::patience(20000)));
         QTRY_VERIFY(!recompute->isBusy());
         fake.drafts = fake.fulls = fake.started = fake.cancelled = 0;
     }
@@ -175,22 +175,22 @@ private slots:
 void TestRecompute::errorsKeepTheLastGoodTree()
 {
     Fixture f;
-    QVERIFY(f.recompute->waitForFull(20000));
+    QVERIFY(f.recompute->waitForFull(test::patience(20000)));
     const auto good = f.document.result(1)->tree.branches;
     f.setAxiom("[");
-    QVERIFY(f.recompute->waitForFull(20000)); // the answer is there: it is an error
+    QVERIFY(f.recompute->waitForFull(test::patience(20000))); // the answer is there: it is an error
     const NodeResult* result = f.document.result(1);
     QVERIFY(result->error);
     QCOMPARE(result->error->code, ErrorCode::Syntax);
     QVERIFY(result->tree.branches == good);
     QVERIFY(f.document.isCurrent(1));
     f.setAxiom("A");
-    QVERIFY(f.recompute->waitForFull(20000));
+    QVERIFY(f.recompute->waitForFull(test::patience(20000)));
     QVERIFY(!f.document.result(1)->error);
     // From the start: an error without any tree.
     Fixture g;
     g.setAxiom("[");
-    QVERIFY(g.recompute->waitForFull(20000));
+    QVERIFY(g.recompute->waitForFull(test::patience(20000)));
     QVERIFY(g.document.result(1)->error);
 }
 
@@ -198,7 +198,7 @@ void TestRecompute::memoryOutIsAnError()
 {
     Fixture f;
     f.setAxiom("memory");
-    QVERIFY(f.recompute->waitForFull(20000));
+    QVERIFY(f.recompute->waitForFull(test::patience(20000)));
     QCOMPARE(f.document.result(1)->error->code, ErrorCode::Limit);
 }
 
@@ -242,13 +242,13 @@ void TestRecompute::firstResultNeedsNoEdit()
 {
     Fixture f(2);
     QVERIFY(f.recompute->isBusy());
-    QVERIFY(f.recompute->waitForFull(20000));
+    QVERIFY(f.recompute->waitForFull(test::patience(20000)));
     QVERIFY(!f.recompute->isBusy());
     QVERIFY(f.document.isCurrent(1) && f.document.isCurrent(2));
     QVERIFY(f.fake.offMainThread);
     Fixture g(0);
     QVERIFY(edit::insertNodes(g.document, trees(1).nodes(), noNode, 0)); // nor has one that is added to rest
-    QVERIFY(g.recompute->waitForFull(20000));
+    QVERIFY(g.recompute->waitForFull(test::patience(20000)));
 }
 
 void TestRecompute::burstsShowEveryDraft()
@@ -265,7 +265,7 @@ void TestRecompute::burstsShowEveryDraft()
     }
     QCOMPARE(f.fake.drafts, 20);
     QCOMPARE(f.fake.started, 0);
-    QVERIFY(f.recompute->waitForFull(20000)); // does not wait for the rest to be over
+    QVERIFY(f.recompute->waitForFull(test::patience(20000))); // does not wait for the rest to be over
     QVERIFY(!f.document.result(1)->draft);
     QCOMPARE(f.shown(), std::to_string(0.5));
 }
@@ -289,7 +289,7 @@ void TestRecompute::floodsEndWithTheLastValue()
         if (i % 10 == 0)
             test::work(2);
     }
-    QVERIFY(f.recompute->waitForFull(20000));
+    QVERIFY(f.recompute->waitForFull(test::patience(20000)));
     for (const NodeId id : {1u, 2u, 3u})
         QCOMPARE(f.shown(id), Fake::nameOf(f.document.scene().find(id)->params));
     QVERIFY(std::is_sorted(revisions.begin(), revisions.end())); // nothing goes back
@@ -312,7 +312,7 @@ void TestRecompute::newerEditsCancelTheFullOne()
     QTRY_COMPARE(f.fake.started, 2);
     f.fake.fullMs = 0;
     f.setAlpha(0.5);
-    QVERIFY(f.recompute->waitForFull(20000));
+    QVERIFY(f.recompute->waitForFull(test::patience(20000)));
     QCOMPARE(f.shown(), std::to_string(0.5));
 }
 
@@ -332,7 +332,7 @@ void TestRecompute::cancelKeepsTheDraft()
     f.recompute->cancel(); // nothing runs: nothing happens
     f.fake.fullMs = 0;
     f.setAlpha(0.4);
-    QVERIFY(f.recompute->waitForFull(20000));
+    QVERIFY(f.recompute->waitForFull(test::patience(20000)));
 }
 
 void TestRecompute::cheapTreesHaveNoDrafts()
@@ -363,7 +363,7 @@ void TestRecompute::treesThatBecomeSlowGetDraftsAgain()
 void TestRecompute::noRestMeansNoDrafts()
 {
     Fixture f;
-    QVERIFY(f.recompute->waitForFull(20000));
+    QVERIFY(f.recompute->waitForFull(test::patience(20000)));
     QTRY_VERIFY(!f.recompute->isBusy());
     f.fake.drafts = 0;
     f.fake.fullMs = 50;
@@ -373,7 +373,7 @@ void TestRecompute::noRestMeansNoDrafts()
         f.setAlpha(0.3 + 0.01 * i);
         QTRY_VERIFY(f.fake.started > started);
     }
-    QVERIFY(f.recompute->waitForFull(20000));
+    QVERIFY(f.recompute->waitForFull(test::patience(20000)));
     QCOMPARE(f.fake.drafts, 0);
     QCOMPARE(f.shown(), std::to_string(0.34));
 }
@@ -388,7 +388,7 @@ void TestRecompute::draftsThatAreFull()
     Recompute recompute(&document, functions);
     recompute.setRest(100000);
     recompute.setDirectLimit(0);
-    QVERIFY(recompute.waitForFull(20000));
+    QVERIFY(recompute.waitForFull(test::patience(20000)));
     QVERIFY(edit::setParam(document, {1}, *findParam("turtle.alpha"), 0.3));
     QTRY_VERIFY(document.isCurrent(1)); // although the rest is not over
 }
@@ -400,7 +400,7 @@ void TestRecompute::draftsAreNoMeshes()
     Recompute recompute(&document);
     recompute.setRest(100000);
     recompute.setDirectLimit(0);
-    QVERIFY(recompute.waitForFull(60000));
+    QVERIFY(recompute.waitForFull(test::patience(60000)));
     const auto mesh = document.result(1)->tree.branches;
     QVERIFY(mesh && !document.result(1)->tree.draftTubes);
     QVERIFY(edit::setParam(document, {1}, *findParam("turtle.theta"), 0.6));
@@ -413,7 +413,7 @@ void TestRecompute::draftsAreNoMeshes()
     QTRY_VERIFY(document.isCurrent(1));
     QVERIFY(document.result(1)->tree.branches == mesh);
     document.redo();
-    QVERIFY(recompute.waitForFull(60000));
+    QVERIFY(recompute.waitForFull(test::patience(60000)));
     const TreeResult full = document.result(1)->tree;
     QVERIFY(full.branches && full.report->valid && !full.draftTubes);
     QVERIFY(full.simplified == draft.simplified && full.leaves == draft.leaves); // not made twice
@@ -426,7 +426,7 @@ void TestRecompute::oldErrorsAreNoProblemsOfNewParameters()
     QVERIFY(!f.document.problem(1) && !f.document.problem(77));
     f.setAxiom("[");
     QVERIFY(!f.document.problem(1)); // nobody knows yet
-    QVERIFY(f.recompute->waitForFull(20000));
+    QVERIFY(f.recompute->waitForFull(test::patience(20000)));
     QVERIFY(f.document.problem(1));
     f.fake.draftMs = f.fake.fullMs = 1000000;
     f.setAxiom("A");
@@ -440,7 +440,7 @@ void TestRecompute::onlyStaleTreesAreComputed()
     Fixture f(5);
     f.settleWithDrafts();
     f.setAlpha(0.3, 4);
-    QVERIFY(f.recompute->waitForFull(20000));
+    QVERIFY(f.recompute->waitForFull(test::patience(20000)));
     QTRY_VERIFY(!f.recompute->isBusy());
     QCOMPARE(f.fake.fulls, 1);
     QCOMPARE(f.fake.drafts, 1);
@@ -449,14 +449,14 @@ void TestRecompute::onlyStaleTreesAreComputed()
 void TestRecompute::placementComputesNothing()
 {
     Fixture f(2);
-    QVERIFY(f.recompute->waitForFull(20000));
+    QVERIFY(f.recompute->waitForFull(test::patience(20000)));
     QTRY_VERIFY(!f.recompute->isBusy());
     const int before = f.fake.started;
     QVERIFY(edit::setParam(f.document, {1}, *findParam("tree.rotation"), glm::dvec3(0.5)));
     QVERIFY(edit::setNodeName(f.document, 1, "x"));
     QVERIFY(edit::moveNode(f.document, 1, 2, 0, true));
     QVERIFY(!f.recompute->isBusy());
-    QVERIFY(f.recompute->waitForFull(20000));
+    QVERIFY(f.recompute->waitForFull(test::patience(20000)));
     QCOMPARE(f.fake.started, before);
     QVERIFY(f.document.isCurrent(1));
 }
@@ -467,11 +467,11 @@ void TestRecompute::removedTreesAreForgotten()
     f.settleWithDrafts();
     f.setAlpha(0.3, 2);
     QVERIFY(edit::removeNodes(f.document, {2}));
-    QVERIFY(f.recompute->waitForFull(20000));
+    QVERIFY(f.recompute->waitForFull(test::patience(20000)));
     QTRY_VERIFY(!f.recompute->isBusy());
     QVERIFY(!f.document.result(2));
     f.document.undo();
-    QVERIFY(f.recompute->waitForFull(20000));
+    QVERIFY(f.recompute->waitForFull(test::patience(20000)));
     QCOMPARE(f.shown(2), std::to_string(0.3));
 }
 
@@ -486,7 +486,7 @@ void TestRecompute::resetDropsTheOldResults()
     QVERIFY(!f.document.result(1));
     std::vector<std::string> seen;
     connect(&f.document, &Document::changed, &f.document, [&](const Change&) { seen.push_back(f.shown()); });
-    QVERIFY(f.recompute->waitForFull(20000));
+    QVERIFY(f.recompute->waitForFull(test::patience(20000)));
     for (const std::string& name : seen)
         QCOMPARE(name, std::to_string(0.7));
     QVERIFY(recorder.paired());
@@ -495,12 +495,12 @@ void TestRecompute::resetDropsTheOldResults()
 void TestRecompute::secondOpinionsFollow()
 {
     Fixture f(2);
-    QVERIFY(f.recompute->waitForFull(20000));
+    QVERIFY(f.recompute->waitForFull(test::patience(20000)));
     for (const NodeId id : {1u, 2u})
         QTRY_VERIFY(f.document.result(id)->tree.report->openMeshChecked);
     QCOMPARE(f.fake.confirms, 2);
     f.setAlpha(0.3);
-    QVERIFY(f.recompute->waitForFull(20000));
+    QVERIFY(f.recompute->waitForFull(test::patience(20000)));
     QTRY_VERIFY(f.document.result(1)->tree.report->openMeshChecked);
     QCOMPARE(f.fake.confirms, 3);
 }
@@ -509,7 +509,7 @@ void TestRecompute::secondOpinionsAreInterruptedAndResumed()
 {
     Fixture f(2);
     f.fake.confirmMs = 1000000;
-    QVERIFY(f.recompute->waitForFull(20000));
+    QVERIFY(f.recompute->waitForFull(test::patience(20000)));
     QTRY_VERIFY(!f.recompute->isBusy()); // the second opinion does not count
     QTRY_COMPARE(f.fake.confirmsStarted, 1);
     f.fake.confirmMs = 0;
@@ -544,10 +544,10 @@ void TestRecompute::knownMeshesAreNotAskedTwice()
     Fake fake;
     fake.kept = std::make_shared<BranchMesh>();
     Recompute recompute(&document, fake.evaluation());
-    QVERIFY(recompute.waitForFull(20000));
+    QVERIFY(recompute.waitForFull(test::patience(20000)));
     QTRY_VERIFY(document.result(1)->tree.report->openMeshChecked);
     QVERIFY(edit::setParam(document, {1}, *findParam("foliage.leavesDensity"), std::int64_t{3}));
-    QVERIFY(recompute.waitForFull(20000));
+    QVERIFY(recompute.waitForFull(test::patience(20000)));
     QVERIFY(document.result(1)->tree.report->openMeshChecked);
     QCOMPARE(fake.confirms, 1);
 }
@@ -557,7 +557,7 @@ void TestRecompute::progressAndBusy()
     Fixture f(2, 100);
     QSignalSpy busy(&*f.recompute, &Recompute::busyChanged);
     QSignalSpy progress(&*f.recompute, &Recompute::progress);
-    QVERIFY(f.recompute->waitForFull(20000));
+    QVERIFY(f.recompute->waitForFull(test::patience(20000)));
     QTRY_VERIFY(!f.recompute->isBusy());
     QCOMPARE(busy.count(), 1); // it was busy when we came
     double last = 0.0;

@@ -44,10 +44,10 @@ void TestRecomputeTrees::wrongGrammarsNameTheirPlace()
     Document document;
     document.reset(oneTree(smallTree(4)), {});
     Recompute recompute(&document);
-    QVERIFY(recompute.waitForFull(60000));
+    QVERIFY(recompute.waitForFull(test::patience(60000)));
     const auto good = document.result(1)->tree.branches;
     QVERIFY(edit::setParam(document, {1}, *findParam("grammar.rules"), std::string("A -> [[A\n")));
-    QVERIFY(recompute.waitForFull(60000));
+    QVERIFY(recompute.waitForFull(test::patience(60000)));
     QVERIFY(document.result(1)->error);
     QCOMPARE(document.result(1)->error->path, std::string("grammar.rules"));
     QVERIFY(document.result(1)->tree.branches == good);
@@ -68,9 +68,9 @@ void TestRecomputeTrees::equalsTheDirectEvaluation()
     Document document;
     document.reset(oneTree(params), {});
     Recompute recompute(&document);
-    QVERIFY(recompute.waitForFull(60000));
+    QVERIFY(recompute.waitForFull(test::patience(60000)));
     QVERIFY(edit::setParam(document, {1}, *findParam("turtle.theta"), 0.35));
-    QVERIFY(recompute.waitForFull(60000));
+    QVERIFY(recompute.waitForFull(test::patience(60000)));
     TreePipeline pipeline;
     const auto direct = pipeline.evaluate(document.scene().find(1)->params);
     QVERIFY2(direct, test::why(direct));
@@ -88,18 +88,18 @@ void TestRecomputeTrees::undoFindsTheCache()
     Document document;
     document.reset(oneTree(smallTree(5)), {});
     Recompute recompute(&document);
-    QVERIFY(recompute.waitForFull(60000));
+    QVERIFY(recompute.waitForFull(test::patience(60000)));
     const TreeResult before = document.result(1)->tree;
     QVERIFY(edit::setParam(document, {1}, *findParam("turtle.alpha"), 0.3));
-    QVERIFY(recompute.waitForFull(60000));
+    QVERIFY(recompute.waitForFull(test::patience(60000)));
     const TreeResult after = document.result(1)->tree;
     QVERIFY(after.branches != before.branches);
     document.undo();
-    QVERIFY(recompute.waitForFull(60000));
+    QVERIFY(recompute.waitForFull(test::patience(60000)));
     QVERIFY(document.result(1)->tree.branches == before.branches);
     QVERIFY(document.result(1)->tree.leaves == before.leaves);
     document.redo();
-    QVERIFY(recompute.waitForFull(60000));
+    QVERIFY(recompute.waitForFull(test::patience(60000)));
     QVERIFY(document.result(1)->tree.branches == after.branches);
 }
 
@@ -108,8 +108,8 @@ void TestRecomputeTrees::openMeshAgrees()
     Document document;
     document.reset(oneTree(smallTree(5)), {});
     Recompute recompute(&document);
-    QVERIFY(recompute.waitForFull(60000));
-    QTRY_VERIFY_WITH_TIMEOUT(document.result(1)->tree.report->openMeshChecked, 60000);
+    QVERIFY(recompute.waitForFull(test::patience(60000)));
+    QTRY_VERIFY_WITH_TIMEOUT(document.result(1)->tree.report->openMeshChecked, test::patience(60000));
     QVERIFY(document.result(1)->tree.report->openMeshAgrees);
 }
 
@@ -118,7 +118,7 @@ void TestRecomputeTrees::dragsEndWithTheFullTree()
     Document document;
     document.reset(oneTree(smallTree(8)), {});
     Recompute recompute(&document);
-    QVERIFY(recompute.waitForFull(60000));
+    QVERIFY(recompute.waitForFull(test::patience(60000)));
     const ParamDef& theta = *findParam("turtle.theta");
     const GestureId drag = newGesture();
     int shown = 0;
@@ -133,7 +133,7 @@ void TestRecomputeTrees::dragsEndWithTheFullTree()
         const int before = shown;
         (void)QTest::qWaitFor([&] { return shown > before; }, 16);
     }
-    QVERIFY(recompute.waitForFull(60000));
+    QVERIFY(recompute.waitForFull(test::patience(60000)));
     QCOMPARE(document.undoStack()->count(), 1);
     QVERIFY(!document.result(1)->draft);
     QVERIFY(shown > 1);

@@ -78,7 +78,7 @@ NodeId TestSeamless::add(NodeKind kind)
     if (kind == NodeKind::Tree)
         node.params = *presetParams("TinyTree");
     const auto id = edit::insertNodes(*m_document, {node}, noNode, 0);
-    [&] { QVERIFY(m_recompute->waitForFull(20000)); }();
+    [&] { QVERIFY(m_recompute->waitForFull(test::patience(20000))); }();
     return id.value_or(noNode);
 }
 

@@ -74,7 +74,7 @@ void TestSeparationTask::theOutcomeIsOneUndoStep()
     QVERIFY(bench.task.start(bench.tree));
     QVERIFY(bench.task.isRunning());
     QVERIFY(bench.task.start(bench.tree)); // the one that runs goes on
-    QTRY_COMPARE_WITH_TIMEOUT(bench.finished, 1, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(bench.finished, 1, test::patience(60'000));
     QVERIFY(!bench.error);
     QVERIFY(!bench.task.isRunning());
     QVERIFY(bench.task.outcome().before > 0 && bench.task.outcome().rest.empty());
@@ -90,7 +90,7 @@ void TestSeparationTask::theOutcomeIsOneUndoStep()
     QCOMPARE(bench.file(), after);
     // Nothing collides any more: no further step.
     QVERIFY(bench.task.start(bench.tree));
-    QTRY_COMPARE_WITH_TIMEOUT(bench.finished, 2, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(bench.finished, 2, test::patience(60'000));
     QCOMPARE(bench.document.undoStack()->count(), 1);
     QCOMPARE(bench.task.outcome().before, std::size_t(0));
 }
@@ -100,11 +100,11 @@ void TestSeparationTask::errorsAndCancelChangeNothing()
     Bench bench;
     QVERIFY(bench.task.start(bench.tree));
     bench.task.cancel();
-    QTRY_COMPARE_WITH_TIMEOUT(bench.finished, 1, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(bench.finished, 1, test::patience(60'000));
     QVERIFY(bench.error && bench.error->code == ErrorCode::Cancelled);
     QVERIFY(edit::setParam(bench.document, {bench.tree}, *findParam("grammar.axiom"), std::string("[")));
     QVERIFY(bench.task.start(bench.tree));
-    QTRY_COMPARE_WITH_TIMEOUT(bench.finished, 2, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(bench.finished, 2, test::patience(60'000));
     QVERIFY(bench.error && bench.error->path == "grammar.axiom");
     QCOMPARE(bench.document.undoStack()->count(), 1);
 }
@@ -114,12 +114,12 @@ void TestSeparationTask::aTreeChangedMeanwhileIsLeftAlone()
     Bench bench;
     QVERIFY(bench.task.start(bench.tree));
     QVERIFY(edit::setParam(bench.document, {bench.tree}, *findParam("turtle.alpha"), 0.3));
-    QTRY_COMPARE_WITH_TIMEOUT(bench.finished, 1, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(bench.finished, 1, test::patience(60'000));
     QVERIFY(bench.error && bench.error->code == ErrorCode::Invalid);
     QCOMPARE(bench.document.undoStack()->count(), 1);
     QVERIFY(bench.task.start(bench.tree));
     QVERIFY(edit::removeNodes(bench.document, {bench.tree}));
-    QTRY_COMPARE_WITH_TIMEOUT(bench.finished, 2, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(bench.finished, 2, test::patience(60'000));
     QVERIFY(bench.error);
 }
 

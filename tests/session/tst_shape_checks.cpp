@@ -88,7 +88,7 @@ void TestShapeChecks::armsAndTerrainsAreChecked()
     ShapeChecks checks(&desk.document);
     checks.setRest(0);
     checks.lookAt(1);
-    QTRY_COMPARE_WITH_TIMEOUT(checks.state(), State::Done, 20'000);
+    QTRY_COMPARE_WITH_TIMEOUT(checks.state(), State::Done, test::patience(20'000));
     QVERIFY(checks.outcome() && !checks.outcome()->isOpen);
     const NodeResult& arm = checks.outcome()->result;
     QVERIFY(arm.tree.report->valid && arm.tree.report->openMeshAgrees);
@@ -96,7 +96,7 @@ void TestShapeChecks::armsAndTerrainsAreChecked()
     QVERIFY(arm.tree.branches->mesh.branch.empty()); // segments are no branches to select
     checks.lookAt(2);
     QVERIFY(!checks.outcome());
-    QTRY_COMPARE_WITH_TIMEOUT(checks.state(), State::Done, 20'000);
+    QTRY_COMPARE_WITH_TIMEOUT(checks.state(), State::Done, test::patience(20'000));
     QVERIFY(checks.outcome()->isOpen);
     QVERIFY(checks.outcome()->result.tree.report->valid);
     QCOMPARE(checks.outcome()->result.tree.report->boundaryEdges, Index(0)); // no defect of a terrain
@@ -109,7 +109,7 @@ void TestShapeChecks::onlyShapesThatChangeAreCheckedAgain()
     ShapeChecks checks(&desk.document);
     checks.setRest(0);
     checks.lookAt(2);
-    QTRY_COMPARE_WITH_TIMEOUT(checks.state(), State::Done, 20'000);
+    QTRY_COMPARE_WITH_TIMEOUT(checks.state(), State::Done, test::patience(20'000));
     const auto before = checks.outcome();
     desk.set(2, "surface.color", glm::dvec3(0.1, 0.2, 0.3));
     desk.set(2, "tree.translation", glm::dvec3(1.0, 0.0, 0.0));
@@ -119,7 +119,7 @@ void TestShapeChecks::onlyShapesThatChangeAreCheckedAgain()
     desk.set(2, "terrain.height", 0.7);
     QCOMPARE(checks.state(), State::Waiting);
     QCOMPARE(checks.outcome(), before); // until there is another one
-    QTRY_COMPARE_WITH_TIMEOUT(checks.state(), State::Done, 20'000);
+    QTRY_COMPARE_WITH_TIMEOUT(checks.state(), State::Done, test::patience(20'000));
     QVERIFY(checks.outcome() != before);
     QVERIFY(checks.outcome()->analysis->hash != before->analysis->hash);
 }
@@ -153,7 +153,7 @@ void TestShapeChecks::cancelAndStartAgain()
     QCOMPARE(checks.state(), State::Cancelled);
     slow.wait = false;
     checks.start();
-    QTRY_COMPARE_WITH_TIMEOUT(checks.state(), State::Done, 20'000);
+    QTRY_COMPARE_WITH_TIMEOUT(checks.state(), State::Done, test::patience(20'000));
     QVERIFY(checks.outcome() && checks.outcome()->isOpen);
 }
 
@@ -168,7 +168,7 @@ void TestShapeChecks::editsStopWhatRuns()
     QTRY_COMPARE(slow.started.load(), 1);
     desk.set(2, "terrain.divisions", std::int64_t(10));
     slow.wait = false;
-    QTRY_COMPARE_WITH_TIMEOUT(checks.state(), State::Done, 20'000);
+    QTRY_COMPARE_WITH_TIMEOUT(checks.state(), State::Done, test::patience(20'000));
     QCOMPARE(checks.outcome()->result.tree.report->faces, Index(200));
 }
 

@@ -11,7 +11,7 @@ namespace ramure::test {
 
 struct HandBench : ToolBench
 {
-    static constexpr int patienceMs = isSanitized ? 160'000 : 20'000;
+    static constexpr int patienceMs = patience(20'000);
     Recompute recompute{&document};
 
     explicit HandBench(HandTool tool, int trees = 1, const char* preset = "TinyTree")

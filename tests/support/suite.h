@@ -28,6 +28,13 @@ constexpr int runs(int count)
     return isSanitized ? (count + 19) / 20 : count;
 }
 
+/// How long a condition may take, ms: under a sanitizer, on a machine that does something else, eight times
+/// as long.
+constexpr int patience(int ms)
+{
+    return isSanitized ? 8 * ms : ms;
+}
+
 /// One suite of a program that holds many: `PROGRAM tst_name [OPTION OF QTEST]...` runs it.
 struct Suite
 {

@@ -168,7 +168,7 @@ void TestValidationAnalysis::theVerdictIsOneEverywhere()
     QVERIFY(faults().isEmpty());
     crossings.counts = {0, 0, 0, 26}; // branches that collide
     QVERIFY(edit::setParam(trees.document(), {tree}, *findParam("turtle.alpha"), 0.9));
-    QVERIFY(recompute.waitForFull(20'000));
+    QVERIFY(recompute.waitForFull(test::patience(20'000)));
     QVERIFY(analysis.waitForAll(10'000));
     QCOMPARE(badge->status(), StatusBadge::Status::Warning);
     QTRY_COMPARE(status.badgeState(), QStringLiteral("closed"));
@@ -220,7 +220,7 @@ void TestValidationAnalysis::whatIsSelectedIsShown()
         document.setSelection({{node}, node, {}, noIndex});
         QCOMPARE(text("checkedNode"), QString::fromLatin1(name));
         QVERIFY(badge->status() == StatusBadge::Status::Unknown);
-        QTRY_VERIFY_WITH_TIMEOUT(badge->status() == StatusBadge::Status::Good, 20'000);
+        QTRY_VERIFY_WITH_TIMEOUT(badge->status() == StatusBadge::Status::Good, test::patience(20'000));
         QCOMPARE(text("panelTitle").contains(QStringLiteral("open surface")), open);
         QCOMPARE(text("reportDetails").contains(QStringLiteral("volume")), !open);
         QVERIFY(!text("hashText").isEmpty() && text("explanation") != ofTree);
@@ -258,7 +258,8 @@ void TestValidationAnalysis::defectsOfObjectsAreListed()
     ValidationPanel panel(&document, &analysis);
     panel.resize(340, 500);
     panel.show();
-    QTRY_VERIFY_WITH_TIMEOUT(panel.findChild<StatusBadge*>()->status() == StatusBadge::Status::Bad, 20'000);
+    QTRY_VERIFY_WITH_TIMEOUT(panel.findChild<StatusBadge*>()->status() == StatusBadge::Status::Bad,
+                             test::patience(20'000));
     auto* view = panel.findChild<ReportView*>();
     auto* model = dynamic_cast<ReportModel*>(view->model());
     const QModelIndex kind = model->kindIndex(DefectKind::BoundaryEdge);

@@ -37,7 +37,7 @@ private slots:
         test::failOnWidgetWarning();
         m_preferences.setExportSettings({}); // each page has its own of the last time
         test::openNodes(m_document, {test::treeNode(1, "T")});
-        QVERIFY(m_recompute.waitForFull(20'000));
+        QVERIFY(m_recompute.waitForFull(test::patience(20'000)));
     }
 
     void foldersThatDoNotExistAreTold()
@@ -71,7 +71,7 @@ private slots:
             QCOMPARE(QFileInfo(dialog.path()).completeBaseName(),
                      QFileInfo(QString::fromLatin1(file)).completeBaseName());
         }
-        QVERIFY(m_recompute.waitForFull(20'000));
+        QVERIFY(m_recompute.waitForFull(test::patience(20'000)));
     }
 
     void filesAreWritten_data()
@@ -109,7 +109,7 @@ private slots:
         Node leafy = test::treeNode(1, "T");
         leafy.params.foliage.leavesCutoff = 10.0;
         test::openNodes(m_document, {leafy});
-        QVERIFY(m_recompute.waitForFull(20'000));
+        QVERIFY(m_recompute.waitForFull(test::patience(20'000)));
         ExportDialog dialog(&m_document, &m_recompute, &m_preferences, &m_chooser);
         auto* foliage = dialog.findChild<QComboBox*>(QStringLiteral("exportInstances"));
         QVERIFY(foliage && foliage->isEnabled() && !foliage->toolTip().isEmpty());
@@ -220,7 +220,7 @@ private slots:
     void faultsOfSeveralTreesAreAddedUp()
     {
         test::openNodes(m_document, {test::treeNode(1, "T"), test::treeNode(2, "U")});
-        QVERIFY(m_recompute.waitForFull(20'000));
+        QVERIFY(m_recompute.waitForFull(test::patience(20'000)));
         Analysis analysis(&m_document, [](const BranchMesh&, const Skeleton&, const Progress&) {
             MeshAnalysis found;
             found.crossings.kindsKnown = true;
@@ -263,7 +263,7 @@ private slots:
         QVERIFY(edit::setParam(m_document, {1}, *findParam("turtle.alpha"), 0.31));
         QTRY_VERIFY(m_recompute.isBusy());
         dialog.startExport();
-        QTRY_COMPARE_WITH_TIMEOUT(exported.count(), 1, 20'000);
+        QTRY_COMPARE_WITH_TIMEOUT(exported.count(), 1, test::patience(20'000));
         QVERIFY(QFileInfo(path("waited.obj")).size() > 1000);
     }
 

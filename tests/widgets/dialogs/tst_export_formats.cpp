@@ -89,7 +89,7 @@ private slots:
     {
         test::failOnWidgetWarning();
         test::openNodes(m_document, {test::treeNode(1, "T")});
-        QVERIFY(m_recompute.waitForFull(20'000));
+        QVERIFY(m_recompute.waitForFull(test::patience(20'000)));
     }
 
     void everyRowIsOffered()

@@ -28,7 +28,7 @@ class TestExportPrint : public QObject
     Recompute m_recompute{&m_document};
     test::FakeChooser m_chooser;
 
-    static constexpr int patienceMs = 60'000;
+    static constexpr int patienceMs = test::patience(60'000);
     int m_files = 0;
 
     /// The dialog on its page for prints.
@@ -62,7 +62,7 @@ private slots:
         test::failOnWidgetWarning();
         m_preferences.setExportSettings({}); // each page has its own of the last time
         test::openNodes(m_document, {test::treeNode(1, "T")});
-        QVERIFY(m_recompute.waitForFull(20'000));
+        QVERIFY(m_recompute.waitForFull(test::patience(20'000)));
     }
     void aPrintThatIsTooLowIsTold()
     {

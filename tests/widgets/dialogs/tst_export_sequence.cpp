@@ -64,7 +64,7 @@ private slots:
         m_preferences.setExportSettings({}); // each page has its own of the last time
         m_folder = std::make_unique<QTemporaryDir>();
         test::openNodes(m_document, {test::treeNode(1, "T")});
-        QVERIFY(m_recompute.waitForFull(20'000));
+        QVERIFY(m_recompute.waitForFull(test::patience(20'000)));
         m_dialog = std::make_unique<ExportDialog>(&m_document, &m_recompute, &m_preferences, &m_chooser,
                                                   nullptr, 48);
         m_dialog->setSequenceTask(&m_task);
@@ -112,7 +112,7 @@ private slots:
         m_dialog->startExport();
         QCOMPARE(started.count(), 1);
         QVERIFY(!m_dialog->isVisible());
-        QVERIFY(finished.wait(20'000));
+        QVERIFY(finished.wait(test::patience(20'000)));
         QVERIFY(!finished[0][0].value<std::optional<Error>>());
         QCOMPARE(files(), (QStringList{QStringLiteral("tree_0010.mtl"), QStringLiteral("tree_0010.obj"),
                                        QStringLiteral("tree_0012.mtl"), QStringLiteral("tree_0012.obj")}));
@@ -149,7 +149,7 @@ private slots:
         QCOMPARE(QFileInfo(path("tree_0011.obj")).size(), qint64(4));
         QSignalSpy finished(&m_task, &Job::finished);
         m_dialog->startExport();
-        QVERIFY(finished.wait(20'000));
+        QVERIFY(finished.wait(test::patience(20'000)));
         QVERIFY(QFileInfo(path("tree_0011.obj")).size() > 100);
     }
 
@@ -167,7 +167,7 @@ private slots:
         QVERIFY(second.isVisible());
         QSignalSpy finished(&m_task, &Job::finished);
         m_task.cancel();
-        QVERIFY(finished.wait(20'000));
+        QVERIFY(finished.wait(test::patience(20'000)));
         QCOMPARE(finished[0][0].value<std::optional<Error>>()->code, ErrorCode::Cancelled);
         for (const QString& name : files())
             QVERIFY2(name.startsWith(QStringLiteral("tree_")) && !name.contains(QStringLiteral(".new")),
@@ -182,7 +182,7 @@ private slots:
         QVERIFY(m_dialog->path().endsWith(QStringLiteral("tree.png")));
         QSignalSpy finished(&m_task, &Job::finished);
         m_dialog->startExport();
-        QVERIFY(finished.count() == 1 || finished.wait(20'000));
+        QVERIFY(finished.count() == 1 || finished.wait(test::patience(20'000)));
         if (qEnvironmentVariableIsEmpty("DISPLAY")) {
             QCOMPARE(finished[0][0].value<std::optional<Error>>()->code, ErrorCode::Unknown);
         }

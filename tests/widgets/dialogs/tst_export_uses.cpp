@@ -66,7 +66,7 @@ class TestExportUses : public QObject
         QSignalSpy exported(m_dialog.get(), &ExportDialog::exported);
         m_dialog->setPath(file);
         m_dialog->startExport();
-        return QTest::qWaitFor([&] { return exported.count() == 1; }, 60'000);
+        return QTest::qWaitFor([&] { return exported.count() == 1; }, test::patience(60'000));
     }
 
 private slots:
@@ -75,7 +75,7 @@ private slots:
         test::failOnWidgetWarning();
         m_preferences.setExportSettings({});
         test::openNodes(m_document, {test::treeNode(1, "T")});
-        QVERIFY(m_recompute.waitForFull(20'000));
+        QVERIFY(m_recompute.waitForFull(test::patience(20'000)));
         reopen();
     }
     void cleanup() { m_dialog.reset(); }
@@ -159,7 +159,7 @@ private slots:
         child<QLineEdit>("exportBudgets")->setText(budgets);
         m_dialog->setPath(path("bad.glb"));
         m_dialog->startExport();
-        QTRY_VERIFY_WITH_TIMEOUT(!message("problem").isEmpty(), 30'000);
+        QTRY_VERIFY_WITH_TIMEOUT(!message("problem").isEmpty(), test::patience(30'000));
         QVERIFY2(message("problem").contains(about), qPrintable(message("problem")));
         QVERIFY(m_dialog->isVisible() && !QFile::exists(path("bad.glb")));
     }
@@ -413,7 +413,7 @@ private slots:
         reopen();
         QSignalSpy exported(m_dialog.get(), &ExportDialog::exported);
         m_dialog->repeat(settings, path("again.ply"));
-        QTRY_COMPARE_WITH_TIMEOUT(exported.count(), 1, 20'000);
+        QTRY_COMPARE_WITH_TIMEOUT(exported.count(), 1, test::patience(20'000));
         QCOMPARE(QFileInfo(path("again.ply")).size(), size);
         QVERIFY(!m_dialog->isVisible());
     }

@@ -41,7 +41,7 @@ namespace tst_gallery {
 
 using namespace ramure;
 
-constexpr int patienceMs = test::isSanitized ? 480'000 : 60'000;
+constexpr int patienceMs = test::patience(60'000);
 
 class TestGallery : public QObject
 {

@@ -213,7 +213,7 @@ void TestGizmoTrail::longPathsDoNotBlock()
         QVERIFY(trail->isBusy());
     }
     QVERIFY(trail->paths().empty());
-    QTRY_VERIFY_WITH_TIMEOUT(!trail->isBusy(), 20'000);
+    QTRY_VERIFY_WITH_TIMEOUT(!trail->isBusy(), test::patience(20'000));
     QCOMPARE(trail->paths().front()->points.size(), std::size_t(150'001));
     trail->show(scene, {}, how, 0, true);
     trail->show(scene, {node}, how, 0, true);
@@ -277,7 +277,7 @@ void TestGizmoTrail::armsHaveGhostsToo()
         }
         GizmoTrail trail;
         trail.show(scene, {arm}, how, 0, true);
-        QTRY_VERIFY_WITH_TIMEOUT(!trail.isBusy(), 20'000);
+        QTRY_VERIFY_WITH_TIMEOUT(!trail.isBusy(), test::patience(20'000));
         Evaluator arms;
         const auto now = arms.joints(node, 0.0);
         QVERIFY(now);

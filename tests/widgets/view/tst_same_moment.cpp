@@ -18,7 +18,7 @@ using test::RandomScene;
 
 namespace {
 
-constexpr int patienceMs = 60'000;
+constexpr int patienceMs = test::patience(60'000);
 constexpr NodeId still = RandomScene::still, windy = RandomScene::windy, arm = RandomScene::arm,
                  box = RandomScene::box;
 

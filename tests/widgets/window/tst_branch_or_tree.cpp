@@ -57,7 +57,7 @@ private slots:
         QVERIFY(m_window->files()->newFromPreset(QStringLiteral("TinyTree")));
         m_window->show();
         QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
-        QVERIFY(m_recompute->waitForFull(20'000));
+        QVERIFY(m_recompute->waitForFull(test::patience(20'000)));
     }
     void cleanup()
     {
@@ -80,11 +80,11 @@ private slots:
             QTest::keyClick(m_window.get(), Qt::Key_Delete);
             QCOMPARE(m_document->scene().nodes().size(), std::size_t(1));
             QCOMPARE(m_document->scene().nodes().front().params.edits.size(), before + 1);
-            QVERIFY(m_recompute->waitForFull(20'000));
+            QVERIFY(m_recompute->waitForFull(test::patience(20'000)));
         }
         while (m_document->undoStack()->canUndo())
             m_document->undo();
-        QVERIFY(m_recompute->waitForFull(20'000));
+        QVERIFY(m_recompute->waitForFull(test::patience(20'000)));
         select({tree()}, {});
         QCOMPARE(text("edit.delete"), QStringLiteral("Delete tree"));
         QTest::keyClick(m_window.get(), Qt::Key_Delete);
@@ -105,13 +105,13 @@ private slots:
         QVERIFY2(said > 1 && said < int(all), qPrintable(text("edit.delete")));
         m_window->setFocus();
         QTest::keyClick(m_window.get(), Qt::Key_Delete);
-        QVERIFY(m_recompute->waitForFull(20'000));
+        QVERIFY(m_recompute->waitForFull(test::patience(20'000)));
         QVERIFY(count() <= all - Index(said));
         QVERIFY(m_document->selection().nodes.empty() && m_document->selection().branches.empty());
         QTest::keyClick(m_window.get(), Qt::Key_Delete);
         QCOMPARE(m_document->scene().nodes().size(), std::size_t(1));
         m_document->undo();
-        QVERIFY(m_recompute->waitForFull(20'000));
+        QVERIFY(m_recompute->waitForFull(test::patience(20'000)));
         QCOMPARE(count(), all);
         QCOMPARE(m_document->selection().branches, std::vector{limb});
         QCOMPARE(m_document->selection().nodes, std::vector{tree()});
@@ -139,7 +139,7 @@ private slots:
         action("edit.newTree")->trigger();
         QVERIFY(m_document->selection().branches.empty());
         QCOMPARE(m_document->selection().nodes, std::vector{tree()});
-        QVERIFY(m_recompute->waitForFull(20'000));
+        QVERIFY(m_recompute->waitForFull(test::patience(20'000)));
         QVERIFY(m_document->selection().branches.empty());
     }
     void whatActsOnTheTreeSaysTree()

@@ -77,7 +77,7 @@ private slots:
         QVERIFY(m_window->files()->newFromPreset(QStringLiteral("TinyTree")));
         m_window->show();
         QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
-        QVERIFY(m_recompute->waitForFull(20'000));
+        QVERIFY(m_recompute->waitForFull(test::patience(20'000)));
     }
     void cleanup()
     {
@@ -472,7 +472,7 @@ private slots:
             restart(language);
             QVERIFY(edit::setParam(*m_document, {tree()}, *findParam("grammar.axiom"), std::string("F")));
             QVERIFY(edit::setParam(*m_document, {tree()}, *findParam("grammar.iterations"), std::int64_t{0}));
-            QVERIFY(m_recompute->waitForFull(20'000));
+            QVERIFY(m_recompute->waitForFull(test::patience(20'000)));
             QTRY_VERIFY2(m_window->status()->countsText().endsWith(one),
                          qPrintable(m_window->status()->countsText()));
         }

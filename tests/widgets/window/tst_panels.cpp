@@ -100,8 +100,9 @@ private slots:
         test::openNodes(m_document, {tree});
         m_window.show();
         QVERIFY(QTest::qWaitForWindowExposed(&m_window));
-        QVERIFY(m_recompute.waitForFull(20'000));
-        QTRY_COMPARE_WITH_TIMEOUT(m_window.findChild<Analysis*>()->state(1), Analysis::State::Done, 20'000);
+        QVERIFY(m_recompute.waitForFull(test::patience(20'000)));
+        QTRY_COMPARE_WITH_TIMEOUT(m_window.findChild<Analysis*>()->state(1), Analysis::State::Done,
+                                  test::patience(20'000));
         for (const PanelRow& row : panels()) {
             dock(row.dock)->raise();
             QTRY_VERIFY(dock(row.dock)->x() >= 0);

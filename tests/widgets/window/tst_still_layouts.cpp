@@ -93,7 +93,7 @@ private slots:
         test::openNodes(*m_document, {test::treeNode(1, "oak")});
         window.show();
         QVERIFY(QTest::qWaitForWindowExposed(&window));
-        QVERIFY(m_recompute->waitForFull(20'000));
+        QVERIFY(m_recompute->waitForFull(test::patience(20'000)));
         MessageBanner* banner = window.banner();
         const auto places = [&] {
             auto found = placesIn(&window, banner);
@@ -151,7 +151,7 @@ private slots:
         setLanguage();
         const Language language(m_preferences);
         test::openNodes(*m_document, {test::treeNode(1, "oak")});
-        QVERIFY(m_recompute->waitForFull(20'000));
+        QVERIFY(m_recompute->waitForFull(test::patience(20'000)));
         ExportDialog dialog(m_document.get(), m_recompute.get(), &m_preferences, &m_chooser);
         dialog.setPictureLook({});
         dialog.show();

@@ -150,7 +150,7 @@ void TestArmPanel::theWayIsSteered()
         step->click();
     QVERIFY(desk.reach.progress()->angles != before);
     pause->click();
-    QTRY_VERIFY_WITH_TIMEOUT(!desk.reach.progress()->moves, 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.reach.progress()->moves, test::patience(20000));
     QVERIFY(!step->isEnabled());
 }
 
@@ -233,7 +233,7 @@ void TestArmPanel::theMotionIsBaked()
         QVERIFY(!field->toolTip().isEmpty() && !field->accessibleName().isEmpty());
     QVERIFY(go->isEnabled());
     go->click();
-    QTRY_COMPARE_WITH_TIMEOUT(told.count(), 1, 20'000);
+    QTRY_COMPARE_WITH_TIMEOUT(told.count(), 1, test::patience(20'000));
     const Channel phi{ChannelPart::Joint, 0, static_cast<ParamId>(jointAngleNumber(true))};
     const auto track = desk.document.scene().find(1)->animation.find(phi);
     QVERIFY(track);

@@ -36,7 +36,7 @@ class TestLevelsPanel : public QObject
 {
     Q_OBJECT
 private:
-    static constexpr int patienceMs = 30'000;
+    static constexpr int patienceMs = test::patience(30'000);
     test::OwnSettings m_settings;
 
     /// A panel that looks at a document with a small tree.

@@ -103,7 +103,7 @@ private slots:
         MainWindow window(&document, &recompute, &preferences, &chooser);
         QVERIFY(window.files()->newFromPreset(QStringLiteral("TinyTree")));
         window.show();
-        QVERIFY(recompute.waitForFull(20'000));
+        QVERIFY(recompute.waitForFull(test::patience(20'000)));
         auto* button = window.findChild<IsolationButton*>();
         QAction* isolate = window.actionSet()->find(QStringLiteral("select.isolate"));
         QAction* showAll = window.actionSet()->find(QStringLiteral("select.showAll"));

@@ -18,7 +18,7 @@ class TestBakeActions : public QObject
 {
     Q_OBJECT
 private:
-    static constexpr int patienceMs = 60'000;
+    static constexpr int patienceMs = test::patience(60'000);
     test::OwnSettings m_settings;
     std::unique_ptr<QTemporaryDir> m_folder;
     std::unique_ptr<Preferences> m_preferences;

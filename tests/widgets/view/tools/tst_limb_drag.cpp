@@ -55,7 +55,7 @@ struct Desk
     }
     void compute()
     {
-        if (!recompute.waitForFull(20000))
+        if (!recompute.waitForFull(test::patience(20000)))
             qWarning("no result");
     }
     [[nodiscard]] const Skeleton& skeleton() const

@@ -37,7 +37,7 @@ struct Bench : test::ToolBench
         node.name = "tree";
         node.params = presetParams("TinyTree").value_or(NodeParams{});
         open(Scene::fromNodes({node}).value_or(Scene()));
-        if (!recompute.waitForFull(20'000))
+        if (!recompute.waitForFull(test::patience(20'000)))
             qWarning("no result");
         show();
     }

@@ -61,7 +61,7 @@ void TestMotionTools::initTestCase()
     node.params.tree.translation = {3.0, 0.5, -2.0};
     node.params.tree.rotation = {0.0, 0.7, 0.0};
     m_tree = edit::insertNodes(*m_document, {node}, noNode, 0).value_or(noNode);
-    QVERIFY(m_recompute->waitForFull(20000));
+    QVERIFY(m_recompute->waitForFull(test::patience(20000)));
     Player player(m_document.get());
     player.seek(30);
     QVERIFY(player.waitForIdle(20000));

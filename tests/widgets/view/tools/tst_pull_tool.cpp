@@ -33,7 +33,7 @@ struct Bench : test::ToolBench
         node.name = "tree";
         node.params = presetParams("TinyTree").value_or(NodeParams{});
         open(Scene::fromNodes({node}).value_or(Scene()));
-        if (!recompute.waitForFull(20'000))
+        if (!recompute.waitForFull(test::patience(20'000)))
             qWarning("no result");
         show();
         context.player = &player;
@@ -66,7 +66,7 @@ void TestPullTool::aBranchIsPulledUntilPlayingStops()
 {
     Bench bench;
     bench.player.play();
-    QTRY_VERIFY_WITH_TIMEOUT(bench.player.motion()->of(1), 20'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.player.motion()->of(1), test::patience(20'000));
     QVERIFY(bench.says("pull the branch") && !bench.says("bend"));
     for (const Qt::KeyboardModifiers held : {Qt::NoModifier, Qt::ControlModifier}) {
         bench.press(bench.onTrunk(), Qt::LeftButton, held);

@@ -36,7 +36,7 @@ struct Bench : test::ToolBench
         node.params = presetParams("TinyTree").value_or(NodeParams{});
         node.params.physics.windStrength = 4.0;
         open(Scene::fromNodes({node}).value_or(Scene()));
-        if (!recompute.waitForFull(20'000))
+        if (!recompute.waitForFull(test::patience(20'000)))
             qWarning("no result");
         show();
         document.setSelection({{1}, noNode, {}, noIndex});
