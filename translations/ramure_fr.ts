@@ -8942,6 +8942,14 @@
         <source>Length of a leaf of the mean size, without its petiole; of needles, that of the shoot which carries them. Longer leaves stand farther apart: see Internode. 0: the leaves grow with the radius of the trunk.</source>
         <translation>Longueur d’une feuille de taille moyenne, sans son pétiole ; pour les aiguilles, celle de la pousse qui les porte. Des feuilles plus longues sont plus espacées : voir Entre-nœud. 0 : les feuilles grandissent avec le rayon du tronc.</translation>
     </message>
+    <message>
+        <source>Depth of the earth</source>
+        <translation>Profondeur de la terre</translation>
+    </message>
+    <message>
+        <source>How far the block of earth goes down below the lowest place of the ground. 0: a sheet without sides.</source>
+        <translation>De combien le bloc de terre descend sous le point le plus bas du sol. 0 : une feuille sans côtés.</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>

@@ -83,7 +83,8 @@ struct ArmSkinParams
     bool operator==(const ArmSkinParams&) const = default;
 };
 
-/// A terrain around the node's origin: a square grid in X and Z, heights along Y.
+/// A terrain around the node's origin: a square grid in X and Z, heights along Y. With a depth it is a block
+/// of earth, whose bottom is level; without, a sheet.
 struct TerrainParams
 {
     std::int64_t seed = 1;
@@ -91,6 +92,7 @@ struct TerrainParams
     double height = 1.5;          ///< m, how far the largest hills rise or fall
     double roughness = 0.5;       ///< how high hills of half the width are, against the larger ones
     std::int64_t divisions = 128; ///< cells along a side
+    double depth = 0.0;           ///< m, from the lowest place down to the bottom; 0: a sheet
     bool operator==(const TerrainParams&) const = default;
 };
 

@@ -231,6 +231,10 @@ inline constexpr std::array nodeRows{
         {"terrain.divisions", terrainGroup, RAMURE_NOOP("Divisions"),
          RAMURE_NOOP("Cells of the grid along a side.")},
         ParamUnit::Count, {1, 1024, 8, 256, 1, 0}, Stage::Mesh, paramNone, terrainOnly),
+    row<&NodeParams::terrain, &TerrainParams::depth>(
+        {"terrain.depth", terrainGroup, RAMURE_NOOP("Depth of the earth"),
+         RAMURE_NOOP("How far the block of earth goes down below the lowest place of the ground. 0: a sheet without sides.")},
+        ParamUnit::Metre, {0, 1e5, 0, 5, 0.1, 3}, Stage::Mesh, paramAnimatable, terrainOnly),
 
     row<&NodeParams::camera, &CameraParams::angleRad>(
         {"camera.angle", cameraGroup, RAMURE_NOOP("Angle of view"),

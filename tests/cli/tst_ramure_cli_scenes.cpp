@@ -95,10 +95,16 @@ private slots:
         QCOMPARE(nodes[0]["boundaryEdges"].toInt(), 0);
         QVERIFY(nodes[0]["openSurface"].isUndefined());
         QCOMPARE(nodes[1]["kind"].toString(), QString("terrain"));
-        QVERIFY(nodes[1]["openSurface"].toBool());
+        QVERIFY(nodes[1]["openSurface"].isUndefined()); // a block of earth
         QVERIFY(nodes[1]["valid"].toBool());
-        QCOMPARE(nodes[1]["boundaryEdges"].toInt(), 4 * 128);
+        QCOMPARE(nodes[1]["boundaryEdges"].toInt(), 0);
+        QCOMPARE(nodes[1]["eulerCharacteristic"].toInt(), 2);
         QVERIFY(!run.json().contains("trees"));
+        const auto thin = runCli({"validate", "demo:Arm", "--set", "terrain.depth=0", "--json"});
+        QCOMPARE(thin.code, 0);
+        const QJsonObject sheet = thin.json()["nodes"][1].toObject();
+        QVERIFY(sheet["openSurface"].toBool() && sheet["valid"].toBool());
+        QCOMPARE(sheet["boundaryEdges"].toInt(), 4 * 128);
         QVERIFY(runCli({"validate", "demo:Arm"}).out.contains("\n2 nodes\n"));
         // One alone is told as one mesh always was.
         const auto arm = runCli({"validate", "demo:Arm", "--node", "Arm"});
@@ -115,7 +121,8 @@ private slots:
         QVERIFY(std::abs(arm["reach"].toDouble() - 4.4) < 1e-9);
         QVERIFY(std::abs(arm["tip"][0].toDouble() - 1.7177032) < 1e-6);
         QVERIFY(arm["vertices"].toInt() > 1000);
-        QCOMPARE(land["faces"].toInt(), 2 * 128 * 128);
+        QCOMPARE(land["faces"].toInt(),
+                 2 * 128 * 128 + 4 * 128 * 5); // two bands on the sides, and the bottom
         // With the time the arm moves.
         const auto later = runCli({"info", "demo:Arm", "--json", "--time", "5"});
         QVERIFY(std::abs(later.json()["nodes"][0]["tip"][0].toDouble() - 1.0) < 1e-3);

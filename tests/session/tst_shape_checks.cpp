@@ -32,7 +32,12 @@ namespace {
 struct Desk
 {
     Document document;
-    Desk() { document.reset(armDemo(), {}); }
+    Desk()
+    {
+        Scene scene = armDemo();
+        scene.find(2)->params.terrain.depth = 0.0; // a sheet
+        document.reset(std::move(scene), {});
+    }
     void set(NodeId node, const char* key, const ParamValue& value)
     {
         QVERIFY(edit::setParam(document, {node}, *findParam(key), value));
@@ -101,6 +106,11 @@ void TestShapeChecks::armsAndTerrainsAreChecked()
     QVERIFY(checks.outcome()->result.tree.report->valid);
     QCOMPARE(checks.outcome()->result.tree.report->boundaryEdges, Index(0)); // no defect of a terrain
     QVERIFY(checks.outcome()->analysis);
+    desk.set(2, "terrain.depth", 0.5); // a block
+    QTRY_VERIFY_WITH_TIMEOUT(checks.state() == State::Done && checks.outcome() && !checks.outcome()->isOpen,
+                             20'000);
+    QVERIFY(checks.outcome()->result.tree.report->valid);
+    QCOMPARE(checks.outcome()->result.tree.report->eulerCharacteristic, std::int64_t(2));
 }
 
 void TestShapeChecks::onlyShapesThatChangeAreCheckedAgain()

@@ -21,8 +21,9 @@ constexpr CommandText validateText = {
     "file all its objects together; the Euler characteristic may be any. OpenMesh's half-edge structure has "
     "to agree. Of a scene every node with a shape is checked: arms (their skin as it is at --time), "
     "terrains, "
-    "primitives and imported meshes too; terrains and planes are open surfaces, their boundary is no fault. "
-    "Of "
+    "primitives and imported meshes too; terrains without depth and planes are open surfaces, their boundary "
+    "is no "
+    "fault. Of "
     "several the figures are summed, and \"trees\" or, where not all are trees, \"nodes\" (JSON) lists "
     "each."};
 

@@ -13,23 +13,28 @@ static void beginTerrain(NodeParams& params)
     params.terrain.seed = 15344;
     params.terrain.height = 1.2;
     params.terrain.roughness = 0.42;
+    params.terrain.depth = 0.6;
 }
 
-static Expected<SharedMesh> terrainSolid(const NodeParams& params, const SharedMesh& /*own*/)
+static Expected<SharedMesh> shared(Expected<TriangleMesh> mesh)
 {
-    auto terrain = buildTerrain(params.terrain);
-    RAMURE_TRY(terrain);
-    return std::make_shared<const TriangleMesh>(std::move(*terrain));
+    RAMURE_TRY(mesh);
+    return std::make_shared<const TriangleMesh>(std::move(*mesh));
 }
 
-static SharedMesh terrainLook(const NodeParams& params, const SharedMesh& own)
+static Expected<SharedMesh> solidTerrain(const NodeParams& params, const SharedMesh& /*own*/)
 {
-    return terrainSolid(params, own).value_or(nullptr);
+    return shared(terrainSolid(params.terrain));
 }
 
-static bool isOpenTerrain(const NodeParams& /*params*/)
+static SharedMesh terrainLook(const NodeParams& params, const SharedMesh& /*own*/)
 {
-    return true;
+    return shared(buildTerrain(params.terrain)).value_or(nullptr);
+}
+
+static bool isOpenTerrain(const NodeParams& params)
+{
+    return !(params.terrain.depth > 0.0);
 }
 
 extern const NodeKindRow terrainKind;
@@ -46,7 +51,7 @@ const NodeKindRow terrainKind = {
     .addTip = RAMURE_NOOP("Add a terrain that gives an arm targets"),
     .begin = &beginTerrain,
     .look = &terrainLook,
-    .solid = &terrainSolid,
+    .solid = &solidTerrain,
     .isOpen = &isOpenTerrain,
 };
 

@@ -12,7 +12,32 @@
 
 namespace ramure {
 
-/// The grid with normals and texture coordinates 0..1. Errors: those of checkPart.
+/// How high the ground is anywhere.
+class TerrainHeights
+{
+public:
+    /// Errors: those of checkPart.
+    static Expected<TerrainHeights> of(const TerrainParams& params);
+    TerrainHeights(TerrainHeights&&) noexcept;
+    ~TerrainHeights();
+
+    /// m, in the space of the terrain. \pre a place of the terrain: neither is over half a side
+    [[nodiscard]] double at(double x, double z) const;
+    [[nodiscard]] bool isOn(double x, double z) const;
+
+private:
+    class Octave;
+    explicit TerrainHeights(const TerrainParams& params);
+    [[nodiscard]] double sum(double x, double z) const;
+
+    std::vector<Octave> m_octaves;
+    double m_half = 0.0, m_middle = 0.0;
+};
+
+/// To look at, with normals and texture coordinates 0..1: a sheet, or a block of earth with sharp edges,
+/// whose triangles are coloured: white above, soil on the sides. Errors: those of checkPart.
 Expected<TriangleMesh> buildTerrain(const TerrainParams& params);
+/// The same with every position once: a block is closed and manifold. For files and checks.
+Expected<TriangleMesh> terrainSolid(const TerrainParams& params);
 
 } // namespace ramure

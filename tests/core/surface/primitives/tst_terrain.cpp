@@ -21,6 +21,8 @@ private slots:
     void theSeedDecides();
     void roughnessMakesItRougher();
     void finerGridsAreTheSameTerrain();
+    void blocksAreClosed();
+    void heightsAreThoseOfTheGrid();
     void raysThatMissMeetNothing();
     void raysMeetTheNearestTriangle();
 };
@@ -122,6 +124,63 @@ void TestTerrain::finerGridsAreTheSameTerrain()
     for (std::size_t row = 0; row <= 20; ++row)
         for (std::size_t column = 0; column <= 20; ++column)
             QCOMPARE(a->positions[row * 21 + column], b->positions[2 * row * 41 + 2 * column]);
+}
+
+/// A block has the ground of the sheet, a level bottom so far below its lowest place, and upright sides; what
+/// is looked at has the same shape with sharp edges.
+void TestTerrain::blocksAreClosed()
+{
+    for (const std::int64_t divisions : {1, 2, 13, 128})
+        for (const double depth : {1e-3, 0.6, 40.0}) {
+            TerrainParams params;
+            params.divisions = divisions;
+            const auto ground = terrain(params);
+            params.depth = depth;
+            const auto solid = terrainSolid(params);
+            QVERIFY2(solid, why(solid));
+            const auto report = validateMesh(*solid);
+            QVERIFY2(report, why(report));
+            QVERIFY(report->valid && report->eulerCharacteristic == 2 && report->boundaryEdges == 0);
+            QVERIFY(report->volume > 0.0 && report->duplicateVertices == 0);
+            QCOMPARE(solid->colours.size(), solid->triangles.size());
+            QVERIFY(std::equal(ground->positions.begin(), ground->positions.end(), solid->positions.begin()));
+            float lowest = 1e9F, bottom = 1e9F;
+            for (const glm::vec3& at : ground->positions)
+                lowest = std::min(lowest, at.y);
+            for (const glm::vec3& at : solid->positions)
+                bottom = std::min(bottom, at.y);
+            QVERIFY(std::abs(double(lowest - bottom) - depth) < 1e-5 * (1.0 + depth));
+
+            const auto look = terrain(params);
+            QCOMPARE(look->triangles.size(), solid->triangles.size());
+            QCOMPARE(look->normals.size(), look->positions.size());
+            QCOMPARE(look->uv.size(), look->positions.size());
+            QCOMPARE(look->colours, solid->colours);
+            for (std::size_t t = 0; t < look->triangles.size(); ++t)
+                for (int c = 0; c < 3; ++c)
+                    QCOMPARE(look->positions[look->triangles[t][c]],
+                             solid->positions[solid->triangles[t][c]]);
+            for (std::size_t t = ground->triangles.size(); t < look->triangles.size(); ++t)
+                for (int c = 0; c < 3; ++c) {
+                    const glm::vec3 normal = look->normals[look->triangles[t][c]];
+                    QVERIFY(std::abs(normal.y) < 1e-4F || normal.y < -0.999F);
+                }
+        }
+}
+
+void TestTerrain::heightsAreThoseOfTheGrid()
+{
+    TerrainParams params;
+    params.size = -1.0;
+    QVERIFY(!TerrainHeights::of(params));
+    params.size = 7.0;
+    const auto heights = TerrainHeights::of(params);
+    QVERIFY2(heights, why(heights));
+    QVERIFY(heights->isOn(3.5, -3.5) && !heights->isOn(3.51, 0.0));
+    QCOMPARE(heights->at(0.0, 0.0), 0.0);
+    const auto mesh = terrain(params);
+    for (const glm::vec3& at : mesh->positions)
+        QVERIFY(std::abs(heights->at(double(at.x), double(at.z)) - double(at.y)) < 1e-5);
 }
 
 void TestTerrain::raysThatMissMeetNothing()
