@@ -8875,10 +8875,6 @@
         <translation>Pente</translation>
     </message>
     <message>
-        <source>How steep the ground is. Limbs keep above it, and the crown grows to the open side, downhill.</source>
-        <translation>La raideur du sol. Les branches restent au-dessus, et le houppier pousse vers le côté dégagé, en aval.</translation>
-    </message>
-    <message>
         <source>Downhill</source>
         <translation>Aval</translation>
     </message>
@@ -8949,6 +8945,10 @@
     <message>
         <source>How far the block of earth goes down below the lowest place of the ground. 0: a sheet without sides.</source>
         <translation>De combien le bloc de terre descend sous le point le plus bas du sol. 0 : une feuille sans côtés.</translation>
+    </message>
+    <message>
+        <source>How steep the ground is. Limbs keep above it, roots follow it, and the crown grows to the open side, downhill.</source>
+        <translation>La raideur du sol. Les branches restent au-dessus, les racines la suivent et le houppier pousse du côté dégagé, vers l’aval.</translation>
     </message>
 </context>
 <context>

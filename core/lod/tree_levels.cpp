@@ -257,7 +257,8 @@ Expected<LevelMaker::Wood> LevelMaker::build(double triangles, double mergeRad,
 {
     Wood out{m_order.pruned(m_axes, mergeRad), nullptr};
     const std::vector<double> turns = rolls(out.pruned);
-    BranchMeshOptions options{m_params.sections, m_params.mesh, true, turns, treeSeed(m_params)};
+    BranchMeshOptions options{m_params.sections,  m_params.mesh,     true, turns,
+                              treeSeed(m_params), groundOf(m_params)};
     options.targetTriangles = std::max<std::int64_t>(1, std::llround(triangles));
     auto mesh = buildBranchMesh(out.pruned.skeleton, options, progress);
     RAMURE_TRY(mesh);

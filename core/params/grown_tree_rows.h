@@ -172,7 +172,7 @@ inline constexpr std::array grownTreeRows{
         ParamUnit::Radian, {-2 * pi, 2 * pi, -pi, pi, 0.05, 4}, paramNone, growsByYears),
     grownRow<&GrowthParams::slope>(
         {"growth.slope", siteGroup, RAMURE_NOOP("Slope"),
-         RAMURE_NOOP("How steep the ground is. Limbs keep above it, and the crown grows to the open side, downhill.")},
+         RAMURE_NOOP("How steep the ground is. Limbs keep above it, roots follow it, and the crown grows to the open side, downhill.")},
         ParamUnit::Radian, {0, 1.4, 0, 1, 0.02, 4}, paramNone, growsByYears),
     grownRow<&GrowthParams::slopeDirection>(
         {"growth.slopeDirection", siteGroup, RAMURE_NOOP("Downhill"),

@@ -11,6 +11,7 @@
 #include "core/params/camera_params.h"
 #include "core/params/colonisation_params.h"
 #include "core/params/fruit_params.h"
+#include "core/params/ground_plane.h"
 #include "core/params/growth_params.h"
 #include "core/params/leaf_params.h"
 #include "core/params/physics_params.h"
@@ -23,6 +24,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -176,6 +178,8 @@ struct NodeParams
     std::map<std::uint64_t, BranchParams>
         branches;                ///< by Skeleton::name; only branches that differ from the default
     std::vector<TreeEdit> edits; ///< steps of a tree, in the order in which they act
+    std::optional<GroundPlane>
+        ground; ///< no parameter: filled in from the scene, where the tree stands on something
     bool operator==(const NodeParams&) const = default;
 };
 

@@ -148,6 +148,12 @@ StageHashes::StageHashes(const NodeParams& params)
     follow(Stage::Sections, rolled.value());
     // A mesh for a budget has sections of its own.
     follow(Stage::Mesh, params.mesh.targetTriangles > 0 ? rolled.value() : of(Stage::Sections));
+    if (params.ground)
+        of(Stage::Mesh) = StageHash(of(Stage::Mesh))
+                              .add(params.ground->height)
+                              .add(params.ground->grade.x)
+                              .add(params.ground->grade.y)
+                              .value();
     follow(Stage::Foliage, of(Stage::Simplified));
     follow(Stage::Texture, of(Stage::Mesh));
 }

@@ -221,7 +221,8 @@ Expected<void> checkBeforeMerging(const Skeleton& skeleton, const NodeParams& pa
 Expected<MeshedBranches> meshBranches(const Skeleton& skeleton, const NodeParams& params,
                                       std::span<const double> rolls, const Progress& progress)
 {
-    const BranchMeshOptions options{params.sections, params.mesh, true, rolls, treeSeed(params)};
+    const BranchMeshOptions options{params.sections, params.mesh,      true,
+                                    rolls,           treeSeed(params), groundOf(params)};
     auto made = buildCheckedBranchMesh(skeleton, options, progress);
     RAMURE_TRY(made);
     const auto mesh = std::make_shared<const BranchMesh>(std::move(made->mesh));

@@ -3,6 +3,7 @@
 #include "core/generators/colonisation/growth_space.h"
 #include "core/math/stage_hash.h"
 #include "core/scene/object_mesh.h"
+#include "core/scene/standing_ground.h"
 #include <algorithm>
 #include <glm/matrix.hpp>
 #include <optional>
@@ -195,6 +196,8 @@ void linkGrowthSpaces(Scene& scene)
 {
     for (auto& [id, link] : staleGrowthSpaces(scene))
         setGrowthSpace(scene.find(id)->params, link);
+    for (const auto& [id, ground] : staleGrounds(scene))
+        scene.find(id)->params.ground = ground;
 }
 
 } // namespace ramure

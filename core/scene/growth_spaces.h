@@ -12,7 +12,8 @@ namespace ramure {
 /// count. A tree that grows in another way has no link.
 std::map<NodeId, GrowthSpaceLink> staleGrowthSpaces(const Scene& scene);
 void setGrowthSpace(NodeParams& params, const GrowthSpaceLink& link);
-/// Gives them to the trees. To call after a scene was read; the document does it after every change.
+/// Gives them to the trees, and the ground that they stand on (standing_ground.h). To call after a scene was
+/// read; the document does it after every change.
 void linkGrowthSpaces(Scene& scene);
 
 } // namespace ramure

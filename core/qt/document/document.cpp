@@ -2,6 +2,7 @@
 
 #include "core/qt/document/document_command.h"
 #include "core/scene/growth_spaces.h"
+#include "core/scene/standing_ground.h"
 #include "core/skeleton/edit_places.h"
 
 #include <QSignalBlocker>
@@ -183,22 +184,28 @@ void Document::settle(const Change& change)
         dropGone();
 }
 
-/// Trees that fill solids or grow around them grow anew where these have changed: part of the change itself,
-/// and undone with it.
+/// Trees that fill solids or grow around them grow anew where these have changed, and stand on what is below
+/// them: part of the change itself, and undone with it.
 void Document::followSolids()
 {
     auto stale = staleGrowthSpaces(m_scene);
-    if (stale.empty())
+    const auto grounds = staleGrounds(m_scene);
+    if (stale.empty() && grounds.empty())
         return;
     Change change;
     change.kinds = changeParams;
-    change.firstStale = Stage::Skeleton;
+    change.firstStale = stale.empty() ? Stage::Mesh : Stage::Skeleton;
     change.revision = m_revision;
     for (const auto& [id, link] : stale)
         change.nodes.push_back(id);
+    for (const auto& [id, ground] : grounds)
+        if (!stale.contains(id))
+            change.nodes.push_back(id);
     emit aboutToBeChanged(change);
     for (auto& [id, link] : stale)
         setGrowthSpace(m_scene.find(id)->params, link);
+    for (const auto& [id, ground] : grounds)
+        m_scene.find(id)->params.ground = ground;
     settle(change);
     emit changed(change);
 }

@@ -27,6 +27,8 @@ struct BranchMeshOptions : SectionParams, MeshParams
     std::span<const double> rollRad{};
     /// Makes the roots of each tree its own.
     std::uint64_t seed = 0;
+    /// Under which roots sink; nothing: level ground where a trunk begins.
+    std::optional<GroundPlane> ground{};
 };
 
 /// A change of the mesher's copy of the skeleton without which no mesh exists. The skeleton itself stays as

@@ -4,6 +4,7 @@
 #include "core/surface/mesher/fork_spread.h"
 #include "core/surface/mesher/mesh_divisions.h"
 #include "core/surface/mesher/stem_limbs.h"
+#include "core/surface/mesher/trunk_foot.h"
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -66,6 +67,7 @@ private:
     bool joinTwins();
     bool joinPair(std::size_t first, std::size_t second);
     void appendChildren(Index from, Index to);
+    [[nodiscard]] bool standsOn(Index root) const;
     [[nodiscard]] Index endOfFoot(Index root) const;
     void makeStub(Index root);
     Sibling sibling(Index id, const glm::dvec3& start) const;
@@ -384,11 +386,20 @@ void Normaliser::makeStub(Index root)
     m_out.repairs.push_back({SkeletonRepair::RootStub, root, noIndex});
 }
 
+bool Normaliser::standsOn(Index root) const
+{
+    const glm::dvec3& start = m_in.p0[root];
+    const auto& ground = m_options.ground;
+    return std::abs(start.y) <= m_a0[root] || (ground && std::abs(ground->above(start)) <= m_a0[root]);
+}
+
 /// The branch whose end is far enough above the ground.
 Index Normaliser::endOfFoot(Index root) const
 {
     Index last = root;
-    while (glm::length(m_in.p1[last] - m_in.p0[root]) < footRoom * 2.0 * m_options.rootHeight * m_a0[last]) {
+    const glm::dvec3& start = m_in.p0[root];
+    const auto height = [&](double radius) { return footHeight(m_options, radius, m_options.ground, start); };
+    while (glm::length(m_in.p1[last] - start) < footRoom * height(m_a0[last])) {
         const Index child = m_firstChild[last];
         if (child == noIndex || m_nextSibling[child] != noIndex)
             break;
@@ -553,8 +564,7 @@ Expected<void> Normaliser::run(const Progress& progress)
         if (pending.parentOut == noIndex && m_nextMate[pending.id] != noIndex)
             emitPlate(pending.id);
         else {
-            const bool hasFoot = pending.parentOut == noIndex && m_options.roots > 0 &&
-                                 std::abs(m_in.p0[pending.id].y) <= m_a0[pending.id];
+            const bool hasFoot = pending.parentOut == noIndex && m_options.roots > 0 && standsOn(pending.id);
             emit(hasFoot ? endOfFoot(pending.id) : pending.id, pending.parentOut, start);
             m_out.branches[index].foot = hasFoot ? pending.id : noIndex;
         }

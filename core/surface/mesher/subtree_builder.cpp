@@ -62,8 +62,11 @@ void SubtreeBuilder::buildRoot(Index root)
     TubeAxis axis = branch.tubeAxis(curve);
     const AxisSection& first = m_sections.front();
     const std::span<const RingPoint> points = m_context.divisions.ring(root, first.radius);
+    std::optional<GroundPlane> ground = m_context.options.ground;
+    if (ground)
+        ground = ground->from(m_skeleton.origin);
     const TrunkFoot foot(branch, m_context.options, static_cast<Index>(points.size()),
-                         mixBits(m_context.options.seed) + root);
+                         mixBits(m_context.options.seed) + root, ground);
     axis.foot = foot.size();
     m_sink.startTube(branch.source, noIndex, axis);
     if (foot.isThere()) {

@@ -3,6 +3,7 @@
 #include "core/math/angle.h"
 #include "core/math/random.h"
 #include "core/math/reproducible.h"
+#include "core/params/steep_ground.h"
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -33,8 +34,11 @@ constexpr double jitter = 0.25;      ///< of the angle between roots
 constexpr double mostWander = 0.22;  ///< the same, less for longer ones: roots never meet
 constexpr double leastHeight = 0.7;  ///< of the height: the lowest root
 constexpr double leastLength = 0.65; ///< of the length: the shortest root, which is as rare as the longest
-constexpr double forkPlace = 0.45;   ///< across a root, the crests of its two tongues
-constexpr double leastTongue = 0.6;  ///< of the root's length
+constexpr double liftRoom = 1.25; ///< of what the ground moves the trunk's foot by: height for it to fade out
+constexpr double mostOffset = 2.0;  ///< of the radius: how far the ground may be from where the trunk begins
+constexpr double liftShare = 0.5;   ///< of what a slope adds to the foot's height: for roots on all sides
+constexpr double forkPlace = 0.45;  ///< across a root, the crests of its two tongues
+constexpr double leastTongue = 0.6; ///< of the root's length
 
 /// m from the trunk, of a place where the height of a crest is kept.
 double crestPlace(double length, std::ptrdiff_t step)
@@ -56,7 +60,23 @@ double profile(double beside)
     return c * c;
 }
 
+glm::dvec3 gradeOf(const GroundPlane& ground)
+{
+    const glm::dvec2 grade = eased(ground).grade;
+    return {grade.x, 0.0, grade.y};
+}
+
 } // namespace
+
+double footHeight(const MeshParams& params, double radius, const std::optional<GroundPlane>& ground,
+                  const glm::dvec3& place)
+{
+    const double own = 2.0 * params.rootHeight * radius;
+    if (!ground)
+        return own;
+    const double offset = std::min(std::abs(ground->above(place)), mostOffset * radius);
+    return own + liftRoom * (radius * glm::length(gradeOf(*ground)) + offset);
+}
 
 /// As many vertices as the square of the sides asks for, however they divide into rings and columns: budgets
 /// do not know steps. Half of the roots fork.
@@ -72,7 +92,8 @@ FootSize footSize(const MeshParams& params, Index sides)
     return {std::clamp<Index>(static_cast<Index>(std::lround(vertices / points)), 4, 16), points, tongues};
 }
 
-TrunkFoot::TrunkFoot(const MeshBranch& trunk, const MeshParams& params, Index sides, std::uint64_t seed)
+TrunkFoot::TrunkFoot(const MeshBranch& trunk, const MeshParams& params, Index sides, std::uint64_t seed,
+                     const std::optional<GroundPlane>& ground)
 {
     const glm::dvec3 way = trunk.p1 - trunk.p0;
     const double length = glm::length(way);
@@ -81,7 +102,7 @@ TrunkFoot::TrunkFoot(const MeshBranch& trunk, const MeshParams& params, Index si
     // The radius at the top of the foot, which is as high as the radius there says.
     double top = 0.0, radius = trunk.radiusAt(0.0);
     for (int round = 0; round < 4; ++round) {
-        top = std::min(2.0 * params.rootHeight * radius / length, mostOfTrunk);
+        top = std::min(footHeight(params, radius, ground, trunk.p0) / length, mostOfTrunk);
         radius = trunk.radiusAt(top);
     }
     m_size = footSize(params, sides);
@@ -93,14 +114,26 @@ TrunkFoot::TrunkFoot(const MeshBranch& trunk, const MeshParams& params, Index si
     m_height = top * length;
     m_radius = radius;
     m_sunk = sunkShare * std::min(m_height, 2.0 * m_radius);
+    if (ground)
+        standOn(*ground);
     placeRoots(params, seed);
     placeTongues(m_size.roots - static_cast<Index>(m_roots.size()), seed);
     placeColumns();
 }
 
+void TrunkFoot::standOn(const GroundPlane& ground)
+{
+    m_grade = gradeOf(ground);
+    m_offset = std::clamp(-ground.above(m_start), -mostOffset * m_radius, mostOffset * m_radius);
+    if (const double moved = m_radius * glm::length(m_grade) + std::abs(m_offset); moved > 0.0)
+        m_follow = std::min(1.0, m_height / (liftRoom * moved));
+}
+
 void TrunkFoot::placeRoots(const MeshParams& params, std::uint64_t seed)
 {
     const auto count = static_cast<std::size_t>(std::max(params.roots, fewestRoots));
+    const double lifted = std::max(m_height - 2.0 * params.rootHeight * m_radius, 0.0);
+    const double height = isLevel() ? m_height : m_height - (1.0 - liftShare) * lifted;
     const double apart = fullTurn / static_cast<double>(count);
     m_roots.resize(count);
     Random turn(seed, RandomStream::Roots);
@@ -109,7 +142,7 @@ void TrunkFoot::placeRoots(const MeshParams& params, std::uint64_t seed)
         Random random(seed, RandomStream::Roots, k + 1);
         Root& root = m_roots[k];
         root.azimuth = first + apart * (static_cast<double>(k) + random.range(-jitter, jitter));
-        root.height = m_height * random.range(leastHeight, 1.0);
+        root.height = height * random.range(leastHeight, 1.0);
         const double length =
             2.0 * m_radius * params.rootLength * maths::pow(leastLength, random.range(-1.0, 1.0));
         root.length = length;
@@ -248,13 +281,24 @@ glm::dvec3 TrunkFoot::at(Index ring, Index column, const Frame& frame) const
     const glm::dvec3 centre = ring == 0      ? pole()
                               : height < 0.0 ? m_start + glm::dvec3(0.0, height, 0.0)
                                              : m_start + height * m_way;
-    return centre + trunk * (x * across.normal + y * across.binormal) +
-           out * (x * level.normal + y * level.binormal);
+    const glm::dvec3 around = x * across.normal + y * across.binormal;
+    const glm::dvec3 away = x * level.normal + y * level.binormal;
+    if (isLevel())
+        return centre + trunk * around + out * away;
+    // What leaves the trunk is as long along the ground as on a level one, and moves with it. The trunk's own
+    // surface moves along the trunk, less and less further up: so nothing folds.
+    const double rise = glm::dot(m_grade, away), reach = out / std::sqrt(1.0 + rise * rise);
+    const double ofTrunk = m_follow * below * (m_offset + m_radius * glm::dot(m_grade, around));
+    const double moved = ofTrunk + (trunk - m_radius) * glm::dot(m_grade, around) + reach * rise;
+    const glm::dvec3 along = m_way + (up - m_way) * below;
+    // The lowest ring is around the pole, which has moved already.
+    const double before = ring == 0 ? m_follow * m_offset : 0.0;
+    return centre + trunk * around + reach * away + (moved - before) / along.y * along;
 }
 
 glm::dvec3 TrunkFoot::pole() const
 {
-    return m_start - glm::dvec3(0.0, skirt * m_radius + m_sunk, 0.0);
+    return m_start - glm::dvec3(0.0, skirt * m_radius + m_sunk - m_follow * m_offset, 0.0);
 }
 
 void TrunkFoot::cutOff(std::vector<AxisSection>& sections) const

@@ -1,6 +1,7 @@
 /// \file
 /// The foot of a trunk: its cross-section becomes lobes on the way down, the lobes run out over the ground as
-/// roots, and the roots sink into it.
+/// roots, and the roots sink into it. On a slope all of it is sheared along the trunk: uphill roots enter the
+/// ground higher, downhill they reach lower.
 #pragma once
 
 #include "core/surface/mesher/branch_axis.h"
@@ -15,6 +16,11 @@ namespace ramure {
 /// None where no roots are asked for. \param sides of the trunk above its foot, at least leastSides
 FootSize footSize(const MeshParams& params, Index sides);
 
+/// m, from where the trunk begins, \p place, up to where it is round on all sides. \param radius of the trunk
+/// there; \param ground as for TrunkFoot
+double footHeight(const MeshParams& params, double radius, const std::optional<GroundPlane>& ground,
+                  const glm::dvec3& place);
+
 /// A foot in place. Its rings follow each other from the lowest, which lies under the ground, to the highest,
 /// which is a circle on the trunk; all have one number of points, and points of one number make a column.
 class TrunkFoot
@@ -23,8 +29,10 @@ public:
     static constexpr std::size_t crestSteps = 48;
 
     /// None where the trunk has none, leans too far or has no length. \param trunk stands on the ground at
-    /// its p0; \param sides around it above the foot; \param seed makes the roots of each tree its own.
-    TrunkFoot(const MeshBranch& trunk, const MeshParams& params, Index sides, std::uint64_t seed);
+    /// its p0; \param sides around it above the foot; \param seed makes the roots of each tree its own;
+    /// \param ground near it, in the space of p0; nothing: level at p0.
+    TrunkFoot(const MeshBranch& trunk, const MeshParams& params, Index sides, std::uint64_t seed,
+              const std::optional<GroundPlane>& ground = std::nullopt);
 
     [[nodiscard]] bool isThere() const { return m_size.rings > 0; }
     [[nodiscard]] const FootSize& size() const { return m_size; }
@@ -78,12 +86,17 @@ private:
     [[nodiscard]] static double crestOf(const Root& root, double height);
     [[nodiscard]] double outOf(const Column& column, double height) const;
     [[nodiscard]] double azimuthOf(const Column& column, double out) const;
+    [[nodiscard]] bool isLevel() const { return m_grade == glm::dvec3(0.0) && m_offset == 0.0; }
+    void standOn(const GroundPlane& ground);
 
     FootSize m_size;
     glm::dvec3 m_start{0.0}, m_way{0.0, 1.0, 0.0}; ///< where the trunk stands, and its unit direction
     double m_top = 0.0, m_height = 0.0, m_radius = 0.0;
     double m_turned = 0.0;
-    double m_sunk = 0.0; ///< m under the ground, a depth that crests come near to
+    double m_sunk = 0.0;     ///< m under the ground, a depth that crests come near to
+    glm::dvec3 m_grade{0.0}; ///< m that the ground rises in a metre along X and Z
+    double m_offset = 0.0;   ///< m, of the ground over m_start
+    double m_follow = 1.0;   ///< share of what the ground asks for that the trunk itself has room for
     std::vector<Root> m_roots;
     std::vector<Tongue> m_tongues;
     std::vector<Column> m_columnOf;

@@ -114,8 +114,9 @@ struct MeshItem
     glm::dmat4 inNode{1.0}; ///< part of world: how it stands in its node's own geometry
     double margin = 0.0;    ///< m, of arms: how far it stands away from the bones
     NodeId node = noNode;
-    bool isMark = false; ///< something shown at a place of the node, no part of it
-    bool closed = false; ///< its back faces are never seen
+    bool isMark = false;   ///< something shown at a place of the node, no part of it
+    bool isGround = false; ///< shown where the level ground is
+    bool closed = false;   ///< its back faces are never seen
     bool castsShadow = true;
     bool pickable = true; ///< false for the nodes that are locked
     bool framed = true;   ///< false: framing the whole scene leaves it out

@@ -16,6 +16,7 @@
 #include "widgets/view/render/line_art.h"
 #include "widgets/view/render/outlined_items.h"
 #include "widgets/view/render/scene_part_cache.h"
+#include "widgets/view/render/tree_ground.h"
 #include <algorithm>
 #include <numeric>
 #include <stop_token>
@@ -493,18 +494,6 @@ void addCrowns(RenderScene& built, EvaluatedScene& now, const std::vector<NodeId
     }
 }
 
-void addFeet(RenderScene& built, const TreeResult& tree, const MeshParams& mesh, const glm::dmat4& world)
-{
-    if (!(mesh.roots > 0) || !tree.skeleton)
-        return;
-    const Skeleton& skeleton = *tree.skeleton;
-    const double scale = glm::length(glm::dvec3(world[0]));
-    for (Index i = 0; i < skeleton.size(); ++i)
-        if (skeleton.parent[i] == noIndex)
-            built.feet.push_back({glm::dvec3(world * glm::dvec4(skeleton.p0[i], 1.0)),
-                                  scale * skeleton.a0[i] * (1.0 + 2.0 * mesh.rootLength)});
-}
-
 } // namespace
 
 bool isBarkReady(const TextureStage& texture, const NodeParams& params)
@@ -535,6 +524,7 @@ RenderScene SceneBuilder::build(EvaluatedScene& now, const ResultOf& resultOf, c
     RenderScene built;
     std::vector<Foot> trunks;
     ObjectItems objects{*m_cache, built};
+    TreeGrounds grounds(*m_cache, built);
     for (std::size_t i = 0; i < scene.nodes().size(); ++i) {
         const Node& node = scene.nodes()[i];
         if (node.kind == NodeKind::Group || !scene.isShown(node.id))
@@ -551,13 +541,13 @@ RenderScene SceneBuilder::build(EvaluatedScene& now, const ResultOf& resultOf, c
             objects.add(node, now.params(node), world);
         else if (const TreeResult* tree = resultOf(node.id)) {
             TreeItems{*m_cache, built, view, node, *tree, world}.all();
-            addFeet(built, *tree, now.params(node).mesh, world);
+            grounds.add(node, now.params(node), *tree, world);
             if (tree->skeleton && tree->skeleton->size() > 0)
                 trunks.push_back({glm::dvec3(world * glm::dvec4(tree->skeleton->p0[0], 1.0)),
                                   glm::length(glm::dvec3(world[0])) * tree->skeleton->a0[0]});
         }
     }
-    built.ground = m_ground->of(scene, built);
+    grounds.finish(m_ground->of(scene, built));
     outlineSelected(built, *m_cache, scene, resultOf, view);
     updateHighlights(built, resultOf, view);
     built.updateBoxes();

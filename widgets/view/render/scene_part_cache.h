@@ -43,6 +43,7 @@ enum class ScenePart : std::uint8_t {
     Outlined,
     Wind,
     WindOfItem,
+    Hillside,
 };
 
 /// What a part was made from: two blocks and some numbers.

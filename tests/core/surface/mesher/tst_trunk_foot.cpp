@@ -1,6 +1,7 @@
 #include "core/surface/mesher/trunk_foot.h"
 
 #include "core/surface/check/self_intersections.h"
+#include "core/surface/check/texture_report.h"
 #include "core/surface/mesher/build_branch_mesh.h"
 #include "core/surface/proof/validate.h"
 #include "core/surface/texture/texture_coordinates.h"
@@ -182,6 +183,102 @@ private slots:
             }
     }
 
+    /// A slope shears a foot: closed as ever, its highest ring the trunk's own circle, and all that lies
+    /// under level ground lies under the slope.
+    void rootsFollowASlope_data()
+    {
+        QTest::addColumn<double>("grade");
+        for (const double grade : {0.1, 0.4, 1.0, 1.7, 5.0, 1e9})
+            QTest::addRow("%g", grade) << grade;
+    }
+    void rootsFollowASlope()
+    {
+        QFETCH(double, grade);
+        for (const int sides : {8, 16, 32})
+            for (const double height : {0.3, 0.6, 1.0, 2.0})
+                for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+                    BranchMeshOptions options = rooted(3 + int(seed), sides);
+                    options.rootHeight = height;
+                    options.rootLength = 0.4 * double(seed);
+                    options.seed = seed;
+                    const double turn = 1.3 * double(seed);
+                    const glm::dvec2 uphill(std::cos(turn), std::sin(turn));
+                    options.ground = GroundPlane{0.0, grade * uphill};
+                    const Skeleton skeleton = tree({0.1 * double(seed), 4, 0.1});
+                    const auto built = buildCheckedBranchMesh(skeleton, options);
+                    QVERIFY2(built, why(built));
+                    const QByteArray place = QStringLiteral("%1 sides, height %2, seed %3")
+                                                 .arg(sides)
+                                                 .arg(height)
+                                                 .arg(seed)
+                                                 .toUtf8();
+                    QVERIFY2(built->report.valid && built->report.eulerCharacteristic == 2, place);
+                    const auto crossings = findSelfIntersections(built->mesh.mesh, skeleton.parent);
+                    QVERIFY2(crossings && crossings->count(PairKind::Same) == 0, place);
+                    const GroundPlane ground{0.0, std::min(grade, 2.0) * uphill};
+                    const FootSize foot = built->mesh.axes.front().foot;
+                    QVERIFY2(foot.rings > 0, place);
+                    for (Index i = 0; i < 1 + 2 * foot.points; ++i) // the pole and the two lowest rings
+                        QVERIFY2(ground.above(glm::dvec3(built->mesh.mesh.positions[i])) < 0.0, place);
+                }
+    }
+
+    /// Uphill roots enter the ground higher, downhill they reach lower, and both are as long along the ground
+    /// as on a level one.
+    void slopesAreMetOnBothSides()
+    {
+        BranchMeshOptions options = rooted(6, 24);
+        const auto reachOn = [&](const GroundPlane& ground, double side) {
+            options.ground = ground;
+            double most = 0.0;
+            for (options.seed = 1; options.seed <= 6; ++options.seed) {
+                const auto mesh = buildBranchMesh(tree(), options);
+                if (!mesh)
+                    return 0.0;
+                double own = 0.0;
+                for (const glm::vec3& p : mesh->mesh.positions) {
+                    const glm::dvec3 at(p);
+                    if (const double above = ground.above(at);
+                        side * at.x > 0.0 && above > -0.001 && above < 0.04)
+                        own = std::max(own, side * at.x * std::sqrt(1.0 + ground.grade.x * ground.grade.x));
+                }
+                most += own / 6.0;
+            }
+            return most;
+        };
+        const GroundPlane level, slope{0.0, {0.6, 0.0}};
+        for (const double side : {-1.0, 1.0}) {
+            const double ratio = reachOn(slope, side) / reachOn(level, side);
+            QVERIFY2(ratio > 0.85 && ratio < 1.25, qPrintable(QString::number(ratio)));
+        }
+    }
+
+    /// Ground that lies a little higher or lower than where the trunk begins is met where it is.
+    void groundIsMetWhereItIs()
+    {
+        for (const double height : {-0.3, -0.1, 0.1, 0.3}) {
+            BranchMeshOptions options = rooted(5, 20);
+            options.ground = GroundPlane{height, {0.2, -0.1}};
+            const auto built = buildCheckedBranchMesh(tree(), options);
+            QVERIFY2(built, why(built));
+            QVERIFY(built->report.valid && built->report.eulerCharacteristic == 2);
+            const FootSize foot = built->mesh.axes.front().foot;
+            double deepest = 0.0;
+            for (Index i = 1; i < 1 + 2 * foot.points; ++i) {
+                const double above = options.ground->above(glm::dvec3(built->mesh.mesh.positions[i]));
+                QVERIFY2(above < 0.0, qPrintable(QString::number(above)));
+                deepest = std::min(deepest, above);
+            }
+            QVERIFY(deepest > -0.3);
+        }
+        const auto level = buildBranchMesh(tree(), rooted(5));
+        BranchMeshOptions options = rooted(5);
+        options.ground = GroundPlane();
+        const auto known = buildBranchMesh(tree(), options);
+        QVERIFY(level && known);
+        QCOMPARE(known->mesh.positions, level->mesh.positions);
+    }
+
     /// Half of the roots fork where the trunk has sides enough for it.
     void rootsFork()
     {
@@ -240,6 +337,26 @@ private slots:
             lowest = std::min(lowest, uv.y);
         QVERIFY2(lowest < -1.0F,
                  qPrintable(QString::number(double(lowest)))); // more than the trunk is around
+    }
+
+    /// On a slope about as well as on level ground, as long as it is one that people walk up.
+    void barkFollowsRootsOnASlope()
+    {
+        const auto stretched = [](const std::optional<GroundPlane>& ground) {
+            BranchMeshOptions options = rooted(5, 20);
+            options.ground = ground;
+            const auto mesh = buildBranchMesh(tree(), options);
+            const auto coordinates = mesh ? textureCoordinates(*mesh, {}) : Expected<TextureCoordinates>();
+            if (!coordinates)
+                return 1.0;
+            const TextureReport report = textureReport(*mesh, *coordinates);
+            return report.mirrored > 0 ? 1.0 : 1.0 - report.goodShare();
+        };
+        const double level = stretched(std::nullopt);
+        for (const auto& [grade, more] : {std::pair(0.3, 0.04), std::pair(0.6, 0.05), std::pair(1.0, 0.11)}) {
+            const double share = stretched(GroundPlane{0.0, {0.8 * grade, 0.6 * grade}});
+            QVERIFY2(share < level + more, qPrintable(QStringLiteral("%1, level %2").arg(share).arg(level)));
+        }
     }
 
     /// A budget counts the foot in.

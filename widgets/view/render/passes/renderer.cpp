@@ -94,10 +94,25 @@ void Renderer::draw(const RenderScene& scene, const Camera& camera, QSize size, 
         show(size, framebuffer);
 }
 
+/// The scene without ground that stands out of the level one, where that is not shown either.
+static std::optional<RenderScene> withoutGround(const RenderScene& scene, const RenderOptions& options)
+{
+    const Backdrop backdrop = options.light.backdrop;
+    const bool hasGround =
+        options.world && options.ground && (backdrop == Backdrop::Landscape || backdrop == Backdrop::Sky);
+    if (hasGround || std::ranges::none_of(scene.meshes, &MeshItem::isGround))
+        return std::nullopt;
+    RenderScene bare = scene;
+    std::erase_if(bare.meshes, [](const MeshItem& item) { return item.isGround; });
+    return bare;
+}
+
 /// \returns whether there is a picture aside: else it is in the framebuffer, or not whole.
-bool Renderer::drawAside(const RenderScene& scene, const Camera& camera, QSize size, GLuint framebuffer,
+bool Renderer::drawAside(const RenderScene& whole, const Camera& camera, QSize size, GLuint framebuffer,
                          const RenderOptions& options)
 {
+    const std::optional<RenderScene> bare = withoutGround(whole, options);
+    const RenderScene& scene = bare ? *bare : whole;
     Stopwatch watch;
     m_drawn = 0;
     m_cache.beginPicture(options.wind);
