@@ -3,6 +3,8 @@
 #include "core/math/reproducible.h"
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <map>
 #include <numbers>
 
 namespace ramure {
@@ -51,6 +53,37 @@ TreeMeasures measuresOf(const Skeleton& skeleton)
     for (const glm::dvec3& p : skeleton.p1)
         measures.height = std::max(measures.height, p.y);
     return measures;
+}
+
+double hortonRatio(const Skeleton& skeleton)
+{
+    std::vector<int> order(skeleton.size()), most(skeleton.size(), 0), times(skeleton.size(), 0);
+    for (Index i = skeleton.size(); i-- > 0;) {
+        order[i] = most[i] == 0 ? 1 : most[i] + (times[i] > 1 ? 1 : 0);
+        if (const Index parent = skeleton.parent[i]; parent != noIndex) {
+            times[parent] = order[i] > most[parent] ? 1 : times[parent] + (order[i] == most[parent] ? 1 : 0);
+            most[parent] = std::max(most[parent], order[i]);
+        }
+    }
+    std::map<int, int> branches;
+    for (Index i = 0; i < skeleton.size(); ++i)
+        if (skeleton.parent[i] == noIndex || order[skeleton.parent[i]] != order[i])
+            ++branches[order[i]];
+    constexpr int handful = 5;
+    while (branches.size() > 3 && branches.rbegin()->second < handful)
+        branches.erase(std::prev(branches.end()));
+    if (branches.size() < 3)
+        return 0.0;
+    double x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
+    for (const auto& [k, count] : branches) {
+        const double logarithm = maths::log(double(count));
+        x += k;
+        y += logarithm;
+        xx += double(k) * k;
+        xy += k * logarithm;
+    }
+    const auto n = double(branches.size());
+    return maths::exp(-(n * xy - x * y) / (n * xx - x * x));
 }
 
 } // namespace ramure

@@ -95,6 +95,7 @@ constexpr const char* floors[] = {
     "core/generators",
     "core/recipe",
     "core/pipeline",
+    "core/signs",
     "core/print",
     "core/rig/pose",
     "core/rig/tracks",

@@ -32,12 +32,13 @@ extern const Command texturesCommand;
 extern const Command batchCommand;
 extern const Command jobCommand;
 extern const Command sheetCommand;
+extern const Command signsCommand;
 
 /// In the order of the help.
 inline constexpr std::array allCommands = {
-    &listCommand,     &infoCommand,     &importCommand,   &recipeCommand, &editCommand,   &exportCommand,
-    &ageCommand,      &validateCommand, &simulateCommand, &ikCommand,     &renderCommand, &billboardCommand,
-    &texturesCommand, &batchCommand,    &jobCommand,      &sheetCommand};
+    &listCommand,      &infoCommand,     &importCommand, &recipeCommand,   &editCommand, &exportCommand,
+    &ageCommand,       &validateCommand, &signsCommand,  &simulateCommand, &ikCommand,   &renderCommand,
+    &billboardCommand, &texturesCommand, &batchCommand,  &jobCommand,      &sheetCommand};
 
 /// An option that stands in a command's place.
 struct ProgramOption

@@ -165,36 +165,6 @@ std::vector<double> divergences(const GrowthHistory& history)
     return out;
 }
 
-/// Number of branches of an order over that of the next, by Strahler: the mean ratio, from the slope of the
-/// logarithms. The trunk of a spruce is the only one of its order: a handful of branches has no mean.
-double hortonRatio(const Skeleton& tree)
-{
-    std::vector<int> order(tree.size()), most(tree.size(), 0), times(tree.size(), 0);
-    for (Index i = tree.size(); i-- > 0;) {
-        order[i] = most[i] == 0 ? 1 : most[i] + (times[i] > 1 ? 1 : 0);
-        if (const Index parent = tree.parent[i]; parent != noIndex) {
-            times[parent] = order[i] > most[parent] ? 1 : times[parent] + (order[i] == most[parent] ? 1 : 0);
-            most[parent] = std::max(most[parent], order[i]);
-        }
-    }
-    std::map<int, int> branches;
-    for (Index i = 0; i < tree.size(); ++i)
-        if (tree.parent[i] == noIndex || order[tree.parent[i]] != order[i])
-            ++branches[order[i]];
-    while (branches.size() > 3 && branches.rbegin()->second < 5)
-        branches.erase(std::prev(branches.end()));
-    double x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
-    for (const auto& [k, count] : branches) {
-        const double logarithm = std::log(double(count));
-        x += k;
-        y += logarithm;
-        xx += double(k) * k;
-        xy += k * logarithm;
-    }
-    const auto n = double(branches.size());
-    return std::exp(-(n * xy - x * y) / (n * xx - x * x));
-}
-
 /// m
 struct Size
 {

@@ -1,8 +1,8 @@
 #include "core/generators/variety.h"
 #include "core/pipeline/tree_pipeline.h"
 #include "core/presets/presets.h"
+#include "core/surface/check/wood_sections.h"
 #include "tests/support/suite.h"
-#include "tests/support/wood_sections.h"
 #include <algorithm>
 #include <string_view>
 #include <vector>

@@ -1,7 +1,8 @@
-#include "tests/support/wood_sections.h"
+#include "core/surface/check/wood_sections.h"
 
 #include "core/math/angle.h"
 #include "core/math/hermite.h"
+#include "core/math/reproducible.h"
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,7 +10,7 @@
 #include <limits>
 #include <unordered_map>
 
-namespace ramure::test {
+namespace ramure {
 
 namespace {
 
@@ -17,7 +18,6 @@ constexpr double limbShare = 0.5;  ///< of its sibling's radius: no more, and it
 constexpr double sideShare = 0.75; ///< the same where it goes to the side
 constexpr double sideways = 0.6;   ///< cosine of the angle to its sibling: the same of any thickness
 constexpr double outOfStem = 1.6;  ///< of its radius
-constexpr std::size_t rays = 48;   ///< around a section
 constexpr double mostReach = 2.5;  ///< of the tube's radius: no wood of it is farther from its axis
 constexpr double wide = 1.08;      ///< of the added radii: from there on two tubes are apart
 
@@ -93,84 +93,101 @@ std::vector<std::size_t> WoodSections::siblings(std::size_t tube) const
 double WoodSections::area(std::size_t tube, double along) const
 {
     const Place place = at(tube, along);
-    const glm::dvec3 u = glm::normalize(glm::cross(
-        place.tangent, std::abs(place.tangent.y) < 0.8 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0)));
-    const glm::dvec3 v = glm::cross(place.tangent, u);
-    std::array<double, rays> reach;
-    reach.fill(mostReach * place.radius);
-    const auto cut = [&](std::size_t other) {
-        const Index first = m_mesh.tubes[other].firstTriangle;
-        const Index end =
-            other + 1 < m_tubes.size() ? m_mesh.tubes[other + 1].firstTriangle : m_mesh.mesh.faceCount();
-        for (Index f = first; f < end; ++f) {
-            std::array<glm::dvec3, 3> p;
-            std::array<double, 3> height{};
-            for (int c = 0; c < 3; ++c) {
-                p[c] = glm::dvec3(m_mesh.mesh.positions[m_mesh.mesh.triangles[f][c]]) - place.point;
-                height[c] = glm::dot(p[c], place.tangent);
-            }
-            if ((height[0] < 0.0) == (height[1] < 0.0) && (height[1] < 0.0) == (height[2] < 0.0))
-                continue;
-            std::array<glm::dvec2, 2> ends;
-            int count = 0;
-            for (int c = 0; c < 3 && count < 2; ++c) {
-                const int d = (c + 1) % 3;
-                if ((height[c] < 0.0) == (height[d] < 0.0))
-                    continue;
-                const glm::dvec3 on = p[c] + (height[c] / (height[c] - height[d])) * (p[d] - p[c]);
-                ends[count++] = {glm::dot(on, u), glm::dot(on, v)};
-            }
-            const double turn = ends[0].x * ends[1].y - ends[0].y * ends[1].x;
-            if (turn == 0.0)
-                continue;
-            if (turn < 0.0)
-                std::swap(ends[0], ends[1]);
-            const double from = std::atan2(ends[0].y, ends[0].x);
-            double to = std::atan2(ends[1].y, ends[1].x);
-            to += to < from ? fullTurn : 0.0;
-            const double step = fullTurn / double(rays);
-            for (auto k = std::int64_t(std::ceil(from / step)); double(k) * step < to; ++k) {
-                const glm::dvec2 way(std::cos(double(k) * step), std::sin(double(k) * step));
-                const glm::dvec2 edge = ends[1] - ends[0];
-                const double across = way.x * edge.y - way.y * edge.x;
-                if (across == 0.0)
-                    continue;
-                double& least = reach[std::size_t((k + 2 * std::int64_t(rays)) % std::int64_t(rays))];
-                least = std::min(least, std::abs(turn) / std::abs(across));
-            }
-        }
-    };
-    cut(tube);
+    Cut cut;
+    cut.place = place;
+    cut.u = glm::normalize(glm::cross(place.tangent, std::abs(place.tangent.y) < 0.8 ? glm::dvec3(0, 1, 0)
+                                                                                     : glm::dvec3(1, 0, 0)));
+    cut.v = glm::cross(place.tangent, cut.u);
+    cut.reach.fill(mostReach * place.radius);
+    cutThrough(tube, cut);
     const Tube& own = m_tubes[tube];
     if (!own.isLimb) {
         if (own.fork != none)
-            cut(own.fork);
+            cutThrough(own.fork, cut);
         for (const std::size_t other : siblings(tube))
             if (!m_tubes[other].isLimb)
-                cut(other);
+                cutThrough(other, cut);
         for (const std::size_t other : own.children)
             if (!m_tubes[other].isLimb)
-                cut(other);
+                cutThrough(other, cut);
     }
     double sum = 0.0;
     for (std::size_t k = 0; k < rays; ++k) {
-        double far = reach[k] < mostReach * place.radius ? reach[k] : place.radius;
-        const double turn = fullTurn * double(k) / double(rays);
-        const glm::dvec3 way = std::cos(turn) * u + std::sin(turn) * v;
+        double far = cut.reach[k] < mostReach * place.radius ? cut.reach[k] : place.radius;
+        const auto [sine, cosine] = maths::sincos(fullTurn * double(k) / double(rays));
         if (!own.isLimb)
-            for (const std::size_t other : siblings(tube)) {
-                if (m_tubes[other].isLimb)
-                    continue;
-                const Place beside = at(other, std::min(along, length(other)));
-                const glm::dvec3 between = beside.point - place.point;
-                const double towards = glm::dot(way, between);
-                const double share = place.radius / (place.radius + beside.radius);
-                if (towards > 0.0)
-                    far = std::min(far, share * glm::dot(between, between) / towards);
-            }
+            far = std::min(far, ownReach(tube, along, place, cosine * cut.u + sine * cut.v));
         sum += far * far;
     }
     return 0.5 * sum * fullTurn / double(rays);
+}
+
+/// Brings the ends of the rays to where a tube's surface crosses the plane.
+void WoodSections::cutThrough(std::size_t tube, Cut& cut) const
+{
+    const Index first = m_mesh.tubes[tube].firstTriangle;
+    const Index end =
+        tube + 1 < m_tubes.size() ? m_mesh.tubes[tube + 1].firstTriangle : m_mesh.mesh.faceCount();
+    for (Index f = first; f < end; ++f) {
+        std::array<glm::dvec3, 3> p;
+        std::array<double, 3> height{};
+        for (int c = 0; c < 3; ++c) {
+            p[c] = glm::dvec3(m_mesh.mesh.positions[m_mesh.mesh.triangles[f][c]]) - cut.place.point;
+            height[c] = glm::dot(p[c], cut.place.tangent);
+        }
+        if ((height[0] < 0.0) == (height[1] < 0.0) && (height[1] < 0.0) == (height[2] < 0.0))
+            continue;
+        std::array<glm::dvec2, 2> ends;
+        int count = 0;
+        for (int c = 0; c < 3 && count < 2; ++c) {
+            const int d = (c + 1) % 3;
+            if ((height[c] < 0.0) == (height[d] < 0.0))
+                continue;
+            const glm::dvec3 on = p[c] + (height[c] / (height[c] - height[d])) * (p[d] - p[c]);
+            ends[count++] = {glm::dot(on, cut.u), glm::dot(on, cut.v)};
+        }
+        shorten(ends[0], ends[1], cut);
+    }
+}
+
+/// The rays that meet a piece of the outline end there.
+void WoodSections::shorten(glm::dvec2 start, glm::dvec2 end, Cut& cut)
+{
+    const double turn = start.x * end.y - start.y * end.x;
+    if (turn == 0.0)
+        return;
+    if (turn < 0.0)
+        std::swap(start, end);
+    const double from = maths::atan2(start.y, start.x);
+    double to = maths::atan2(end.y, end.x);
+    to += to < from ? fullTurn : 0.0;
+    const double step = fullTurn / double(rays);
+    for (auto k = std::int64_t(std::ceil(from / step)); double(k) * step < to; ++k) {
+        const auto [sine, cosine] = maths::sincos(double(k) * step);
+        const glm::dvec2 edge = end - start;
+        const double across = cosine * edge.y - sine * edge.x;
+        if (across == 0.0)
+            continue;
+        double& least = cut.reach[std::size_t((k + 2 * std::int64_t(rays)) % std::int64_t(rays))];
+        least = std::min(least, std::abs(turn) / std::abs(across));
+    }
+}
+
+/// m, along a ray: as far as it is nearer to this axis than to those of siblings as thick as it.
+double WoodSections::ownReach(std::size_t tube, double along, const Place& place, const glm::dvec3& way) const
+{
+    double far = std::numeric_limits<double>::max();
+    for (const std::size_t other : siblings(tube)) {
+        if (m_tubes[other].isLimb)
+            continue;
+        const Place beside = at(other, std::min(along, length(other)));
+        const glm::dvec3 between = beside.point - place.point;
+        const double towards = glm::dot(way, between);
+        const double share = place.radius / (place.radius + beside.radius);
+        if (towards > 0.0)
+            far = std::min(far, share * glm::dot(between, between) / towards);
+    }
+    return far;
 }
 
 /// m, from the axis of one tube to the other's, so far from their fork.
@@ -286,11 +303,9 @@ std::vector<Swelling> WoodSections::swellings(double thinnest) const
         double start = -1.0;
         for (int k = 0; k <= steps && start < 0.0; ++k) {
             const double along = length(tube) * k / steps;
-            const std::size_t other = tube == stem ? siblings(tube).front() : stem;
             if (own.isLimb ? apart(tube, stem, along) > m_tubes[stem].thickness
                            : together(tube, along).size() == 1)
                 start = along;
-            (void)other;
         }
         const double diameter = 2.0 * own.thickness;
         if (start < 0.0 || start + 2.0 * diameter > length(tube))
@@ -301,4 +316,4 @@ std::vector<Swelling> WoodSections::swellings(double thinnest) const
     return out;
 }
 
-} // namespace ramure::test
+} // namespace ramure

@@ -4,9 +4,10 @@
 #pragma once
 
 #include "core/surface/mesher/branch_mesh.h"
+#include <array>
 #include <vector>
 
-namespace ramure::test {
+namespace ramure {
 
 /// How a tree carries its wood through the forks of its trunk, at worst.
 struct WoodLoss
@@ -51,12 +52,24 @@ private:
         double radius;
     };
     static constexpr std::size_t none = std::size_t(-1);
+    static constexpr std::size_t rays = 48; ///< around a section
+    /// A section: the plane across an axis, and how far the surface is there.
+    struct Cut
+    {
+        Place place;
+        glm::dvec3 u, v; ///< unit, across the axis
+        std::array<double, rays> reach;
+    };
 
     [[nodiscard]] Place at(std::size_t tube, double along) const;
     [[nodiscard]] glm::dvec3 wayOf(std::size_t tube) const;
     [[nodiscard]] bool hasForkWithin(std::size_t tube, double along, double reach) const;
     [[nodiscard]] double length(std::size_t tube) const { return m_tubes[tube].along.back(); }
     [[nodiscard]] double area(std::size_t tube, double along) const;
+    void cutThrough(std::size_t tube, Cut& cut) const;
+    static void shorten(glm::dvec2 start, glm::dvec2 end, Cut& cut);
+    [[nodiscard]] double ownReach(std::size_t tube, double along, const Place& place,
+                                  const glm::dvec3& way) const;
     [[nodiscard]] double woodAt(std::size_t tube, double along, double thinnest) const;
     [[nodiscard]] std::vector<std::size_t> together(std::size_t tube, double along) const;
     [[nodiscard]] double apart(std::size_t one, std::size_t other, double along) const;
@@ -68,4 +81,4 @@ private:
     std::vector<std::size_t> m_roots;
 };
 
-} // namespace ramure::test
+} // namespace ramure
