@@ -8950,6 +8950,14 @@
         <source>How steep the ground is. Limbs keep above it, roots follow it, and the crown grows to the open side, downhill.</source>
         <translation>La raideur du sol. Les branches restent au-dessus, les racines la suivent et le houppier pousse du côté dégagé, vers l’aval.</translation>
     </message>
+    <message>
+        <source>Standing dead wood</source>
+        <translation>Bois mort sur pied</translation>
+    </message>
+    <message>
+        <source>How long branches stand that died in the shade. 0: they fall at once. 1: twigs stay three years, a limb of 10 cm thirteen, and break off from their ends.</source>
+        <translation>Combien de temps restent les branches mortes à l’ombre. 0 : elles tombent aussitôt. 1 : les rameaux restent trois ans, une branche de 10 cm treize, et elles se brisent par le bout.</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>

@@ -144,6 +144,11 @@ inline constexpr std::array grownTreeRows{
         {"growth.shedding", lightGroup, RAMURE_NOOP("Shedding"),
          RAMURE_NOOP("How soon branches in the shade fall: 0 they stay, 1 they go at once.")},
         ParamUnit::Share, {0, 1, 0, 1, 0.05, 2}),
+    grownRow<&GrowthParams::deadWood>(
+        {"growth.deadWood", lightGroup, RAMURE_NOOP("Standing dead wood"),
+         RAMURE_NOOP("How long branches stand that died in the shade. 0: they fall at once. 1: twigs stay three years, a limb of 10 cm thirteen, "
+                     "and break off from their ends.")},
+        ParamUnit::Factor, {0, 5, 0, 2, 0.1, 2}),
     grownRow<&GrowthParams::light>(
         {"growth.light", lightGroup, RAMURE_NOOP("Towards the light"),
          RAMURE_NOOP("How much shoots turn to where the light comes from; how much the stem of a palm bends to it and away from solids.")},

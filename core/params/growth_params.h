@@ -72,6 +72,7 @@ struct GrowthParams
     GrowthLight sees = GrowthLight::Shadows;
     double shadeTolerance = 0.5; ///< 0: a light crown of few layers; 1: a deep and dense one
     double shedding = 0.5;       ///< 0: shaded branches stay; 1: they go at once
+    double deadWood = 0.0;       ///< how long what died in the shade stands: 1 as wood rots; 0: it is gone
     double light = 0.35;         ///< how much shoots turn to the light
     double upright = 0.1;        ///< how much they turn upwards; below 0: downwards
     double weeping = 0.0;        ///< how much the shoots of higher orders hang

@@ -113,7 +113,7 @@ private:
         std::uint8_t rank = 0, of = 1; ///< within its year's shoot
         bool cut = false;              ///< somebody cuts it below
         bool woken = false;            ///< its dormant buds shoot next year
-        bool dead = false;             ///< it stood bare with all that it carries, and breaks off in time
+        bool dead = false;             ///< bare with all that it carries, it breaks off in time
         Index twin = noIndex;          ///< metamer of the tree without cuts whose life it shares
     };
     /// How a node stands: apart from it, as most of a year asks for one of the two.
@@ -202,6 +202,10 @@ private:
     Index addMetamer(const ShootStart& start, const glm::dvec3& direction, double length, int year);
     double thicknessOf(float pipes);
     [[nodiscard]] int bareYears(const Node& node);
+    void wither(Node& node, int age);
+    enum class Fate : std::uint8_t { Lives, Dies, Falls };
+    void measureHeights();
+    Fate fateOf(Index node, Index parent, double least, int age);
     void bend(Index node, double girth, const YearFactors& factors);
     void place();
     void remove(const Node& base, Node& below);
@@ -226,6 +230,7 @@ private:
     std::vector<Index> m_active;    ///< those with buds that can grow
     std::vector<float> m_thickness; ///< by packed pipes; 0: not known yet
     std::vector<Load> m_load;
+    std::vector<double> m_highest; ///< m, see measureHeights
     const GrowthHistory* m_uncut = nullptr;
     std::vector<Index> m_firstTwin, m_nextTwin; ///< children of its metamers, by parent and by child
     std::unordered_set<std::uint64_t> m_opened; ///< cells where something was cut

@@ -45,12 +45,75 @@ int GrowingTree::bareYears(const Node& node)
 {
     constexpr int twigYears = 3;
     constexpr double yearsAMetre = 200.0; // of radius
-    return twigYears + (node.dead ? int(yearsAMetre * std::sqrt(thicknessOf(node.pipes))) : 0);
+    if (!node.dead)
+        return twigYears;
+    const int years = twigYears + int(yearsAMetre * std::sqrt(thicknessOf(node.pipes)));
+    return m_params.deadWood > 0.0 ? int(m_params.deadWood * double(years)) : years;
+}
+
+/// It dies and stands on.
+void GrowingTree::wither(Node& node, int age)
+{
+    node.dead = true;
+    node.tip = node.woken = false;
+    node.buds = node.dormant = 0;
+    node.bare = 0;
+    m_axes[node.axis].tipLives = false;
+    if (node.metamer >= m_history.withered.size())
+        m_history.withered.resize(std::size_t(node.metamer) + 1, GrowthHistory::lives);
+    m_history.withered[node.metamer] = std::uint16_t(age);
+}
+
+/// Of a node that is older than a year, after the light that it had. \param parent where what carries it lies
+/// now \param least light that keeps an axis
+GrowingTree::Fate GrowingTree::fateOf(Index i, Index parent, double least, int age)
+{
+    constexpr std::uint8_t darkYears = 2;
+    constexpr double shadeLine = 0.8;
+    Node& node = m_nodes[i];
+    const Flow& flow = m_flow[i];
+    AxisState& axis = m_axes[node.axis];
+    node.bare = flow.active == 0 ? std::uint8_t(std::min(255, node.bare + 1)) : std::uint8_t(0);
+    bool falls = int(node.bare) >= bareYears(node), dies = false;
+    if (node.twin != noIndex) {
+        falls = int(m_uncut->death[node.twin]) == age;
+        dies = m_uncut->isDead(node.twin, age);
+    }
+    if (axis.base == node.metamer && parent != noIndex) {
+        const double mean = flow.active > 0 ? double(flow.light) / double(flow.active) : 0.0;
+        axis.dark = mean < least ? std::uint8_t(axis.dark + 1) : std::uint8_t(0);
+        if (axis.dark >= darkYears && node.twin == noIndex && !node.dead) {
+            // What reaches into the top of the crown falls, as if the wind had taken it.
+            const bool stands = i < m_highest.size() && m_highest[i] < shadeLine * m_highest.front();
+            (stands ? dies : falls) = true;
+        }
+    }
+    if (node.parent == noIndex)
+        return Fate::Lives;
+    return falls ? Fate::Falls : dies ? Fate::Dies : Fate::Lives;
+}
+
+/// How high what each node carries is, with itself; nothing where no dead wood stands.
+void GrowingTree::measureHeights()
+{
+    m_highest.clear();
+    if (!(m_params.deadWood > 0.0))
+        return;
+    m_highest.resize(m_nodes.size());
+    double top = 0.0;
+    for (Index i = living(); i-- > 0;) {
+        m_highest[i] = std::max(m_highest[i], m_site.above(m_poses[i].at));
+        if (const Index parent = m_nodes[i].parent; parent != noIndex)
+            m_highest[parent] = std::max(m_highest[parent], m_highest[i]);
+        top = std::max(top, m_highest[i]);
+    }
+    if (!m_highest.empty())
+        m_highest.front() = top; // of several stems the highest
 }
 
 void GrowingTree::shed(const YearFactors& factors)
 {
-    constexpr std::uint8_t darkYears = 2;
+    measureHeights();
     // Of the mean light of the whole tree, so that no setting sheds all of it.
     double light = 0.0, active = 0.0;
     for (Index i = 0; i < living(); ++i)
@@ -69,21 +132,17 @@ void GrowingTree::shed(const YearFactors& factors)
         const Index parent = isRoot ? noIndex : m_place[node.parent];
         bool goes = !isRoot && parent == noIndex; // with what carried it
         const bool isNew = int(node.birth) == factors.year;
+        // What is carried dies with what carries it.
+        bool withers = m_params.deadWood > 0.0 && parent != noIndex && m_nodes[parent].dead;
         if (!goes && !isNew) {
-            const Flow& flow = m_flow[i];
-            node.bare = flow.active == 0 ? std::uint8_t(std::min(255, node.bare + 1)) : std::uint8_t(0);
-            AxisState& axis = m_axes[node.axis];
-            goes = int(node.bare) >= bareYears(node) && !isRoot;
-            if (node.twin != noIndex)
-                goes = int(m_uncut->death[node.twin]) == age && !isRoot;
-            if (axis.base == node.metamer && parent != noIndex) {
-                const double mean = flow.active > 0 ? double(flow.light) / double(flow.active) : 0.0;
-                axis.dark = mean < least ? std::uint8_t(axis.dark + 1) : std::uint8_t(0);
-                goes = goes || (axis.dark >= darkYears && node.twin == noIndex && !node.dead);
-            }
+            const Fate fate = fateOf(i, parent, least, age);
+            goes = fate == Fate::Falls;
+            withers = withers || fate == Fate::Dies;
             if (goes)
                 remove(node, m_nodes[parent]);
         }
+        if (withers && !goes && !node.dead)
+            wither(node, age);
         if (node.cut && !goes) { // what it carries goes with it
             remove(node, m_nodes[parent]);
             wake(parent);

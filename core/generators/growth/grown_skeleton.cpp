@@ -43,7 +43,8 @@ private:
         double sides = 0.0; ///< m2, the squares of the radii of all of them
         double reach = 0.0; ///< m to the farthest tip, itself counted
         glm::dvec3 at{0.0};
-        Index heir = noIndex; ///< piece that goes on, or where the axis ends the thickest that starts there
+        Index heir = noIndex;  ///< piece that goes on, or where the axis ends the thickest that starts there
+        bool isBroken = false; ///< dead, its axis went on
     };
 
     /// What lives, with its radius between the rows of the two years.
@@ -62,8 +63,12 @@ private:
         for (Index i = 0; i < h.size() && int(h.birth[i]) <= m_whole; ++i) {
             const bool stood = int(h.birth[i])<m_whole&& int(h.death[i])> m_whole;
             const bool stands = part && int(h.death[i]) > m_whole + 1;
-            if (!stood && !stands)
+            if (!stood && !stands) {
+                if (const Index below = h.parent[i]; below != noIndex && h.axis[below] == h.axis[i] &&
+                                                     int(h.birth[i]) < m_whole && pieceOf[below] != noIndex)
+                    m_pieces[pieceOf[below]].isBroken = h.isDead(below, m_whole);
                 continue;
+            }
             const double from = stood ? double(pipesOf(before[b])) : 1.0;
             const double to = stands ? double(pipesOf(after[a])) : from;
             double bend = stood ? double(bendBefore[b]) : double(bendAfter[a]);
@@ -230,8 +235,9 @@ private:
         // Wood ends as thick as all that starts there together, so that nothing is lost below a fork.
         const double next = piece.next == noIndex ? 0.0 : m_pieces[piece.next].radius;
         double end = std::max(std::sqrt(next * next + piece.sides), 0.6 * piece.radius);
-        const bool isStump = piece.next == noIndex && ((stood(piece) && h.flatWood[piece.metamer]) ||
-                                                       std::ranges::count(m_stumps, axis) > 0);
+        const bool isStump =
+            piece.next == noIndex && (piece.isBroken || (stood(piece) && h.flatWood[piece.metamer]) ||
+                                      std::ranges::count(m_stumps, axis) > 0);
         end = std::min(isStump ? piece.radius : end, start);
         const Index branch = m_skeleton.add(below, from, piece.at, start, end, h.axisOrder[axis]);
         m_axes.push_back(axis);
@@ -241,7 +247,7 @@ private:
             m_skeleton.axisStarts.emplace_back(branch, h.axisAddress[axis]);
         if (isStump)
             m_skeleton.sawn.push_back(branch);
-        if (stood(piece) && h.bareWood[piece.metamer])
+        if ((stood(piece) && h.bareWood[piece.metamer]) || h.isDead(piece.metamer, m_whole))
             m_skeleton.bare.push_back(branch);
         m_branch[k] = branch;
     }

@@ -100,7 +100,7 @@ std::size_t GrowthHistory::bytes() const
 {
     const auto of = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
     return of(parent) + of(axis) + of(birth) + of(death) + of(direction) + of(length) + of(axisAddress) +
-           of(axisOrder) + of(rowStart) + of(pipes) + of(bends) + of(years);
+           of(axisOrder) + of(rowStart) + of(pipes) + of(bends) + of(years) + of(withered);
 }
 
 struct GrowthRun::State

@@ -69,6 +69,8 @@ struct GrowthHistory
     std::vector<std::uint16_t> death; ///< the age at which it is no longer there; or lives
     std::vector<glm::vec3> direction; ///< unit, at its birth, in the frame of its parent's bends
     std::vector<float> length;        ///< m
+    /// The age at which it died and stood on, or lives; of metamers up to the last of which it is true.
+    std::vector<std::uint16_t> withered;
 
     // By axis.
     std::vector<std::uint64_t> axisAddress; ///< hash of the parent's, the year, the node in it and the bud
@@ -92,6 +94,11 @@ struct GrowthHistory
     int diedAt = 0;
 
     [[nodiscard]] glm::dvec3 footOf(Index root) const;
+    /// Whether it stands dead at an age.
+    [[nodiscard]] bool isDead(Index metamer, int age) const
+    {
+        return metamer < withered.size() && int(withered[metamer]) <= age;
+    }
     [[nodiscard]] Index size() const { return static_cast<Index>(parent.size()); }
     /// Whole years that were grown.
     [[nodiscard]] int grownYears() const { return static_cast<int>(years.size()); }
