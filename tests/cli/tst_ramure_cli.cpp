@@ -363,10 +363,11 @@ private slots:
         const test::CliRun run = runCli({"info", "preset:TinyTree", "--json"});
         const QStringList shared = {"branches",  "max",    "maxChildren", "min",        "sumA1",
                                     "sumRadius", "sumTip", "terminals",   "totalLength"};
-        QCOMPARE(run.keys(), (QStringList{"branches", "edits", "leafArea", "leafAreaIndex", "leafLength",
-                                          "leafReach", "leaves", "max", "maxChildren", "measures", "min",
-                                          "nodes", "shed", "simplified", "sumA1", "sumRadius", "sumTip",
-                                          "symbols", "terminals", "totalLength"}));
+        QCOMPARE(run.keys(),
+                 (QStringList{"branches",  "edits",  "leafArea", "leafAreaIndex", "leafLength",
+                              "leafReach", "leaves", "max",      "maxChildren",   "measures",
+                              "min",       "nodes",  "shed",     "simplified",    "sumA1",
+                              "sumRadius", "sumTip", "symbols",  "terminals",     "totalLength"}));
         QCOMPARE(run.json()["simplified"].toObject().keys(), shared);
     }
     void axesAreListedFromTheGround()
