@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <set>
 
 namespace ramure::signs {
@@ -79,7 +80,7 @@ Expected<void> addLight(Rows& rows, const GrowthParams& params, std::uint64_t se
                       {},
                       0.0,
                       0.15,
-                      1.0,
+                      std::numeric_limits<double>::infinity(),
                       "how far the crown's middle goes there, in its radii"};
     GrowthParams sided = params;
     sided.sideLight = 1.0;
