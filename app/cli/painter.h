@@ -34,7 +34,8 @@ private:
     std::optional<OffscreenRenderer> m_renderer;
 };
 
-/// Builds the visible scene at its time. \param figure whether a person stands beside the first tree. Errors: those of its trees; Invalid (nothing in it).
+/// Builds the visible scene at its time. \param figure whether a person stands beside the first tree. Errors:
+/// those of its trees; Invalid (nothing in it).
 Expected<RenderScene> renderSceneOf(EvaluatedScene& now, DisplayMode mode, bool figure = false);
 /// From the front, all that is visible.
 Camera cameraFor(const RenderScene& scene, QSize size);

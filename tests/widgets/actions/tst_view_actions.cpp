@@ -58,8 +58,8 @@ private slots:
         for (const ListedAction& each : listedActions(*window.actionSet(), menus))
             listed += each.action->objectName();
         for (const char* id : {"view.mesh", "view.solid", "view.good", "view.leaves", "view.apples",
-                               "view.grid", "view.ground", "view.figure", "view.outline", "view.crowns", "view.orthographic",
-                               "view.path", "view.ghosts", "view.light"})
+                               "view.grid", "view.ground", "view.figure", "view.outline", "view.crowns",
+                               "view.orthographic", "view.path", "view.ghosts", "view.light"})
             QVERIFY2(listed.contains(QLatin1String(id)), id);
     }
 };
