@@ -27,9 +27,9 @@ struct SpeciesDress
 
 struct Species
 {
-    const char* name;        ///< "QuakingAspen"
-    const char* latin;       ///< "Populus tremuloides"
-    const char* description; ///< English, context "core"
+    const char* name = "";        ///< "QuakingAspen"
+    const char* latin = "";       ///< "Populus tremuloides"
+    const char* description = ""; ///< English, context "core"
     bool conifer = false;
     WeberPennParams growth; ///< with angles in degrees, unlike everywhere else
     SpeciesDress dress;
