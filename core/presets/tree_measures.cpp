@@ -119,10 +119,9 @@ constexpr std::array measuredLeaves{
 } // namespace
 
 const char* const publishedLeavesSource =
-    "Lengths: Flora of North America, and C. Stace: New flora of the British Isles. Index of a kind of "
-    "forest: "
-    "G. P. Asner, J. M. O. Scurlock, J. A. Hicke: Global synthesis of leaf area index observations. Global "
-    "Ecology and Biogeography 12, 2003";
+    "Lengths: the usual range in floras of Europe and North America. Index of a kind of forest: G. P. Asner, "
+    "J. M. O. Scurlock, J. A. Hicke: Global synthesis of leaf area index observations. Global Ecology and "
+    "Biogeography 12, 2003";
 
 std::span<const PublishedLeaves> publishedLeaves()
 {

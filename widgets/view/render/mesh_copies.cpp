@@ -4,6 +4,7 @@
 #include "core/surface/foliage/foliage_texture.h"
 #include "core/surface/foliage/place_foliage.h"
 #include "widgets/view/render/far_shape.h"
+#include "widgets/view/render/render_scene.h"
 #include <algorithm>
 #include <map>
 #include <numeric>
