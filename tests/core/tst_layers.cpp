@@ -84,6 +84,7 @@ constexpr const char* floors[] = {
     "core/surface/mesher",
     "core/surface/texture",
     "core/surface/foliage",
+    "core/surface/season",
     "core/surface/bark",
     "core/surface/primitives",
     "core/surface/check",
