@@ -11828,6 +11828,65 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
     </message>
 </context>
 <context>
+    <name>ramure::LensForm</name>
+    <message>
+        <source>&amp;Depth of field</source>
+        <translation>&amp;Profondeur de champ</translation>
+    </message>
+    <message>
+        <source>Antialiasing samples of each pixel, 1 to 256: finer edges, and as many times slower. Depth of field draws 32 or more</source>
+        <translation>Échantillons d’anticrénelage par pixel, de 1 à 256 : des bords plus fins, et autant de fois plus lent. La profondeur de champ en dessine 32 ou plus</translation>
+    </message>
+    <message>
+        <source>A parallel view has no depth of field: everything is sharp</source>
+        <translation>Une vue parallèle n’a pas de profondeur de champ : tout est net</translation>
+    </message>
+    <message>
+        <source>Blurs what is nearer or farther than the focus, as the lens of a camera does. The picture takes 32 times as long</source>
+        <translation>Rend flou ce qui est plus près ou plus loin que la mise au point, comme l’objectif d’un appareil. L’image prend 32 fois plus de temps</translation>
+    </message>
+    <message>
+        <source>f/</source>
+        <translation>f/</translation>
+    </message>
+    <message>
+        <source>Opening of the lens before a film of 24 mm, 0.1 to 64: the smaller the number, the more is blurred</source>
+        <translation>Ouverture de l’objectif devant un film de 24 mm, de 0,1 à 64 : plus le nombre est petit, plus le flou est fort</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>what the camera looks at (%1 m)</source>
+        <translation>ce que la caméra regarde (%1 m)</translation>
+    </message>
+    <message>
+        <source>Distance from the camera, in metres, at which everything is sharp; 0: what the camera looks at</source>
+        <translation>Distance à la caméra, en mètres, où tout est net ; 0 : ce que la caméra regarde</translation>
+    </message>
+    <message>
+        <source>Hides this dialog until you click what is to be sharp</source>
+        <translation>Cache ce dialogue jusqu’à ce que vous cliquiez sur ce qui doit être net</translation>
+    </message>
+    <message>
+        <source>Samples &amp;per pixel</source>
+        <translation>&amp;Échantillons par pixel</translation>
+    </message>
+    <message>
+        <source>F-&amp;stop</source>
+        <translation>&amp;Ouverture</translation>
+    </message>
+    <message>
+        <source>&amp;Focus</source>
+        <translation>&amp;Mise au point</translation>
+    </message>
+    <message>
+        <source>Pick the focus in the &amp;view…</source>
+        <translation>Choisir la mise au point dans la &amp;vue…</translation>
+    </message>
+</context>
+<context>
     <name>ramure::LevelForm</name>
     <message>
         <source>Meshes of each tree, 1 to 8, for less and less triangles. A GLB holds them all; of other formats each is a file.</source>
@@ -12827,6 +12886,14 @@ restantes</translation>
     <message>
         <source>No picture was written</source>
         <translation>Aucune image n’a été enregistrée</translation>
+    </message>
+    <message>
+        <source>Click what is to be sharp · Esc: back to the picture</source>
+        <translation>Cliquez sur ce qui doit être net · Échap : retour à l’image</translation>
+    </message>
+    <message>
+        <source>Nothing is there: the focus stays as it was</source>
+        <translation>Rien ne s’y trouve : la mise au point reste comme elle était</translation>
     </message>
 </context>
 <context>

@@ -425,9 +425,9 @@ private slots:
         const auto over = [&window](std::size_t i) {
             return window.pixelOf(middle(window.skeleton(i), 0) + glm::dvec3(3.0 * double(i), 0, 0));
         };
-        QTRY_COMPARE(window.view->nodeAt(over(1)), window.tree(1));
-        QCOMPARE(window.view->nodeAt(over(0)), window.tree(0));
-        QCOMPARE(window.view->nodeAt({3, 3}), noNode);
+        QTRY_VERIFY(window.view->hitAt(over(1)) && window.view->hitAt(over(1))->node == window.tree(1));
+        QCOMPARE(window.view->hitAt(over(0)).value().node, window.tree(0));
+        QVERIFY(!window.view->hitAt({3, 3}));
     }
     void placementMovesWithoutUploading()
     {

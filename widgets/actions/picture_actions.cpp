@@ -1,24 +1,31 @@
 #include "widgets/actions/picture_actions.h"
 
+#include "core/evaluate/evaluator.h"
+#include "core/qt/document/document.h"
 #include "widgets/base/action_set.h"
 #include "widgets/base/chooser.h"
 #include "widgets/base/texts/core_text.h"
 #include "widgets/base/theme/preferences.h"
+#include "widgets/dialogs/lens_form.h"
 #include "widgets/dialogs/picture_dialog.h"
+#include "widgets/view/render/camera_items.h"
 #include "widgets/view/render/passes/offscreen_renderer.h"
 #include "widgets/view/render/passes/picture_file.h"
 #include "widgets/view/screenshot.h"
 #include "widgets/view/tools/hand_settings.h"
+#include "widgets/view/view_click.h"
 #include "widgets/view/viewport_host.h"
 #include <QDir>
 #include <QFileInfo>
 #include <QOpenGLContext>
+#include <QPointer>
 
 namespace ramure {
 
-PictureActions::PictureActions(ViewportHost* host, Preferences* preferences, Chooser* chooser, ActionSet* set,
-                               QObject* parent)
+PictureActions::PictureActions(Document* document, ViewportHost* host, Preferences* preferences,
+                               Chooser* chooser, ActionSet* set, QObject* parent)
     : QObject(parent)
+    , m_document(document)
     , m_host(host)
     , m_preferences(preferences)
     , m_chooser(chooser)
@@ -60,8 +67,12 @@ PictureActions::PictureActions(ViewportHost* host, Preferences* preferences, Cho
 void PictureActions::ask()
 {
     const auto key = QStringLiteral("picture");
-    auto* dialog = new PictureDialog(m_host->viewport()->pixelSize(),
+    const Viewport* view = m_host->viewport();
+    EvaluatedScene now(m_document->scene(), view->shownSeconds());
+    const NodeView seen = viewThrough(now, view->seenThrough()).value_or(NodeView{view->camera(), {}});
+    auto* dialog = new PictureDialog(view->pixelSize(), seen,
                                      m_preferences->exportSettings().value(key).toMap(), m_host->window());
+    connect(dialog->lensForm(), &LensForm::pickWanted, this, [this, dialog] { pickFocus(dialog); });
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this, [this, dialog, key] {
         QVariantMap kept = m_preferences->exportSettings();
@@ -70,6 +81,25 @@ void PictureActions::ask()
         save(dialog->wish());
     });
     dialog->open();
+}
+
+/// The dialog comes back after the click, or after Esc.
+void PictureActions::pickFocus(PictureDialog* dialog)
+{
+    Viewport* view = m_host->viewport();
+    dialog->hide();
+    emit messageRaised(tr("Click what is to be sharp · Esc: back to the picture"));
+    new ViewClick(view, [this, view, dialog = QPointer(dialog)](std::optional<QPointF> at) {
+        if (!dialog)
+            return;
+        const auto hit = at ? view->hitAt(*at) : std::nullopt;
+        const auto place = hit ? std::optional(hit->point) : at ? view->groundAt(*at) : std::nullopt;
+        const Camera& camera = view->camera();
+        if (place)
+            dialog->lensForm()->setFocus(glm::dot(camera.eye() - *place, camera.backward()));
+        emit messageRaised(at && !place ? tr("Nothing is there: the focus stays as it was") : QString());
+        dialog->open();
+    });
 }
 
 void PictureActions::save(const ViewPicture& wish)

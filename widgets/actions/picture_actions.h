@@ -12,7 +12,9 @@ namespace ramure {
 
 class ActionSet;
 class Chooser;
+class Document;
 class OffscreenRenderer;
+class PictureDialog;
 class Preferences;
 class ViewportHost;
 struct ViewPicture;
@@ -22,8 +24,8 @@ class PictureActions : public QObject
     Q_OBJECT
 public:
     /// Nothing is owned; all must outlive the actions.
-    PictureActions(ViewportHost* host, Preferences* preferences, Chooser* chooser, ActionSet* set,
-                   QObject* parent);
+    PictureActions(Document* document, ViewportHost* host, Preferences* preferences, Chooser* chooser,
+                   ActionSet* set, QObject* parent);
 
     [[nodiscard]] QList<QAction*> selectionActions() const { return m_selectionActions; }
     /// The job that writes a picture, for its progress and for cancelling it.
@@ -35,9 +37,11 @@ signals:
 
 private:
     void ask();
+    void pickFocus(PictureDialog* dialog);
     void save(const ViewPicture& wish);
     void taken(const Expected<void>& done, const QString& path);
 
+    Document* m_document;
     ViewportHost* m_host;
     Preferences* m_preferences;
     Chooser* m_chooser;

@@ -1,6 +1,7 @@
 #include "widgets/dialogs/picture_dialog.h"
 
 #include "widgets/base/named.h"
+#include "widgets/dialogs/lens_form.h"
 #include "widgets/dialogs/picture_form.h"
 #include "widgets/view/viewport.h"
 #include <QCheckBox>
@@ -10,10 +11,11 @@
 
 namespace ramure {
 
-PictureDialog::PictureDialog(QSize view, const QVariantMap& kept, QWidget* parent)
+PictureDialog::PictureDialog(QSize pixels, const NodeView& view, const QVariantMap& kept, QWidget* parent)
     : QDialog(parent)
     , m_form(new PictureForm(this))
     , m_grid(new QCheckBox(tr("Grid and axes"), this))
+    , m_lens(new LensForm(view, kept, this))
 {
     setObjectName(QStringLiteral("pictureDialog"));
     m_grid->setObjectName(QStringLiteral("pictureGrid"));
@@ -22,11 +24,13 @@ PictureDialog::PictureDialog(QSize view, const QVariantMap& kept, QWidget* paren
     layout->addWidget(m_form);
     layout->addWidget(m_grid);
     layout->addSpacing(8);
+    layout->addWidget(m_lens);
+    layout->addSpacing(8);
     auto* buttons = new QDialogButtonBox(this);
     buttons->addButton(QDialogButtonBox::Save)->setText(tr("Save…"));
     buttons->addButton(QDialogButtonBox::Cancel)->setText(tr("Cancel"));
     layout->addWidget(buttons);
-    m_form->setViewSize(view);
+    m_form->setViewSize(pixels);
     const QSize size(kept.value(QStringLiteral("width")).toInt(),
                      kept.value(QStringLiteral("pixels")).toInt());
     if (!size.isEmpty())
@@ -44,13 +48,15 @@ PictureDialog::PictureDialog(QSize view, const QVariantMap& kept, QWidget* paren
 
 ViewPicture PictureDialog::wish() const
 {
-    return {m_form->pictureSize(), m_form->isTransparent(), m_grid->isChecked()};
+    return {m_form->pictureSize(), m_form->isTransparent(), m_grid->isChecked(), m_lens->samples(),
+            m_lens->lens()};
 }
 
 /// As large as the view stays so when that has another size.
 QVariantMap PictureDialog::settings() const
 {
-    QVariantMap kept{{"transparent", m_form->isTransparent()}, {"grid", m_grid->isChecked()}};
+    QVariantMap kept = m_lens->settings();
+    kept.insert({{"transparent", m_form->isTransparent()}, {"grid", m_grid->isChecked()}});
     if (!m_form->isLikeView())
         kept.insert({{"width", m_form->pictureSize().width()}, {"pixels", m_form->pictureSize().height()}});
     return kept;

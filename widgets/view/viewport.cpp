@@ -277,11 +277,10 @@ void Viewport::frameBox(const Box& box)
     moveCamera(to);
 }
 
-NodeId Viewport::nodeAt(QPointF position) const
+std::optional<PickHit> Viewport::hitAt(QPointF position) const
 {
     const auto& scene = d->picker.latest();
-    const auto hit = scene ? scene->pick(d->view(), {position.x(), position.y()}) : std::nullopt;
-    return hit ? hit->node : noNode;
+    return scene ? scene->pick(d->view(), {position.x(), position.y()}) : std::nullopt;
 }
 
 std::optional<glm::dvec3> Viewport::groundAt(QPointF position) const

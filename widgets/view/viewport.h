@@ -13,6 +13,7 @@
 #include "core/base/index.h"
 #include "core/scene/scene.h"
 #include "widgets/view/render/camera.h"
+#include "widgets/view/render/pick/pick_scene.h"
 #include "widgets/view/render/renderer_options.h"
 #include "widgets/view/tools/gizmo_settings.h"
 #include "widgets/view/view_settings.h"
@@ -30,7 +31,6 @@ class HintSource;
 class OutlineKey;
 class Player;
 class ViewMarks;
-struct PickHit;
 struct Change;
 struct DefectPlace;
 
@@ -68,6 +68,8 @@ struct ViewPicture
     QSize size{};             ///< pixels; empty: the view's size
     bool transparent = false; ///< no background behind the scene
     std::optional<bool> grid; ///< with its axes; nothing: as the view has it
+    int samples = 1;          ///< pictures that become one, each a part of a pixel beside the other
+    Lens lens{};              ///< closed: everything is sharp
 };
 
 struct RenderScene;
@@ -124,8 +126,8 @@ public:
     /// Returns the point on the ground under \p position; nothing if it is far away, or sky.
     [[nodiscard]] std::optional<glm::dvec3> groundAt(QPointF position) const;
 
-    /// Returns the node under \p position; noNode if there is none, or if it is not yet known.
-    [[nodiscard]] NodeId nodeAt(QPointF position) const;
+    /// Returns what is under \p position; nothing if there is nothing, or if it is not yet known.
+    [[nodiscard]] std::optional<PickHit> hitAt(QPointF position) const;
 
     /// The arm that is on its way to a target while nothing plays.
     [[nodiscard]] ArmReach* armReach() const;

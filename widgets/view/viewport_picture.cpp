@@ -95,6 +95,8 @@ ViewShot Viewport::shot(const ViewPicture& wish)
     options.outline = false;
     options.world = !wish.transparent;
     options.grid = wish.grid.value_or(options.grid);
+    options.pictures = wish.samples;
+    options.lens = wish.lens;
     d->updateShown();
     shot.scene = std::make_shared<const RenderScene>(d->shownScene()); // of shared blocks: quickly copied
     shot.camera = d->camera();

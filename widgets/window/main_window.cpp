@@ -337,7 +337,7 @@ MainWindow::DropPlace MainWindow::dropPlace(QPointF at) const
     const QPointF inView = view ? QPointF(view->mapFrom(this, at.toPoint())) : QPointF();
     if (!view || !view->isVisible() || !view->rect().contains(inView.toPoint()))
         return {};
-    const NodeId node = view->nodeAt(inView);
+    const NodeId node = view->hitAt(inView).value_or(PickHit()).node;
     return m_edits->canBecome(node) ? DropPlace{node, {}} : DropPlace{noNode, view->groundAt(inView)};
 }
 

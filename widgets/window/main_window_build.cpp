@@ -200,7 +200,7 @@ void MainWindow::buildActions()
         m_arm->meshRow()->setWaiting(m_imports->isRunning());
     });
     connect(m_imports, &ImportActions::imported, m_arm->meshRow(), &ArmMeshRow::takeImported);
-    m_pictures = new PictureActions(m_host, m_preferences, m_chooser, m_actions, this);
+    m_pictures = new PictureActions(m_document, m_host, m_preferences, m_chooser, m_actions, this);
     m_billboards = new BillboardActions(m_document, m_host, m_preferences, m_chooser, m_actions, this);
     new ProgramActions(m_actions, m_preferences, m_host->settings(), this);
     m_help = new HelpActions(m_actions, m_document, m_preferences, this);
