@@ -1215,6 +1215,14 @@
         <source>A person beside the first tree, to see how large it is</source>
         <translation>Une personne à côté du premier arbre, pour voir sa taille</translation>
     </message>
+    <message>
+        <source>S&amp;ky picture…</source>
+        <translation>Image du &amp;ciel…</translation>
+    </message>
+    <message>
+        <source>An own picture all around (HDR or EXR) as background, sun and light</source>
+        <translation>Une image à vous tout autour (HDR ou EXR) comme fond, soleil et lumière</translation>
+    </message>
 </context>
 <context>
     <name>ArmOverlay</name>
@@ -8958,6 +8966,50 @@
         <source>How long branches stand that died in the shade. 0: they fall at once. 1: twigs stay three years, a limb of 10 cm thirteen, and break off from their ends.</source>
         <translation>Combien de temps restent les branches mortes à l’ombre. 0 : elles tombent aussitôt. 1 : les rameaux restent trois ans, une branche de 10 cm treize, et elles se brisent par le bout.</translation>
     </message>
+    <message>
+        <source>the picture is damaged: %1</source>
+        <translation>l’image est abîmée : %1</translation>
+    </message>
+    <message>
+        <source>this picture cannot be opened</source>
+        <translation>cette image ne s’ouvre pas</translation>
+    </message>
+    <message>
+        <source>this is neither a Radiance HDR nor an OpenEXR picture</source>
+        <translation>ce n’est une image ni Radiance HDR ni OpenEXR</translation>
+    </message>
+    <message>
+        <source>row %1, column %2 is not a number</source>
+        <translation>ligne %1, colonne %2 : ce n’est pas un nombre</translation>
+    </message>
+    <message>
+        <source>the picture is damaged: it ends in row %1</source>
+        <translation>l’image est abîmée : elle s’arrête à la ligne %1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: &quot;-Y height +X width&quot; expected</source>
+        <translation>« %1 » : « -Y hauteur +X largeur » attendu</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: &quot;FORMAT=32-bit_rle_rgbe&quot; expected</source>
+        <translation>« %1 » : « FORMAT=32-bit_rle_rgbe » attendu</translation>
+    </message>
+    <message>
+        <source>the picture is damaged: its header has no end</source>
+        <translation>l’image est abîmée : son en-tête ne finit pas</translation>
+    </message>
+    <message>
+        <source>%1 x %2 pixels: a picture all around is twice as wide as high</source>
+        <translation>%1 x %2 pixels : une image tout autour est deux fois plus large que haute</translation>
+    </message>
+    <message>
+        <source>%1 pixels wide: a picture all around has %2 to %3</source>
+        <translation>%1 pixels de large : une image tout autour en a de %2 à %3</translation>
+    </message>
+    <message>
+        <source>the picture is black</source>
+        <translation>l’image est noire</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>
@@ -12225,10 +12277,6 @@ restantes</translation>
         <translation>Ciel naturel</translation>
     </message>
     <message>
-        <source>Background of the trees: sky and meadow, the physical sky and light of a clear day for the sun&apos;s height, or one colour that takes shadows</source>
-        <translation>Arrière-plan des arbres : ciel et pré, le ciel et la lumière physiques d’un jour clair selon la hauteur du soleil, ou une seule couleur qui reçoit les ombres</translation>
-    </message>
-    <message>
         <source>Dust and water in the air of the natural sky: 2 is very clear, 8 hazy</source>
         <translation>Poussière et eau dans l’air du ciel naturel : 2 est très clair, 8 brumeux</translation>
     </message>
@@ -12279,6 +12327,38 @@ restantes</translation>
     <message>
         <source>&amp;Put the sun there</source>
         <translation>&amp;Placer le soleil ainsi</translation>
+    </message>
+    <message>
+        <source>&amp;Choose…</source>
+        <translation>&amp;Choisir…</translation>
+    </message>
+    <message>
+        <source>Sky picture</source>
+        <translation>Image du ciel</translation>
+    </message>
+    <message>
+        <source>Background of the trees: sky and meadow, the physical sky and light of a clear day for the sun&apos;s height, one colour that takes shadows, or an own picture all around that gives the light and the sun</source>
+        <translation>Fond des arbres : ciel et prairie, le ciel et la lumière physiques d’un jour clair selon la hauteur du soleil, une couleur unie qui reçoit les ombres, ou une image à vous tout autour, qui donne la lumière et le soleil</translation>
+    </message>
+    <message>
+        <source>A linear picture all around (HDR or EXR), twice as wide as high, whose brightest spot is the sun</source>
+        <translation>Une image linéaire tout autour (HDR ou EXR), deux fois plus large que haute, dont la tache la plus claire est le soleil</translation>
+    </message>
+    <message>
+        <source>Pict&amp;ure</source>
+        <translation>&amp;Image</translation>
+    </message>
+    <message>
+        <source>&amp;Turned by</source>
+        <translation>&amp;Tournée de</translation>
+    </message>
+    <message>
+        <source>Turns the picture and its sun around the vertical, in degrees clockwise seen from above</source>
+        <translation>Tourne l’image et son soleil autour de la verticale, en degrés dans le sens des aiguilles d’une montre vu d’en haut</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucune</translation>
     </message>
 </context>
 <context>
@@ -12482,6 +12562,10 @@ restantes</translation>
     <message>
         <source>Recipe</source>
         <translation>Recette</translation>
+    </message>
+    <message>
+        <source>Reading a sky picture</source>
+        <translation>Lecture d’une image du ciel</translation>
     </message>
 </context>
 <context>
@@ -14611,6 +14695,29 @@ restantes</translation>
     <message>
         <source>These keys cannot be changed.</source>
         <translation>Ces touches ne peuvent pas être changées.</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::SkyPictureActions</name>
+    <message>
+        <source>Sky picture</source>
+        <translation>Image du ciel</translation>
+    </message>
+    <message>
+        <source>Pictures of light (*.hdr *.exr);;All files (*)</source>
+        <translation>Images de lumière (*.hdr *.exr);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>The sky stays as it was</source>
+        <translation>Le ciel reste comme il était</translation>
+    </message>
+    <message>
+        <source>The picture has no sun: the light is soft and casts no shadow</source>
+        <translation>L’image n’a pas de soleil : la lumière est douce et ne fait pas d’ombre</translation>
+    </message>
+    <message>
+        <source>The picture&apos;s sun stands at %1°, %2° high</source>
+        <translation>Le soleil de l’image est à %1°, à %2° de hauteur</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,7 @@
 #include "app/cli/picture_options.h"
 
+#include "core/qt/base/system_path.h"
+#include "widgets/view/render/light/picture_sky.h"
 #include "widgets/view/render/light/sky.h"
 #include "widgets/view/render/light/sun_position.h"
 #include <QDateTime>
@@ -128,6 +130,52 @@ Expected<SceneLight> lightOf(const CommandLine& line)
     return light;
 }
 
+/// A picture brings its sun and its air.
+Expected<void> takePicture(const CommandLine& line, SceneLight& light)
+{
+    for (const char* other : {"background", "sun", "sun-at", "haze", "sky-picture"})
+        if (line.has(other))
+            return fail(ErrorCode::Invalid, "--background-picture goes without --%1", {other});
+    auto read = readPictureSky(systemPath(line.value("background-picture")));
+    RAMURE_TRY(read);
+    light.picture = std::move(*read);
+    light.backdrop = Backdrop::Picture;
+    return takeNumber(line, "background-turn", -360.0, 360.0, light.turnDeg);
+}
+
+Expected<void> takeBackground(const CommandLine& line, RenderOptions& options)
+{
+    if (line.has("background-picture"))
+        return takePicture(line, options.light);
+    if (line.has("background-turn"))
+        return fail(ErrorCode::Invalid, "--background-turn needs --background-picture");
+    const std::string background = line.value("background").toStdString();
+    const auto* known = std::ranges::find(backgrounds, background, &Background::name);
+    if (known == std::end(backgrounds))
+        return fail(ErrorCode::Unknown, "--background \"%1\": landscape, sky, light, dark or none expected",
+                    {background});
+    options.world = known->backdrop.has_value();
+    options.light.backdrop = known->backdrop.value_or(Backdrop::Landscape);
+    return {};
+}
+
+void addSkyOptions(CommandLine& line)
+{
+    line.add({QStringLiteral("sky-picture")},
+             QStringLiteral("Also writes the sky of --background sky, all around and without the sun, as a "
+                            "picture for other renderers."),
+             QStringLiteral("FILE.hdr"));
+    line.add({QStringLiteral("sky-sun")}, QStringLiteral("The sun is in the picture of --sky-picture too."));
+    line.add({QStringLiteral("background-picture")},
+             QStringLiteral("An own sky, instead of --background: a linear picture all around, twice as wide "
+                            "as high. It gives the light, and its brightest spot the sun with its shadows."),
+             QStringLiteral("FILE.hdr|FILE.exr"));
+    line.add({QStringLiteral("background-turn")},
+             QStringLiteral("Turns --background-picture around the vertical: degrees clockwise seen from "
+                            "above, -360 to 360. Without it the middle of the picture is in the east (X)."),
+             QStringLiteral("DEGREES"));
+}
+
 } // namespace
 
 void addPictureOptions(CommandLine& line)
@@ -166,10 +214,7 @@ void addPictureOptions(CommandLine& line)
         QStringLiteral(
             "Antialiasing samples of each pixel, 1 to 256: finer edges, and as many times slower."),
         QStringLiteral("N"), QStringLiteral("1"));
-    line.add({QStringLiteral("sky-picture")},
-             QStringLiteral("Also writes the sky of --background sky, all around and without the sun, as a "
-                            "picture for other renderers."),
-             QStringLiteral("FILE.hdr"));
+    addSkyOptions(line);
     line.add({QStringLiteral("figure")},
              QStringLiteral("A person of 1.8 m stands beside the first tree, to show how large it is."));
     line.addDefault(
@@ -206,13 +251,10 @@ Expected<PictureOptions> pictureOptionsOf(const CommandLine& line)
         return fail(ErrorCode::Unknown, "--quality \"%1\": draft, good or best expected",
                     {quality.toStdString()});
     out.options.quality = row->mode;
-    const std::string background = line.value("background").toStdString();
-    const auto* known = std::ranges::find(backgrounds, background, &Background::name);
-    if (known == std::end(backgrounds))
-        return fail(ErrorCode::Unknown, "--background \"%1\": landscape, sky, light, dark or none expected",
-                    {background});
-    out.options.world = known->backdrop.has_value();
-    out.options.light.backdrop = known->backdrop.value_or(Backdrop::Landscape);
+    RAMURE_TRY(takeBackground(line, out.options));
+    out.skyHasSun = line.has("sky-sun");
+    if (out.skyHasSun && !line.has("sky-picture"))
+        return fail(ErrorCode::Invalid, "--sky-sun needs --sky-picture");
     out.skyFile = line.value("sky-picture");
     if (!out.skyFile.isEmpty() && QFileInfo(out.skyFile).suffix().toLower() != QLatin1String("hdr"))
         return fail(ErrorCode::Unknown, "%1: unknown file ending: the sky is written as .hdr",

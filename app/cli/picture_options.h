@@ -16,6 +16,7 @@ struct PictureOptions
     double fStop = 0.0;           ///< 0: everything is sharp
     double focus = 0.0;           ///< m; 0: the camera's target
     QString skyFile;              ///< file for the sky; empty: none
+    bool skyHasSun = false;
 };
 
 void addPictureOptions(CommandLine& line);

@@ -1,12 +1,14 @@
 #include "core/io/exr_file.h"
 
 #include "core/base/file_writer.h"
+#include "core/io/light_picture.h"
 
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfIO.h>
 #include <ImfOutputFile.h>
+#include <ImfRgbaFile.h>
 
 namespace ramure {
 namespace {
@@ -62,6 +64,31 @@ Expected<void> writeExr(const std::string& path, int width, int height, std::spa
         return failed;
     }
     return writeFile(path, out.bytes());
+}
+
+Expected<void> readExrRows(const std::string& path, const LightRows& rows)
+{
+    constexpr int largestSide = 65536, ownThreadAlone = 0;
+    try {
+        Imf::Header::setMaxImageSize(largestSide, largestSide);
+        Imf::RgbaInputFile file(path.c_str(), ownThreadAlone);
+        const auto window = file.dataWindow();
+        const int width = window.max.x - window.min.x + 1, height = window.max.y - window.min.y + 1;
+        RAMURE_TRY(rows.begin(width, height));
+        std::vector<Imf::Rgba> row(static_cast<std::size_t>(width));
+        std::vector<glm::vec3> light(row.size());
+        for (int y = 0; y < height; ++y) {
+            // The library takes the place of the window's first pixel.
+            file.setFrameBuffer(row.data() - window.min.x, 1, 0);
+            file.readPixels(window.min.y + y);
+            for (std::size_t x = 0; x < row.size(); ++x)
+                light[x] = {row[x].r, row[x].g, row[x].b};
+            RAMURE_TRY(rows.add(y, light));
+        }
+    } catch (const std::exception& error) { // of the library
+        return fail(ErrorCode::Syntax, RAMURE_NOOP("the picture is damaged: %1"), {error.what()});
+    }
+    return {};
 }
 
 } // namespace ramure

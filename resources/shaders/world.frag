@@ -37,6 +37,19 @@ const vec3 skyBlue = vec3(0.5294, 0.8078, 0.9216);    // #87CEEB
 const vec3 groundGreen = vec3(0.3373, 0.4902, 0.2745); // #567D46
 const vec3 haze = vec3(0.7961, 0.9098, 0.9529);
 
+#ifdef PICTURE
+uniform sampler2D uPicture; // all around, from the zenith down; the east in the middle
+uniform float uPictureTurn, uPictureScale;
+
+vec3 clearSky(vec3 direction)
+{
+    const float turn = 6.2831853;
+    float across = atan(-direction.z, -direction.x) / turn - uPictureTurn;
+    float lowest = uGroundShown ? 0.003 : -1.0; // the ground melts into the picture's horizon
+    float down = 0.5 - asin(clamp(direction.y, lowest, 1.0)) / (0.5 * turn);
+    return uPictureScale * textureLod(uPicture, vec2(across, down), 0.0).rgb;
+}
+#else
 vec3 clearSky(vec3 direction)
 {
     float along = dot(direction, uSun);
@@ -47,6 +60,7 @@ vec3 clearSky(vec3 direction)
     vec3 colour = vec3(0.906, 1.013, 1.215) * max(cie * mat3(3.2406, -1.5372, -0.4986, -0.9689, 1.8758, 0.0415, 0.0557, -0.2040, 1.0570), vec3(0.0));
     return colour + 8.0 * uSunLight * smoothstep(0.99994, 0.99999, along); // 0.27 degrees to the sun's rim
 }
+#endif
 
 vec3 sky(vec3 direction)
 {

@@ -292,6 +292,14 @@ private slots:
         QVERIFY(refused("--f-stop", "0", "from 0.1 to 64"));
         QVERIFY(refused("--focus", "3", "needs --f-stop"));
         QVERIFY(refused("--sky-picture", "sky.png", ".hdr"));
+        QVERIFY(refused("--background-turn", "10", "needs --background-picture"));
+        QVERIFY(refused("--background-picture", "missing.hdr", "missing.hdr"));
+        QVERIFY(isRefused(runCli({"render", "preset:TinyTree", "-o", path("no.png"), "--sky-sun"}), "needs"));
+        for (const QStringList& other : {QStringList{"--sun", "90,10"}, QStringList{"--background", "sky"}})
+            QVERIFY(isRefused(runCli(QStringList{"render", "preset:TinyTree", "-o", path("no.png"),
+                                                 "--background-picture", "missing.hdr"} +
+                                     other),
+                              "goes without"));
         QVERIFY(isRefused(runCli({"render", "preset:TinyTree", "-o", path("no.png"), "--turntable", "4",
                                   "--camera", "0,1,5,0,1,0"}),
                           "neither"));
@@ -320,6 +328,20 @@ private slots:
         QVERIFY(drawn({"--exposure", "1"}) != drawn({}));
         QVERIFY(drawn({"--f-stop", "0.5", "--focus", "1", "--sky-picture", path("sky.hdr")}) != drawn({}));
         QVERIFY(test::bytesOf(path("sky.hdr")).startsWith("#?RADIANCE"));
+        // The sky as a picture of its own is nearly that sky: what stands in the ground's colour is the same.
+        const QImage natural =
+            drawn({"--background", "sky", "--sun", "250,20", "--sky-picture", path("sky.hdr"), "--sky-sun"});
+        const QImage own = drawn({"--background-picture", path("sky.hdr")});
+        const QImage turned = drawn({"--background-picture", path("sky.hdr"), "--background-turn", "180"});
+        const auto apart = [](const QImage& a, const QImage& b) {
+            double sum = 0.0;
+            for (int y = a.height() / 2; y < a.height(); ++y)
+                for (int x = 0; x < a.width(); ++x)
+                    sum += std::abs(qGray(a.pixel(x, y)) - qGray(b.pixel(x, y)));
+            return 2.0 * sum / (a.width() * a.height());
+        };
+        QVERIFY2(apart(natural, own) < 4.0, qPrintable(QString::number(apart(natural, own))));
+        QVERIFY(apart(natural, turned) > 2.0 * apart(natural, own));
         // From straight above, the trunk stands in the middle; from behind, everything is out of sight.
         const QImage above = drawn({"--background", "none", "--camera", "0,20,0,0,0,0,20"});
         QVERIFY(above.pixelColor(80, 60).alpha() > 0);

@@ -2,6 +2,7 @@
 
 #include "widgets/actions/bookmark_actions.h"
 #include "widgets/actions/camera_actions.h"
+#include "widgets/actions/sky_picture_actions.h"
 #include "widgets/base/action_set.h"
 #include "widgets/base/theme/language.h"
 #include "widgets/base/theme/preferences.h"
@@ -16,17 +17,19 @@
 
 namespace ramure {
 
-ViewActions::ViewActions(Document* document, ViewportHost* host, Preferences* preferences, ActionSet* set,
-                         QObject* parent)
+ViewActions::ViewActions(Document* document, ViewportHost* host, Preferences* preferences, Chooser* chooser,
+                         ActionSet* set, QObject* parent)
     : QObject(parent)
     , m_host(host)
     , m_preferences(preferences)
     , m_set(set)
     , m_bookmarks(new BookmarkActions(document, host, set, this))
     , m_cameras(new CameraActions(document, host, set, this))
+    , m_skyPictures(new SkyPictureActions(host, preferences, chooser, set, this))
 {
     connect(m_bookmarks, &BookmarkActions::messageRaised, this, &ViewActions::messageRaised);
     connect(m_cameras, &CameraActions::messageRaised, this, &ViewActions::messageRaised);
+    connect(m_skyPictures, &SkyPictureActions::messageRaised, this, &ViewActions::messageRaised);
     addFraming();
     addAxes();
     addMoves();
@@ -217,6 +220,7 @@ void ViewActions::showLight()
     if (!dialog) {
         dialog = new LightDialog(m_host->settings(), window);
         dialog->setAttribute(Qt::WA_DeleteOnClose);
+        connect(dialog, &LightDialog::pictureWanted, m_skyPictures, &SkyPictureActions::choose);
     }
     dialog->show();
     dialog->raise();
@@ -307,7 +311,7 @@ void ViewActions::fillMenu(QMenu* menu, const QList<QAction*>& panels)
     gameWind->addActions(m_gameWinds->actions());
     gameWind->addSeparator();
     gameWind->addActions(m_gameWindStrengths->actions());
-    m_set->fill(menu, {"view.light", nullptr});
+    m_set->fill(menu, {"view.light", "view.skyPicture", nullptr});
     QMenu* panelMenu = menu->addMenu(tr("Pa&nels"));
     panelMenu->addActions(panels);
     m_set->fill(panelMenu, {nullptr, "view.resetLayout"});

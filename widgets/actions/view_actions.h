@@ -14,8 +14,10 @@ namespace ramure {
 class ActionSet;
 class BookmarkActions;
 class CameraActions;
+class Chooser;
 class Document;
 class Preferences;
+class SkyPictureActions;
 class ViewportHost;
 
 class ViewActions : public QObject
@@ -23,14 +25,16 @@ class ViewActions : public QObject
     Q_OBJECT
 public:
     /// Nothing is owned; all must outlive the actions.
-    ViewActions(Document* document, ViewportHost* host, Preferences* preferences, ActionSet* set,
-                QObject* parent);
+    ViewActions(Document* document, ViewportHost* host, Preferences* preferences, Chooser* chooser,
+                ActionSet* set, QObject* parent);
 
     /// \param panels actions that show and hide the docks.
     void fillMenu(QMenu* menu, const QList<QAction*>& panels);
     [[nodiscard]] QList<QAction*> modeActions() const;
     /// Leaves, apples, grid, ground, orthographic.
     [[nodiscard]] QList<QAction*> switchActions() const { return m_switches; }
+
+    [[nodiscard]] SkyPictureActions* skyPictures() const { return m_skyPictures; }
 
 signals:
     /// Reports the result of an action, or why it did nothing.
@@ -53,6 +57,7 @@ private:
     ActionSet* m_set;
     BookmarkActions* m_bookmarks;
     CameraActions* m_cameras;
+    SkyPictureActions* m_skyPictures;
     QList<QAction*> m_axes;
     QList<QAction*> m_moves;
     QActionGroup* m_modes = nullptr;

@@ -1,12 +1,14 @@
 #include "widgets/view/light_dialog.h"
 
 #include "widgets/base/named.h"
+#include "widgets/view/render/light/picture_sky.h"
 #include "widgets/view/render/light/sky.h"
 #include "widgets/view/view_settings.h"
 #include <QComboBox>
 #include <QDateTimeEdit>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
+#include <QFileInfo>
 #include <QFormLayout>
 #include <QGroupBox>
 #include <QHBoxLayout>
@@ -83,6 +85,10 @@ LightDialog::LightDialog(ViewSettings* settings, QWidget* parent)
     : QDialog(parent)
     , m_settings(settings)
     , m_backdrop(named(new QComboBox(this), "backdrop"))
+    , m_picture(named(new QLabel(this), "skyPicture"))
+    , m_choosePicture(named(new QPushButton(tr("&Choose…"), this), "chooseSkyPicture"))
+    , m_turnSlider(new QSlider(Qt::Horizontal, this))
+    , m_turn(named(new QSpinBox(this), "pictureTurn"))
     , m_directionSlider(new QSlider(Qt::Horizontal, this))
     , m_direction(named(new QSpinBox(this), "sunDirection"))
     , m_heightSlider(new QSlider(Qt::Horizontal, this))
@@ -98,20 +104,24 @@ LightDialog::LightDialog(ViewSettings* settings, QWidget* parent)
     , m_momentText(named(new QLabel(this), "momentText"))
 {
     setObjectName(QStringLiteral("lightDialog"));
-    m_backdrop->addItems({tr("Landscape"), tr("Natural sky"), tr("Light studio"), tr("Dark studio")});
+    m_backdrop->addItems(
+        {tr("Landscape"), tr("Natural sky"), tr("Light studio"), tr("Dark studio"), tr("Sky picture")});
     m_backdrop->setToolTip(tr("Background of the trees: sky and meadow, the physical sky and light of a "
-                              "clear day for the sun's height, or one colour that takes shadows"));
-    m_direction->setRange(0, 359);
-    m_direction->setWrapping(true);
+                              "clear day for the sun's height, one colour that takes shadows, or an own "
+                              "picture all around that gives the light and the sun"));
+    for (QSpinBox* box : {m_direction, m_turn}) {
+        box->setRange(0, 359);
+        box->setWrapping(true);
+        box->setSuffix(tr("°"));
+    }
     m_height->setRange(int(SceneLight::leastHeightDeg), 90);
-    m_direction->setSuffix(tr("°"));
     m_height->setSuffix(tr("°"));
     m_exposure->setSuffix(tr(" stops"));
     build();
     tellMoment();
     take();
     connect(m_backdrop, &QComboBox::currentIndexChanged, this, &LightDialog::apply);
-    for (QSpinBox* box : {m_direction, m_height})
+    for (QSpinBox* box : {m_direction, m_height, m_turn})
         connect(box, &QSpinBox::valueChanged, this, &LightDialog::apply);
     for (QDoubleSpinBox* box : {m_haze, m_exposure})
         connect(box, &QDoubleSpinBox::valueChanged, this, &LightDialog::apply);
@@ -129,6 +139,7 @@ void LightDialog::build()
     auto* form = spaced(new QFormLayout);
     layout->addLayout(form);
     addRow(form, tr("&Backdrop"), m_backdrop);
+    buildPicture(form);
     setUp(m_direction, m_directionSlider, 15);
     setUp(m_height, m_heightSlider, 5);
     setUp(m_haze, m_hazeSlider, Sky::leastTurbidity, Sky::mostTurbidity);
@@ -144,6 +155,22 @@ void LightDialog::build()
     buildMoment();
     layout->addWidget(m_moment);
     buildButtons();
+}
+
+void LightDialog::buildPicture(QFormLayout* form)
+{
+    m_choosePicture->setAutoDefault(false);
+    m_choosePicture->setToolTip(tr("A linear picture all around (HDR or EXR), twice as wide as high, whose "
+                                   "brightest spot is the sun"));
+    auto* row = new QHBoxLayout;
+    row->setSpacing(10);
+    row->addWidget(m_picture, 1);
+    row->addWidget(m_choosePicture);
+    addRow(form, tr("Pict&ure"), m_choosePicture, row);
+    setUp(m_turn, m_turnSlider, 15);
+    addRow(form, tr("&Turned by"), m_turnSlider, m_turn,
+           tr("Turns the picture and its sun around the vertical, in degrees clockwise seen from above"));
+    connect(m_choosePicture, &QPushButton::clicked, this, &LightDialog::pictureWanted);
 }
 
 void LightDialog::buildMoment()
@@ -192,8 +219,20 @@ void LightDialog::take()
     m_direction->setValue(int(std::lround(light.azimuthDeg)) % 360);
     m_height->setValue(int(std::lround(light.heightDeg)));
     m_haze->setValue(light.turbidity);
+    m_turn->setValue(int(std::lround(light.turnDeg)));
+    const QString file = light.picture ? QString::fromStdString(light.picture->file) : QString();
+    m_picture->setText(file.isEmpty() ? tr("none")
+                                      : fontMetrics().elidedText(QFileInfo(file).fileName(), Qt::ElideMiddle,
+                                                                 m_turnSlider->minimumWidth()));
+    m_picture->setToolTip(file);
     m_exposure->setValue(light.exposure);
     m_taking = false;
+    const bool isPicture = light.backdrop == Backdrop::Picture;
+    for (QWidget* field :
+         std::initializer_list<QWidget*>{m_direction, m_directionSlider, m_height, m_heightSlider, m_moment})
+        field->setEnabled(!isPicture);
+    m_turn->setEnabled(isPicture);
+    m_turnSlider->setEnabled(isPicture);
     m_haze->setEnabled(light.backdrop == Backdrop::Sky);
     m_hazeSlider->setEnabled(light.backdrop == Backdrop::Sky);
     m_usual->setEnabled(light != SceneLight());
@@ -201,10 +240,21 @@ void LightDialog::take()
 
 void LightDialog::apply()
 {
-    if (!m_taking)
-        m_settings->light.set({double(m_direction->value()), double(m_height->value()),
-                               static_cast<Backdrop>(m_backdrop->currentIndex()), m_haze->value(),
-                               m_exposure->value()});
+    if (m_taking)
+        return;
+    SceneLight light = m_settings->light();
+    const auto backdrop = static_cast<Backdrop>(m_backdrop->currentIndex());
+    if (backdrop == Backdrop::Picture && !light.picture) {
+        take(); // until there is one
+        return emit pictureWanted();
+    }
+    light.azimuthDeg = m_direction->value();
+    light.heightDeg = m_height->value();
+    light.backdrop = backdrop;
+    light.turbidity = m_haze->value();
+    light.exposure = m_exposure->value();
+    light.turnDeg = m_turn->value();
+    m_settings->light.set(light);
 }
 
 SunPosition LightDialog::momentsSun() const

@@ -26,8 +26,12 @@ public:
     /// \p settings are not owned and must outlive the dialog.
     explicit LightDialog(ViewSettings* settings, QWidget* parent = nullptr);
 
+signals:
+    void pictureWanted(); ///< another sky picture is to be chosen
+
 private:
     void build();
+    void buildPicture(QFormLayout* form);
     void buildMoment();
     void buildButtons();
     void take();
@@ -39,6 +43,10 @@ private:
 
     ViewSettings* m_settings;
     QComboBox* m_backdrop;
+    QLabel* m_picture;
+    QPushButton* m_choosePicture;
+    QSlider* m_turnSlider;
+    QSpinBox* m_turn;
     QSlider* m_directionSlider;
     QSpinBox* m_direction;
     QSlider* m_heightSlider;

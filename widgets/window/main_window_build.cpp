@@ -11,6 +11,7 @@
 #include "widgets/actions/picture_actions.h"
 #include "widgets/actions/program_actions.h"
 #include "widgets/actions/recipe_actions.h"
+#include "widgets/actions/sky_picture_actions.h"
 #include "widgets/actions/transform_actions.h"
 #include "widgets/actions/view_actions.h"
 #include "widgets/base/action_set.h"
@@ -176,7 +177,7 @@ void MainWindow::buildActions()
     if (const Viewport* view = m_host->viewport())
         m_edits->setEye([view] { return view->camera(); });
     m_selects = new SelectActions(m_document, m_isolation, m_actions, this);
-    m_views = new ViewActions(m_document, m_host, m_preferences, m_actions, this);
+    m_views = new ViewActions(m_document, m_host, m_preferences, m_chooser, m_actions, this);
     connect(m_views, &ViewActions::messageRaised, this,
             [this](const QString& text) { statusBar()->showMessage(text, messageMs); });
     m_transforms = new TransformActions(m_host, m_preferences, m_actions, this);
@@ -384,6 +385,7 @@ void MainWindow::buildStatusBar()
     addJob(m_arm->bakeJob(), "armProgress")->setText(tr("Baking the arm to keys"));
     addJob(m_arm->meshRow()->job(), "wearProgress")->setText(tr("Putting the mesh on the arm"));
     addJob(m_pictures->job(), "pictureProgress")->setText(tr("Drawing a picture"));
+    addJob(m_views->skyPictures()->job(), "skyProgress")->setText(tr("Reading a sky picture"));
     addJob(m_billboards->job(), "billboardProgress")->setText(tr("Drawing a billboard"));
     m_exports = std::make_unique<Exports>(this);
     m_status->follow(m_player);

@@ -222,7 +222,8 @@ Expected<int> runRender(const CommandLine& line)
     const auto moments = momentsOf(line, *input);
     RAMURE_TRY(moments);
     if (const auto& sky = request->picture.skyFile; !sky.isEmpty()) {
-        RAMURE_TRY(saveSkyPicture(request->picture.options.light, skyWidth, systemPath(sky)));
+        RAMURE_TRY(saveSkyPicture(request->picture.options.light, skyWidth, systemPath(sky),
+                                  request->picture.skyHasSun));
     }
     const Work work("render");
     RAMURE_TRY(drawAll(*input, line, *request, *moments, work.progress()));

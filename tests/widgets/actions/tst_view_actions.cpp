@@ -57,9 +57,10 @@ private slots:
         QStringList listed;
         for (const ListedAction& each : listedActions(*window.actionSet(), menus))
             listed += each.action->objectName();
-        for (const char* id : {"view.mesh", "view.solid", "view.good", "view.leaves", "view.apples",
-                               "view.grid", "view.ground", "view.figure", "view.outline", "view.crowns",
-                               "view.orthographic", "view.path", "view.ghosts", "view.light"})
+        for (const char* id :
+             {"view.mesh", "view.solid", "view.good", "view.leaves", "view.apples", "view.grid",
+              "view.ground", "view.figure", "view.outline", "view.crowns", "view.orthographic", "view.path",
+              "view.ghosts", "view.light", "view.skyPicture"})
             QVERIFY2(listed.contains(QLatin1String(id)), id);
     }
 };

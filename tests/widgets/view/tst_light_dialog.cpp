@@ -1,5 +1,6 @@
 #include "tests/support/suite.h"
 #include "widgets/view/light_dialog.h"
+#include "widgets/view/render/light/picture_sky.h"
 #include "widgets/view/view_settings.h"
 #include <QComboBox>
 #include <QDateTimeEdit>
@@ -63,6 +64,36 @@ private slots:
         m_settings.light.set({10.0, 20.0, Backdrop::Sky});
         QVERIFY(haze->isEnabled());
     }
+    void aSkyPictureBringsItsSun()
+    {
+        LightDialog dialog(&m_settings);
+        QSignalSpy wanted(&dialog, &LightDialog::pictureWanted);
+        auto* backdrop = dialog.findChild<QComboBox*>("backdrop");
+        auto* turn = dialog.findChild<QSpinBox*>("pictureTurn");
+        auto* direction = dialog.findChild<QSpinBox*>("sunDirection");
+        backdrop->setCurrentIndex(int(Backdrop::Picture)); // there is none yet
+        QCOMPARE(wanted.size(), 1);
+        QCOMPARE(backdrop->currentIndex(), int(Backdrop::Landscape));
+        QCOMPARE(m_settings.light(), SceneLight());
+        dialog.findChild<QPushButton*>("chooseSkyPicture")->click();
+        QCOMPARE(wanted.size(), 2);
+        QVERIFY(!turn->isEnabled() && direction->isEnabled());
+        auto sky = std::make_shared<PictureSky>();
+        sky->file = "/skies/evening.hdr";
+        SceneLight light;
+        light.backdrop = Backdrop::Picture;
+        light.picture = sky;
+        m_settings.light.set(light);
+        QCOMPARE(dialog.findChild<QLabel*>("skyPicture")->text(), "evening.hdr");
+        QVERIFY(turn->isEnabled() && !direction->isEnabled());
+        turn->setValue(45);
+        QCOMPARE(m_settings.light().turnDeg, 45.0);
+        QCOMPARE(m_settings.light().picture.get(), sky.get());
+        backdrop->setCurrentIndex(int(Backdrop::Sky));
+        backdrop->setCurrentIndex(int(Backdrop::Picture)); // it is still there
+        QCOMPARE(m_settings.light().backdrop, Backdrop::Picture);
+        QCOMPARE(wanted.size(), 2);
+    }
     void theSunOfADayAndAPlace()
     {
         LightDialog dialog(&m_settings);
@@ -86,7 +117,7 @@ private slots:
         QVERIFY(!usual->isEnabled());
         m_settings.light.set({12.4, 30.0, Backdrop::LightStudio});
         QCOMPARE(dialog.findChild<QSpinBox*>("sunDirection")->value(), 12);
-        QCOMPARE(dialog.findChildren<QSlider*>()[1]->value(), 30);
+        QCOMPARE(dialog.findChildren<QSlider*>()[2]->value(), 30);
         QCOMPARE(m_settings.light().azimuthDeg, 12.4); // being shown changes nothing
         usual->click();
         QCOMPARE(m_settings.light(), SceneLight());

@@ -4,30 +4,37 @@
 
 #include "widgets/view/render/display_mode.h"
 #include "widgets/view/render/lens.h"
+#include "widgets/view/render/light/sky.h"
 #include <cmath>
 #include <cstdint>
 #include <glm/trigonometric.hpp>
 #include <glm/vec3.hpp>
+#include <memory>
 
 namespace ramure {
+
+struct PictureSky;
 
 /// The background of the scene.
 enum class Backdrop : std::uint8_t {
     Landscape,   ///< sky and meadow
     LightStudio, ///< one colour that takes shadows
     DarkStudio,
-    Sky, ///< a clear day as it is: light, colours and haze by where the sun stands (sky.h)
+    Sky,     ///< a clear day as it is: light, colours and haze by where the sun stands (sky.h)
+    Picture, ///< an artist's own, with its sun and its light (picture_sky.h)
 };
 
 struct SceneLight
 {
-    static constexpr double leastHeightDeg = 2.0; ///< lower, shadows have no end
+    static constexpr double leastHeightDeg = leastSunHeightDeg;
 
     double azimuthDeg = 136.0; ///< the sun's direction, clockwise from the north (-Z): 90 is the east (+X)
     double heightDeg = 46.0;   ///< the sun's height over the horizon, leastHeightDeg .. 90
     Backdrop backdrop = Backdrop::Landscape;
     double turbidity = 3.0; ///< haze of Backdrop::Sky, Sky::leastTurbidity .. mostTurbidity
     double exposure = 0.0;  ///< f-stops, -mostStops .. mostStops
+    std::shared_ptr<const PictureSky> picture{}; ///< of Backdrop::Picture; null: that is Backdrop::Sky
+    double turnDeg = 0.0;                        ///< of the picture, clockwise seen from above
     static constexpr double mostStops = 5.0;
 
     /// Unit, towards the sun.

@@ -28,9 +28,10 @@ inline constexpr const char* one = "#define ONE_SHADOW\n";    ///< no map of the
 inline constexpr const char* meadow = "#define MEADOW\n";     ///< the plain sky and ground
 inline constexpr const char* level = "#define LEVEL\n"; ///< a ground in perspective: its depth is linear
 inline constexpr const char* depthOnly = "#define DEPTH_ONLY\n"; ///< draws the depth of the ground alone
+inline constexpr const char* picture = "#define PICTURE\n";      ///< the sky is an artist's picture
 inline constexpr const char* surfaces =
     "#define SURFACES\n"; ///< draws properties of surfaces instead of their lit look
-inline constexpr std::array all{still, unmarked, one, meadow, level, depthOnly, surfaces};
+inline constexpr std::array all{still, unmarked, one, meadow, level, depthOnly, picture, surfaces};
 } // namespace switches
 
 /// Names of files in resources/shaders; several vertex or fragment parts are joined in their order.

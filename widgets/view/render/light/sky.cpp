@@ -101,7 +101,7 @@ Sky clearSky(const glm::dvec3& sun, double t)
     return sky;
 }
 
-Ambient ambientOf(const Sky& sky, const glm::dvec3& ground)
+Ambient ambientOf(const std::function<glm::dvec3(const glm::dvec3&)>& radiance)
 {
     constexpr int rings = 32, spokes = 48;
     std::array<glm::dvec3, 9> sums{};
@@ -110,7 +110,7 @@ Ambient ambientOf(const Sky& sky, const glm::dvec3& ground)
         for (int spoke = 0; spoke < spokes; ++spoke) {
             const double turn = 2.0 * pi * (spoke + 0.5) / spokes;
             const glm::dvec3 direction(out * std::cos(turn), y, out * std::sin(turn));
-            const glm::dvec3 light = y > 0.0 ? sky.radiance(direction) : ground;
+            const glm::dvec3 light = radiance(direction);
             const Basis basis = basisAt(direction);
             for (std::size_t i = 0; i < basis.size(); ++i)
                 sums[i] += basis[i] * light;
@@ -120,6 +120,11 @@ Ambient ambientOf(const Sky& sky, const glm::dvec3& ground)
     for (std::size_t i = 0; i < ambient.size(); ++i)
         ambient[i] = glm::vec3(weights[i] * 4.0 * pi / (rings * spokes) * sums[i]);
     return ambient;
+}
+
+Ambient ambientOf(const Sky& sky, const glm::dvec3& ground)
+{
+    return ambientOf([&](const glm::dvec3& way) { return way.y > 0.0 ? sky.radiance(way) : ground; });
 }
 
 Ambient ambientOf(const glm::vec3& above, const glm::vec3& below)

@@ -5,9 +5,12 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <glm/vec3.hpp>
 
 namespace ramure {
+
+inline constexpr double leastSunHeightDeg = 2.0; ///< lower, shadows have no end
 
 /// Light from all around by the way a surface faces, nine numbers a colour (Ramamoorthi and Hanrahan, "An
 /// Efficient Representation for Irradiance Environment Maps", SIGGRAPH 2001), times these of its normal:
@@ -31,7 +34,9 @@ struct Sky
 /// \param sun unit, above the horizon \param turbidity leastTurbidity .. mostTurbidity
 Sky clearSky(const glm::dvec3& sun, double turbidity);
 
-/// Irradiance over pi of the sky and of a ground of one radiance.
+/// Irradiance over pi of light from all around. \param radiance by the direction it comes from, a unit vector
+Ambient ambientOf(const std::function<glm::dvec3(const glm::dvec3&)>& radiance);
+/// The same of the sky and of a ground of one radiance.
 Ambient ambientOf(const Sky& sky, const glm::dvec3& ground);
 /// Returns light that changes from below to above and nowhere else.
 Ambient ambientOf(const glm::vec3& above, const glm::vec3& below);

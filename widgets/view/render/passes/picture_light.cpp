@@ -23,6 +23,7 @@ glm::vec3 studioColour(Backdrop backdrop)
     switch (backdrop) {
     case Backdrop::Landscape:
     case Backdrop::Sky:
+    case Backdrop::Picture:
         break;
     case Backdrop::LightStudio:
         return {0.93f, 0.93f, 0.92f};
@@ -32,22 +33,71 @@ glm::vec3 studioColour(Backdrop backdrop)
     return glm::vec3(-1.0f);
 }
 
-/// As a photographer exposes: for what faces the light, so that a low sun does not burn out all that stands;
-/// and not for all of it, so that an evening stays darker than a noon.
+constexpr glm::vec3 up(0.0f, 1.0f, 0.0f);
+constexpr double middle = 1.2; ///< how bright a picture shows what faces the light
+
+/// What a photographer exposes for: what faces the light, so that a low sun does not burn out all that
+/// stands. \param above on a level surface, without the sun's
+double facingLight(const glm::dvec3& above, const glm::dvec3& sunlight, const glm::dvec3& sun)
+{
+    constexpr double lowestLevel = 0.45;
+    return glm::dot(brightness, above + sunlight * std::max(sun.y, lowestLevel));
+}
+
+/// And not for all of it: an evening stays darker than a noon. \param facing klx
+double dimness(double facing)
+{
+    constexpr double noon = 100.0, kept = 0.2; // noon: klx
+    return std::pow(std::max(1.0, noon / facing), kept);
+}
+
+glm::dvec3 levelLight(const Ambient& ambient)
+{
+    return pi * glm::dvec3(ambientAt(ambient, up));
+}
+
 void takeSky(PictureLight& out, double turbidity)
 {
-    constexpr double lowestLevel = 0.45, middle = 1.2, noon = 100.0, kept = 0.2; // noon: klx
-    constexpr glm::vec3 up(0.0f, 1.0f, 0.0f);
     Sky sky = clearSky(out.sun, turbidity);
-    const glm::dvec3 above = pi * glm::dvec3(ambientAt(ambientOf(sky, glm::dvec3(0.0)), up));
-    const double facing = glm::dot(brightness, above + sky.sunlight * std::max(out.sun.y, lowestLevel));
-    const double level = facing / middle * std::pow(std::max(1.0, noon / facing), kept);
+    const glm::dvec3 above = levelLight(ambientOf(sky, glm::dvec3(0.0)));
+    const double facing = facingLight(above, sky.sunlight, out.sun);
+    const double level = facing / middle * dimness(facing);
     const Ambient ambient = ambientOf(sky, meadow * (above + sky.sunlight * out.sun.y) / pi);
     for (std::size_t i = 0; i < ambient.size(); ++i)
         out.ambient[i] = ambient[i] * float(pi / level);
     out.sunlight = glm::vec3(sky.sunlight / level);
     sky.scale.x *= pi / level;
     out.sky = sky;
+}
+
+glm::dvec3 turned(const glm::dvec3& v, double turn)
+{
+    const double c = std::cos(turn), s = std::sin(turn);
+    return {c * v.x - s * v.z, v.y, s * v.x + c * v.z};
+}
+
+/// A picture's numbers have any unit: it is exposed for itself, and with a low sun as dim as a clear day with
+/// such a one.
+void takePicture(PictureLight& out, const SceneLight& light)
+{
+    constexpr double turbidity = 3.0;
+    const PictureSky& picture = *light.picture;
+    const double turn = light.turnDeg * oneDegree;
+    const bool hasSun = picture.sunlight != glm::dvec3(0.0);
+    const Ambient ambient =
+        ambientOf([&](const glm::dvec3& way) { return picture.restAt(turned(way, -turn)); });
+    out.sun = turned(picture.sun, turn);
+    double level = facingLight(levelLight(ambient), picture.sunlight, out.sun) / middle;
+    if (hasSun) {
+        const Sky day = clearSky(out.sun, turbidity);
+        level *= dimness(facingLight(levelLight(ambientOf(day, glm::dvec3(0.0))), day.sunlight, out.sun));
+    }
+    for (std::size_t i = 0; i < ambient.size(); ++i)
+        out.ambient[i] = ambient[i] * float(pi / level);
+    out.sunlight = glm::vec3(picture.sunlight / level);
+    out.around = light.picture;
+    out.aroundTurn = float(light.turnDeg / 360.0);
+    out.aroundScale = float(pi / level);
 }
 
 } // namespace
@@ -68,12 +118,15 @@ void PictureLight::set(ShaderProgram& program) const
     program.set("uSunLight", sunlight);
     for (std::size_t i = 0; i < ambient.size(); ++i)
         program.set(ambientNames[i], ambient[i]);
-    program.set("uSunSpread", sky ? 0.0093f : 0.035f); // as wide as it is seen; elsewhere as of a hazy day
-    program.set("uStanding", sky ? 1.0f : 1.2f);
-    program.set("uAround", sky ? 1.0f : 0.0f);
+    program.set("uSunSpread",
+                isNatural() ? 0.0093f : 0.035f); // as wide as it is seen; elsewhere as of a hazy day
+    program.set("uStanding", isNatural() ? 1.0f : 1.2f);
+    program.set("uAround", isNatural() ? 1.0f : 0.0f);
     program.set("uGain", gain);
     program.set("uStudio", studio);
-    program.set("uSky", sky.has_value());
+    program.set("uSky", isNatural());
+    program.set("uPictureTurn", aroundTurn);
+    program.set("uPictureScale", aroundScale);
     const Sky shown = sky.value_or(Sky{});
     program.set("uPerezA", glm::vec3(shown.a));
     program.set("uPerezB", glm::vec3(shown.b));
@@ -89,7 +142,11 @@ PictureLight lightOf(const SceneLight& light)
     out.sun = light.sun();
     out.studio = studioColour(light.backdrop);
     out.gain = float(std::exp2(light.exposure));
-    if (light.backdrop == Backdrop::Sky) {
+    if (light.backdrop == Backdrop::Picture && light.picture) {
+        takePicture(out, light);
+        return out;
+    }
+    if (light.backdrop == Backdrop::Sky || light.backdrop == Backdrop::Picture) {
         takeSky(out, light.turbidity);
         return out;
     }

@@ -20,6 +20,7 @@ constexpr GLenum statesUnit = 2;
 constexpr GLenum nearUnit = 8; // those between are the cache's
 constexpr GLenum nearDepthUnit = 9;
 constexpr GLenum occlusionUnit = 10;
+constexpr GLenum skyUnit = 12;
 
 constexpr float exposure = 0.8f; ///< with which a film shows a surface in the middle as it is
 
@@ -50,6 +51,7 @@ Renderer::Renderer(Gl& gl)
     , m_lensSum(gl, GL_RGBA32F)
     , m_outline(gl)
     , m_occlusion(gl)
+    , m_sky(gl)
 {
 }
 
@@ -98,8 +100,8 @@ void Renderer::draw(const RenderScene& scene, const Camera& camera, QSize size, 
 static std::optional<RenderScene> withoutGround(const RenderScene& scene, const RenderOptions& options)
 {
     const Backdrop backdrop = options.light.backdrop;
-    const bool hasGround =
-        options.world && options.ground && (backdrop == Backdrop::Landscape || backdrop == Backdrop::Sky);
+    const bool hasGround = options.world && options.ground && backdrop != Backdrop::LightStudio &&
+                           backdrop != Backdrop::DarkStudio;
     if (hasGround || std::ranges::none_of(scene.meshes, &MeshItem::isGround))
         return std::nullopt;
     RenderScene bare = scene;
@@ -215,6 +217,7 @@ void Renderer::drawInto(GLuint framebuffer, const Picture& picture, QSize size)
         return;
     m_nearShadow.bind(nearUnit, nearDepthUnit); // first: what is new is made in the first unit
     m_shadowMap.bind(shadowUnit, shadowDepthUnit);
+    m_sky.bind(skyUnit, picture.light.around);
     m_gl.glActiveTexture(GL_TEXTURE0 + occlusionUnit);
     m_gl.glBindTexture(GL_TEXTURE_2D, picture.occluded ? m_occlusion.texture() : 0);
     m_gl.glActiveTexture(GL_TEXTURE0);
@@ -297,7 +300,7 @@ void Renderer::occlude(Picture& picture, QSize size)
 void Renderer::castShadows(Picture& picture)
 {
     const RenderOptions& options = picture.options;
-    if (!options.shadows || options.shading == ShadingMode::Wire)
+    if (!options.shadows || options.shading == ShadingMode::Wire || picture.light.sunlight == glm::vec3(0.0f))
         return;
     const bool finest = options.quality == Quality::Best && !options.hurried;
     const auto fit = m_shadowMap.update(
@@ -530,7 +533,7 @@ void Renderer::resetState()
     m_gl.glDisable(GL_DEPTH_TEST);
     m_gl.glDisable(GL_BLEND);
     for (const GLenum unit : {shadowUnit, shadowDepthUnit, nearUnit, nearDepthUnit, occlusionUnit, statesUnit,
-                              GpuCache::bonesUnit, GpuCache::coloursUnit, GpuCache::barkUnit,
+                              skyUnit, GpuCache::bonesUnit, GpuCache::coloursUnit, GpuCache::barkUnit,
                               GpuCache::barkNormalsUnit, GpuCache::elementsUnit}) {
         m_gl.glActiveTexture(GL_TEXTURE0 + unit);
         m_gl.glBindTexture(GL_TEXTURE_2D, 0);

@@ -10,6 +10,7 @@
 #include "widgets/view/render/passes/picture_light.h"
 #include "widgets/view/render/passes/renderer_programs.h"
 #include "widgets/view/render/passes/shadow_map.h"
+#include "widgets/view/render/passes/sky_texture.h"
 #include "widgets/view/render/passes/smoothing.h"
 #include "widgets/view/render/picture_parts.h"
 #include "widgets/view/render/renderer_options.h"
@@ -119,6 +120,7 @@ private:
     int m_lensPictures = 0;          ///< in their sum
     Outline m_outline;
     Occlusion m_occlusion;
+    SkyTexture m_sky;
     RendererPrograms m_programs;
     std::optional<std::pair<SceneLight, PictureLight>> m_light; ///< the lights of the last picture
     GLuint m_emptyArray = 0;

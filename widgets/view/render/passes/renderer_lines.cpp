@@ -52,11 +52,12 @@ void Renderer::drawWorld(const Picture& picture, bool depthOnly)
     const double perDistance = camera.orthographic ? 1.0 : 1.0 / camera.distance;
     const double reach = std::max(box.empty() ? 1.0 : box.radius(), 0.05);
     const double height = std::abs(camera.eye().y - picture.scene.ground);
-    const bool meadow = picture.light.studio.r < 0.0f && !picture.light.sky;
+    const bool meadow = picture.light.studio.r < 0.0f && !picture.light.isNatural();
     ShaderProgram& world = m_programs.world->with(meadow, switches::meadow)
                                .with(picture.isLevel(), switches::level)
                                .with(!picture.near, switches::one)
-                               .with(depthOnly, switches::depthOnly);
+                               .with(depthOnly, switches::depthOnly)
+                               .with(picture.light.around != nullptr, switches::picture);
     world.bind();
     setLight(world, picture);
     const glm::dvec3 across = half * picture.aspect * perDistance * camera.right();

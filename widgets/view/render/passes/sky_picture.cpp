@@ -32,21 +32,30 @@ std::string numbers(const glm::dvec3& v)
 
 } // namespace
 
-Expected<void> saveSkyPicture(const SceneLight& light, int width, const std::string& path)
+Expected<void> saveSkyPicture(const SceneLight& light, int width, const std::string& path, bool hasSun)
 {
     SceneLight clear = light;
     clear.backdrop = Backdrop::Sky;
     const PictureLight lit = lightOf(clear);
     const int height = width / 2;
+    const auto wayOf = [&](int x, int y) {
+        return directionInPicture({(x + 0.5) / width, (y + 0.5) / height});
+    };
+    const double side = fullTurn / width; // of a pixel, rad
+    const double rim = std::cos(std::max(0.27 * oneDegree, 0.75 * side));
+    double sun = 0.0; // sr
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            if (hasSun && glm::dot(wayOf(x, y), lit.sun) > rim)
+                sun += side * side * std::sin((y + 0.5) * side);
     std::string out = "#?RADIANCE\n# sun " + numbers(lit.sun) + "\n# sunlight " +
                       numbers(glm::dvec3(lit.sunlight)) + "\nFORMAT=32-bit_rle_rgbe\n\n-Y " +
                       numberText(height) + " +X " + numberText(width) + "\n";
     for (int y = 0; y < height; ++y) {
-        const double up = pi * (0.5 - (y + 0.5) / height);
         for (int x = 0; x < width; ++x) {
-            const double turn = 2.0 * pi * (x + 0.5) / width;
-            addRgbe(out, lit.radiance(
-                             {-std::cos(up) * std::cos(turn), std::sin(up), -std::cos(up) * std::sin(turn)}));
+            const glm::dvec3 way = wayOf(x, y);
+            const bool isSun = hasSun && glm::dot(way, lit.sun) > rim;
+            addRgbe(out, lit.radiance(way) + (isSun ? pi / sun : 0.0) * glm::dvec3(lit.sunlight));
         }
     }
     return writeFile(path, out);
