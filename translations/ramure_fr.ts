@@ -1223,6 +1223,14 @@
         <source>An own picture all around (HDR or EXR) as background, sun and light</source>
         <translation>Une image à vous tout autour (HDR ou EXR) comme fond, soleil et lumière</translation>
     </message>
+    <message>
+        <source>Tape m&amp;easure</source>
+        <translation>&amp;Mètre ruban</translation>
+    </message>
+    <message>
+        <source>Click or drag from one place to another: how far they are from each other, in metres. Over a branch: its diameter</source>
+        <translation>Cliquez ou glissez d’un endroit à un autre : leur distance en mètres. Sur une branche : son diamètre</translation>
+    </message>
 </context>
 <context>
     <name>ArmOverlay</name>
@@ -12566,6 +12574,33 @@ restantes</translation>
     <message>
         <source>Reading a sky picture</source>
         <translation>Lecture d’une image du ciel</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::MeasureTool</name>
+    <message>
+        <source>Click: the tape begins here · drag: from here to there · Esc: lay it down</source>
+        <translation>Clic : le ruban commence ici · glisser : d’ici à là · Échap : le poser</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>%1 · height %2 · across %3</source>
+        <translation>%1 · hauteur %2 · à plat %3</translation>
+    </message>
+    <message>
+        <source>%1 · release: the tape stays · Esc: no tape</source>
+        <translation>%1 · relâcher : le ruban reste · Échap : pas de ruban</translation>
+    </message>
+    <message>
+        <source>Click: the tape ends here</source>
+        <translation>Clic : le ruban finit ici</translation>
+    </message>
+    <message>
+        <source>diameter %1 cm</source>
+        <translation>diamètre %1 cm</translation>
     </message>
 </context>
 <context>

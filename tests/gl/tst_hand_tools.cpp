@@ -153,7 +153,7 @@ private slots:
     }
     void allToolsAreSeen()
     {
-        QCOMPARE(bar()->buttons().size(), 4 + qsizetype(handTools().size()));
+        QCOMPARE(bar()->buttons().size(), 5 + qsizetype(handTools().size()));
         for (const QToolButton* button : bar()->buttons()) {
             const QString name = button->defaultAction()->objectName();
             QVERIFY2(button->isVisible(), qPrintable(name));

@@ -12,6 +12,7 @@
 #include "widgets/view/render/passes/offscreen_renderer.h"
 #include "widgets/view/render/passes/picture_file.h"
 #include "widgets/view/screenshot.h"
+#include "widgets/view/tools/gizmo_settings.h"
 #include "widgets/view/tools/hand_settings.h"
 #include "widgets/view/view_click.h"
 #include "widgets/view/viewport_host.h"
@@ -32,9 +33,14 @@ PictureActions::PictureActions(Document* document, ViewportHost* host, Preferenc
 {
     Viewport* view = host->viewport();
     const auto exists = [view] { return view != nullptr; };
-    const auto clear = [view, hand = host->settings()->hand()] {
+    const auto clear = [view, hand = host->settings()->hand(), own = host->settings()->gizmo()] {
         // The first Escape lays a tool down.
-        hand->tool() == HandTool::None ? view->clearSelection() : hand->setTool(HandTool::None);
+        if (hand->tool() != HandTool::None)
+            hand->setTool(HandTool::None);
+        else if (own->tool() == TransformTool::Measure)
+            own->tool.set(TransformTool::Select);
+        else
+            view->clearSelection();
     };
     set->add(
         this,

@@ -61,19 +61,23 @@ void TransformActions::addTools(const std::function<bool()>& exists)
         return [this, tool] { return m_hand->tool() == HandTool::None && m_settings->tool() == tool; };
     };
     using enum TransformTool;
-    m_own =
-        m_set->add(this, {{"tool.select", Actions::tr("&Select tool"), "tool-select", Qt::Key_Q,
-                           Actions::tr("Select nodes and branches; no handles"), choose(Select), exists,
-                           isChosen(Select)},
-                          {"tool.move", Actions::tr("M&ove tool"), "tool-move", Qt::Key_W,
-                           Actions::tr("Handles that move the selected nodes. Ctrl: in steps, Shift: finely"),
-                           choose(Move), exists, isChosen(Move)},
-                          {"tool.rotate", Actions::tr("Ro&tate tool"), "tool-rotate", Qt::Key_E,
-                           Actions::tr("Rings that turn the selected nodes. Ctrl: in steps, Shift: finely"),
-                           choose(Rotate), exists, isChosen(Rotate)},
-                          {"tool.scale", Actions::tr("Sc&ale tool"), "tool-scale", Qt::Key_T,
-                           Actions::tr("Boxes that scale the selected nodes. Ctrl: in steps, Shift: finely"),
-                           choose(Scale), exists, isChosen(Scale)}});
+    m_own = m_set->add(
+        this,
+        {{"tool.select", Actions::tr("&Select tool"), "tool-select", Qt::Key_Q,
+          Actions::tr("Select nodes and branches; no handles"), choose(Select), exists, isChosen(Select)},
+         {"tool.move", Actions::tr("M&ove tool"), "tool-move", Qt::Key_W,
+          Actions::tr("Handles that move the selected nodes. Ctrl: in steps, Shift: finely"), choose(Move),
+          exists, isChosen(Move)},
+         {"tool.rotate", Actions::tr("Ro&tate tool"), "tool-rotate", Qt::Key_E,
+          Actions::tr("Rings that turn the selected nodes. Ctrl: in steps, Shift: finely"), choose(Rotate),
+          exists, isChosen(Rotate)},
+         {"tool.scale", Actions::tr("Sc&ale tool"), "tool-scale", Qt::Key_T,
+          Actions::tr("Boxes that scale the selected nodes. Ctrl: in steps, Shift: finely"), choose(Scale),
+          exists, isChosen(Scale)},
+         {"tool.measure", Actions::tr("Tape m&easure"), "tool-measure", Qt::SHIFT | Qt::Key_Q,
+          Actions::tr("Click or drag from one place to another: how far they are from each "
+                      "other, in metres. Over a branch: its diameter"),
+          choose(Measure), exists, isChosen(Measure)}});
     for (QAction* action : m_own)
         m_tools->addAction(action);
     auto* spaces = new QActionGroup(this);

@@ -10,7 +10,14 @@
 
 namespace ramure {
 
-enum class TransformTool : quint8 { Select, Move, Rotate, Scale };
+/// The tools of the view that shape no tree. Measure is the tape measure.
+enum class TransformTool : quint8 { Select, Move, Rotate, Scale, Measure };
+
+/// It has handles.
+constexpr bool transforms(TransformTool tool)
+{
+    return tool != TransformTool::Select && tool != TransformTool::Measure;
+}
 
 /// The steps that dragged values snap to.
 struct SnapSteps

@@ -11,6 +11,7 @@ using ToolMaker = std::unique_ptr<Tool> (*)(ToolContext& context);
 
 std::unique_ptr<Tool> makeCubeTool(ToolContext& context);
 std::unique_ptr<Tool> makeNavigationTool(ToolContext& context);
+std::unique_ptr<Tool> makeMeasureTool(ToolContext& context);
 std::unique_ptr<Tool> makeRestTool(ToolContext& context);
 std::unique_ptr<Tool> makeCutTool(ToolContext& context);
 std::unique_ptr<Tool> makeSawTool(ToolContext& context);
@@ -42,6 +43,7 @@ std::unique_ptr<Tool> makeMenuTool(ToolContext& context);
 inline constexpr ToolMaker toolTable[] = {
     makeCubeTool,
     makeNavigationTool,
+    makeMeasureTool,
     makeRestTool,
     makeCutTool,
     makeSawTool,

@@ -56,7 +56,7 @@ std::unique_ptr<GizmoDrag> GizmoDrag::begin(Document& document, const GizmoSetti
                                             double seconds, bool keys, const PickView& view,
                                             const glm::dvec2& pixel)
 {
-    if (tool == TransformTool::Select)
+    if (!transforms(tool))
         return nullptr;
     auto starts = transformStarts(document.scene(), document.selection().nodes, seconds, keys);
     if (starts.empty())
@@ -160,6 +160,7 @@ void GizmoDrag::measure(bool snap)
     case TransformTool::Scale:
         return measureScale(snap);
     case TransformTool::Select:
+    case TransformTool::Measure:
         break;
     }
 }

@@ -137,7 +137,7 @@ std::optional<GizmoHandle> gizmoHandleAt(const PickView& view, const glm::dvec2&
 {
     const QPointF at(pixel.x, pixel.y);
     const auto centre = gizmoPixel(view, place.pivot);
-    if (tool == TransformTool::Select || !centre)
+    if (!transforms(tool) || !centre)
         return std::nullopt;
     if (tool == TransformTool::Rotate)
         return ringAt(view, at, place);

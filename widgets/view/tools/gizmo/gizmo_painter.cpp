@@ -78,7 +78,7 @@ void paintGizmo(QPainter& painter, const PickView& view, const GizmoPlace& place
                 const std::optional<GizmoHandle>& hovered)
 {
     const auto centre = gizmoPixel(view, place.pivot);
-    if (tool == TransformTool::Select || !centre)
+    if (!transforms(tool) || !centre)
         return;
     painter.setRenderHint(QPainter::Antialiasing);
     if (tool != TransformTool::Rotate) {

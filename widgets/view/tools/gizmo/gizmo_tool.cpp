@@ -31,6 +31,7 @@ QString toolText(TransformTool tool, const QString& target)
     case TransformTool::Scale:
         return GizmoTool::tr("Scale %1").arg(target);
     case TransformTool::Select:
+    case TransformTool::Measure:
     case TransformTool::Move:
         break;
     }
@@ -104,7 +105,7 @@ std::optional<GizmoPlace> GizmoTool::place()
 {
     if (m_drag)
         return m_drag->place();
-    if (m_context.gizmo.tool() == TransformTool::Select || m_context.isPlaying())
+    if (!transforms(m_context.gizmo.tool()) || m_context.isPlaying())
         return std::nullopt;
     const double seconds = m_context.seconds();
     if (std::exchange(m_stale, false) || seconds != m_restSeconds) {
