@@ -25,11 +25,10 @@ QByteArray source(const std::vector<const char*>& names, const char* defines)
 
 /// Where a program's pictures are from the start: two kinds of samplers must not share a unit, not even in a
 /// program that is bound and draws nothing.
-constexpr std::pair<const char*, int> units[] = {{"uShadowMap", 0},   {"uShadowDepth", 1}, {"uStates", 2},
-                                                 {"uBones", 3},       {"uColours", 4},     {"uBark", 5},
-                                                 {"uBarkNormals", 6}, {"uCrown", 7},       {"uNearMap", 8},
-                                                 {"uNearDepth", 9},   {"uOcclusion", 10},  {"uElements", 11},
-                                                 {"uPicture", 12}};
+constexpr std::pair<const char*, int> units[] = {
+    {"uShadowMap", 0},  {"uShadowDepth", 1}, {"uStates", 2},  {"uBones", 3},   {"uColours", 4},
+    {"uBark", 5},       {"uBarkNormals", 6}, {"uCrown", 7},   {"uNearMap", 8}, {"uNearDepth", 9},
+    {"uOcclusion", 10}, {"uElements", 11},   {"uPicture", 12}};
 
 } // namespace
 
