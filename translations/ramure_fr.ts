@@ -2634,6 +2634,19 @@
         <source>years</source>
         <translation>années</translation>
     </message>
+    <message>
+        <source>days of the year: 1 is the first of January</source>
+        <translation>jours de l’année : 1 est le premier janvier</translation>
+    </message>
+    <message>
+        <source>d MMMM</source>
+        <comment>a day of the year</comment>
+        <translation>d MMMM</translation>
+    </message>
+    <message>
+        <source>no day: see Season</source>
+        <translation>aucun jour : voir Saison</translation>
+    </message>
 </context>
 <context>
     <name>ParamPage</name>
@@ -7547,10 +7560,6 @@
         <translation>impossible de créer un dossier temporaire : %1</translation>
     </message>
     <message>
-        <source>0 is summer. Then leaves take the colour of their plant&apos;s autumn, the upper ones first, and fall, until at 100 % the twigs are bare. Evergreens stay as they are.</source>
-        <translation>0 est l’été. Puis les feuilles prennent la couleur d’automne de leur plante, celles du haut d’abord, et tombent, jusqu’à ce qu’à 100 % les rameaux soient nus. Les arbres à feuilles persistantes restent tels quels.</translation>
-    </message>
-    <message>
         <source>node</source>
         <translation>nœud</translation>
     </message>
@@ -9017,6 +9026,58 @@
     <message>
         <source>the picture is black</source>
         <translation>l’image est noire</translation>
+    </message>
+    <message>
+        <source>Day of the year</source>
+        <translation>Jour de l’année</translation>
+    </message>
+    <message>
+        <source>Buds swell and burst, leaves unfold, turn and fall on the days on which those of the plant do in its climate; flowers and fruit have theirs. Colours come from pigments. 0: no day, and Season counts.</source>
+        <translation>Les bourgeons gonflent et éclatent, les feuilles se déplient, virent et tombent aux jours où celles de la plante le font sous son climat ; fleurs et fruits ont les leurs. Les couleurs viennent de pigments. 0 : aucun jour, et la saison compte.</translation>
+    </message>
+    <message>
+        <source>Climate</source>
+        <translation>Climat</translation>
+    </message>
+    <message>
+        <source>Whose winter and summer the day of the year goes by. Oceanic: as in Rennes; continental: as in Cracow; boreal: as in Jyväskylä, with a late spring and an early autumn.</source>
+        <translation>Celui dont l’hiver et l’été règlent le jour de l’année. Océanique : comme à Rennes ; continental : comme à Cracovie ; boréal : comme à Jyväskylä, avec un printemps tardif et un automne précoce.</translation>
+    </message>
+    <message>
+        <source>Purple leaves</source>
+        <translation>Feuilles pourpres</translation>
+    </message>
+    <message>
+        <source>On a day of the year: leaves are dark red all summer, as those of a copper beech.</source>
+        <translation>Un jour de l’année : les feuilles sont rouge sombre tout l’été, comme celles d’un hêtre pourpre.</translation>
+    </message>
+    <message>
+        <source>Where there is no day of the year. 0 is summer. Then leaves take the colour of their plant&apos;s autumn, the upper ones first, and fall, until at 100 % the twigs are bare. Evergreens stay as they are.</source>
+        <translation>Là où il n’y a pas de jour de l’année. 0 est l’été. Puis les feuilles prennent la couleur d’automne de leur plante, celles du haut d’abord, et tombent, jusqu’à ce qu’à 100 % les rameaux soient nus. Les arbres à feuilles persistantes restent tels quels.</translation>
+    </message>
+    <message>
+        <source>Oceanic</source>
+        <translation>Océanique</translation>
+    </message>
+    <message>
+        <source>Continental</source>
+        <translation>Continental</translation>
+    </message>
+    <message>
+        <source>Boreal</source>
+        <translation>Boréal</translation>
+    </message>
+    <message>
+        <source>Four seasons</source>
+        <translation>Quatre saisons</translation>
+    </message>
+    <message>
+        <source>One file for a year: materials for spring, summer, autumn and winter, which engines and web viewers can choose from. Shaders that want any day in between find a number at each leaf that says when it turns.</source>
+        <translation>Un fichier pour une année : des matériaux de printemps, d’été, d’automne et d’hiver, que les moteurs et les pages web peuvent choisir. Les shaders qui veulent un jour entre les deux trouvent à chaque feuille un nombre qui dit quand elle vire.</translation>
+    </message>
+    <message>
+        <source>variants of the seasons are those of a tree at rest, or without a day</source>
+        <translation>les variantes des saisons sont celles d’un arbre au repos, ou sans jour</translation>
     </message>
 </context>
 <context>

@@ -30,6 +30,20 @@ struct ExportNode
     std::vector<ExportBone> bones{}; ///< none: nothing is known of them but where they go
 };
 
+/// What a mesh looks like at another time of the year.
+struct ExportVariant
+{
+    const char* name = "";
+    Index material = 0;
+};
+
+/// How pieces of a mesh go through the year.
+struct ExportSeasons
+{
+    std::vector<ExportVariant> variants{}; ///< empty: it always looks the same
+    std::vector<float> phases{};           ///< per piece when it turns, 0 first .. 1 last; empty: unknown
+};
+
 struct ExportMesh
 {
     std::string name; ///< "branches", "leaves", "apples"; of several trees "branches_1", "branches_2" ...;
@@ -43,7 +57,8 @@ struct ExportMesh
     Index finest = noIndex; ///< number of the mesh in whose place it can be shown; noIndex: it is one
     double coverage = 0.0;  ///< share of the screen down to which this level suffices and is needed
     Index pieces = 0;       ///< leaves or fruit that it holds
-    std::shared_ptr<const WindColumns> wind{}; ///< data for wind in games; null: none
+    std::shared_ptr<const WindColumns> wind{};      ///< data for wind in games; null: none
+    std::shared_ptr<const ExportSeasons> seasons{}; ///< null: nothing is known of them
 };
 
 /// One leaf, fruit or flower.
@@ -66,6 +81,7 @@ struct ExportCopies
     std::shared_ptr<const TriangleMesh> shape;
     Index material = 0;
     std::vector<ExportCopy> copies;
+    std::shared_ptr<const ExportSeasons> seasons{};
 };
 
 /// Textures that a game looks up beside the meshes of one tree.

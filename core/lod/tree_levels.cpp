@@ -7,6 +7,7 @@
 #include "core/surface/foliage/foliage_texture.h"
 #include "core/surface/foliage/place_foliage.h"
 #include "core/surface/mesher/build_branch_mesh.h"
+#include "core/surface/season/foliage_on_day.h"
 #include "core/surface/texture/cut_wood.h"
 #include <algorithm>
 #include <cmath>
@@ -115,8 +116,7 @@ Expected<void> LevelMaker::prepare(const Progress& progress)
         if (m_stood) {
             m_foliage = *m_tree.foliage;
         } else {
-            auto placed =
-                placeFoliage(m_skeleton, m_params.foliage, m_params.leaf, m_params.fruit, m_alpha, progress);
+            auto placed = foliageOf(m_skeleton, m_params, progress);
             RAMURE_TRY(placed);
             m_foliage = std::move(*placed);
         }

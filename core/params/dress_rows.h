@@ -50,10 +50,24 @@ inline constexpr std::array dressRows{
          RAMURE_NOOP("How far a petiole twists to turn the upper side of its leaf to the sky: 0 not at all, 1 as far as it "
                      "goes.")},
         ParamUnit::Ratio, {0, 1, 0, 1, 0.05, 3}, Stage::Foliage, paramNone, treeOnly, isOfPlant),
+    row<&NodeParams::season, &SeasonParams::day>(
+        {"season.day", foliageGroup, RAMURE_NOOP("Day of the year"),
+         RAMURE_NOOP("Buds swell and burst, leaves unfold, turn and fall on the days on which those of the plant do in its climate; flowers and "
+                     "fruit have theirs. Colours come from pigments. 0: no day, and Season counts.")},
+        ParamUnit::Day, {0, 365, 0, 365, 1, 2}, Stage::Season, paramAnimatable, treeOnly, isOfPlant),
+    row<&NodeParams::season, &SeasonParams::climate>(
+        {"season.climate", foliageGroup, RAMURE_NOOP("Climate"),
+         RAMURE_NOOP("Whose winter and summer the day of the year goes by. Oceanic: as in Rennes; continental: as in Cracow; boreal: as "
+                     "in Jyväskylä, with a late spring and an early autumn.")},
+        ParamUnit::None, {}, Stage::Season, paramNone, treeOnly, isOfPlant),
+    row<&NodeParams::season, &SeasonParams::purple>(
+        {"season.purple", foliageGroup, RAMURE_NOOP("Purple leaves"),
+         RAMURE_NOOP("On a day of the year: leaves are dark red all summer, as those of a copper beech.")},
+        ParamUnit::None, {}, Stage::Season, paramNone, treeOnly, isOfPlant),
     row<&NodeParams::leaf, &LeafParams::season>(
         {"foliage.season", foliageGroup, RAMURE_NOOP("Season"),
-         RAMURE_NOOP("0 is summer. Then leaves take the colour of their plant's autumn, the upper ones first, and fall, "
-                     "until at 100 % the twigs are bare. Evergreens stay as they are.")},
+         RAMURE_NOOP("Where there is no day of the year. 0 is summer. Then leaves take the colour of their plant's autumn, the upper ones "
+                     "first, and fall, until at 100 % the twigs are bare. Evergreens stay as they are.")},
         ParamUnit::Share, {0, 1, 0, 1, 0.01, 3}, Stage::Foliage, paramAnimatable, treeOnly, isOfPlant),
     row<&NodeParams::leaf, &LeafParams::stiffness>(
         {"foliage.leafStiffness", foliageGroup, RAMURE_NOOP("Petiole stiffness"),

@@ -17,6 +17,7 @@
 #include "core/params/physics_params.h"
 #include "core/params/picture_params.h"
 #include "core/params/primitive_params.h"
+#include "core/params/season_params.h"
 #include "core/params/skin_params.h"
 #include "core/params/step_params.h"
 #include "core/params/tree_edit.h"
@@ -156,6 +157,7 @@ struct NodeParams
     FoliageParams foliage;
     LeafParams leaf;
     FruitParams fruit;
+    SeasonParams season;
     BarkParams bark;
     TextureParams texture;
     PictureParams barkPictures, leafPictures, fruitPictures; ///< pictures of a tree

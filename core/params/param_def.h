@@ -46,7 +46,8 @@ enum class ParamUnit : std::uint8_t {
     Share,
     Kilogram,
     Factor,
-    Year
+    Year,
+    Day ///< of the year, 1..365; 0: none
 };
 
 enum ParamFlag : std::uint16_t {

@@ -153,6 +153,11 @@ inline constexpr std::array itemsOf<FruitKind>{
 static_assert(itemsOf<FruitKind>.size() == fruitKindCount);
 
 template <>
+inline constexpr std::array itemsOf<SeasonClimate>{EnumItem{"oceanic", RAMURE_NOOP("Oceanic")},
+                                                   EnumItem{"continental", RAMURE_NOOP("Continental")},
+                                                   EnumItem{"boreal", RAMURE_NOOP("Boreal")}};
+
+template <>
 inline constexpr std::array itemsOf<LeafArrangement>{
     EnumItem{"natural", RAMURE_NOOP("As the plant")},   EnumItem{"alternate", RAMURE_NOOP("Alternate")},
     EnumItem{"distichous", RAMURE_NOOP("In two rows")}, EnumItem{"spiral", RAMURE_NOOP("Spiral")},

@@ -13,11 +13,12 @@ enum class Stage : std::uint8_t {
     Simplified, ///< after merging nearly straight runs
     Sections,   ///< cross-sections with their frames
     Mesh,       ///< the continuous branch mesh and its report
-    Foliage,    ///< leaves and apples
+    Foliage,    ///< leaves and apples, where they stand
+    Season,     ///< how these look on a day, and which hang then
     Placement,  ///< the node's place: no geometry changes
     Motion,     ///< how it moves: nothing at rest changes
     Texture,    ///< how its surface is mapped: made when asked for, no geometry changes
 };
-inline constexpr std::size_t stageCount = 9;
+inline constexpr std::size_t stageCount = 10;
 
 } // namespace ramure

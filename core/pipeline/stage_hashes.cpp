@@ -155,6 +155,7 @@ StageHashes::StageHashes(const NodeParams& params)
                               .add(params.ground->grade.y)
                               .value();
     follow(Stage::Foliage, of(Stage::Simplified));
+    follow(Stage::Season, of(Stage::Foliage));
     follow(Stage::Texture, of(Stage::Mesh));
 }
 

@@ -15,6 +15,7 @@
 #include "core/surface/foliage/place_foliage.h"
 #include "core/surface/mesher/build_branch_mesh.h"
 #include "core/surface/mesher/mesh_divisions.h"
+#include "core/surface/season/foliage_on_day.h"
 #include "core/surface/texture/cut_wood.h"
 #include <algorithm>
 #include <chrono>
@@ -131,9 +132,13 @@ std::size_t bytesOf(const MeshedBranches& m)
            bytesOf(mesh.repairs) + bytesOf(m.report->defects) + (m.cuts ? bytesOf(*m.cuts) : 0) +
            m.texture->bytes();
 }
+std::size_t bytesOf(const Foliage& f)
+{
+    return bytesOf(f.leaves) + bytesOf(f.apples);
+}
 std::size_t bytesOf(const MeshedFoliage& f)
 {
-    return bytesOf(f.foliage->leaves) + bytesOf(f.foliage->apples) + bytesOf(*f.leaves) + bytesOf(*f.apples);
+    return bytesOf(*f.foliage) + bytesOf(*f.leaves) + bytesOf(*f.apples);
 }
 
 SimplifiedSkeleton untouched(const Skeleton& skeleton)
@@ -233,19 +238,27 @@ Expected<MeshedBranches> meshBranches(const Skeleton& skeleton, const NodeParams
 }
 
 /// \param branches that plants' leaves and fruit stand on; null: they are faithful, or it is a draft, which
-/// has none. Views draw copies: of a plant's leaves a draft has but cards.
-Expected<MeshedFoliage> meshFoliage(const Skeleton& skeleton, const NodeParams& params,
-                                    const BranchMesh* branches, const Progress& progress)
+/// has none.
+Expected<Foliage> foliageOn(const Skeleton& skeleton, const NodeParams& params, const BranchMesh* branches,
+                            const Progress& progress)
 {
-    const bool isSketch = !branches && params.leaf.shape != LeafShape::Faithful;
-    const FoliageModel model = isSketch ? FoliageModel::Rough : FoliageModel::Fine;
-    auto placed =
-        placeFoliage(skeleton, params.foliage, params.leaf, params.fruit, trunkRadius(params), progress);
-    RAMURE_TRY(placed);
-    if (branches)
+    auto placed = placedFoliage(skeleton, params, progress);
+    if (placed && branches)
         standOnBark(*placed, *branches, skeleton.size(), trunkRadius(params), progress);
-    const auto foliage = std::make_shared<const Foliage>(std::move(*placed));
+    return placed;
+}
+
+/// \param isSketch of a draft. Views draw copies: of a plant's leaves a draft has but cards.
+Expected<MeshedFoliage> meshFoliage(const Skeleton& skeleton, const NodeParams& params,
+                                    const std::shared_ptr<const Foliage>& placed, bool isSketch,
+                                    const Progress& progress)
+{
+    const FoliageModel model = isSketch ? FoliageModel::Rough : FoliageModel::Fine;
     const double alpha = trunkRadius(params);
+    const auto foliage =
+        hasDay(params.season)
+            ? std::make_shared<const Foliage>(foliageOnDay(*placed, skeleton, params.season, alpha))
+            : placed;
     TriangleMesh leaves = buildLeaves(skeleton, *foliage, alpha, model, progress);
     TriangleMesh apples = buildApples(skeleton, *foliage, alpha, FoliageModel::Fine, progress);
     if (progress.cancelled())
@@ -267,11 +280,13 @@ struct TreePipeline::Cache
     StageCache<SimplifiedSkeleton> simplified{bytesOf};
     StageCache<SectionSet> sections{bytesOf};
     StageCache<MeshedBranches> branches{bytesOf};
+    StageCache<Foliage> placed{bytesOf};
     StageCache<MeshedFoliage> foliage{bytesOf};
 
     void forEach(const auto& change)
     {
-        const auto all = std::tie(symbols, skeleton, axes, edited, simplified, sections, branches, foliage);
+        const auto all =
+            std::tie(symbols, skeleton, axes, edited, simplified, sections, branches, placed, foliage);
         std::apply([&](auto&... caches) { (change(caches), ...); }, all);
     }
 };
@@ -465,12 +480,21 @@ private:
         std::uint64_t hash = m_hashes[Stage::Foliage];
         if (bark) // which a draft has not: its foliage keeps a place of its own
             hash = StageHash(hash).add(m_hashes[Stage::Mesh]).value();
-        return cached(m_cache.foliage, hash, m_progress,
+        if (hasDay(m_params.season) && m_params.leaf.season > 0.0) // which does not count then
+            hash = StageHash(hash).add(true).value();
+        const Skeleton& skeleton = m_result.simplified->skeleton;
+        const auto placed = cached(m_cache.placed, hash, m_progress, [&] {
+            return foliageOn(skeleton, m_params, bark, m_progress.part(0.9, 0.95));
+        });
+        RAMURE_TRY(placed);
+        const bool isSketch = !bark && m_params.leaf.shape != LeafShape::Faithful;
+        return cached(m_cache.foliage, StageHash(hash).add(m_hashes[Stage::Season]).value(), m_progress,
                       [&] {
-                          return meshFoliage(m_result.simplified->skeleton, m_params, bark,
-                                             m_progress.part(0.9, 1.0));
+                          return meshFoliage(skeleton, m_params, *placed, isSketch,
+                                             m_progress.part(0.95, 1.0));
                       })
             .map([&](auto made) {
+                m_result.placed = *placed;
                 m_result.foliage = made->foliage;
                 m_result.leaves = made->leaves;
                 m_result.apples = made->apples;

@@ -38,6 +38,8 @@ struct TreeResult
     std::shared_ptr<const TextureStage> texture;
     /// Check of the branch mesh; includes OpenMesh's opinion only if wanted.
     std::shared_ptr<const MeshReport> report;
+    /// Leaves and fruit before their day; where they have none, the same as foliage.
+    std::shared_ptr<const Foliage> placed;
     /// Drafts only, in place of branches and report: open tubes to look at.
     std::shared_ptr<const TriangleMesh> draftTubes;
     std::shared_ptr<const Foliage> foliage;

@@ -3,6 +3,7 @@
 #include "core/params/param_def.h"
 #include "core/scene/object_mesh.h"
 #include "core/surface/bark/bark_maps.h"
+#include "core/surface/foliage/foliage.h"
 #include "core/surface/foliage/leaf_table.h"
 
 namespace ramure {
@@ -45,6 +46,20 @@ Material leavesMaterial(LeafShape shape, bool turn, const PictureParams& picture
             leaves.leaf = shape;
     }
     wear(leaves, pictures);
+    return leaves;
+}
+
+Material leavesMaterial(const Foliage& foliage, const PictureParams& pictures)
+{
+    const LeafForm& form = foliage.form;
+    Material leaves = leavesMaterial(form.shape, form.turns || form.onDay, pictures);
+    if (!form.onDay)
+        return leaves;
+    leaves.colour = glm::u8vec3(255);
+    leaves.through = 1.0f;
+    leaves.pigments = true;
+    leaves.mean = glm::u8vec3(foliage.meanColour + 0.5f);
+    leaves.passed = glm::u8vec3(foliage.meanThrough + 0.5f);
     return leaves;
 }
 

@@ -12,6 +12,7 @@
 
 namespace ramure {
 
+struct Foliage;
 struct Node;
 struct NodeParams;
 
@@ -25,7 +26,12 @@ struct Material
     float through = 0.0f;    ///< share of the light from behind that shines through: of leaves
     float variety = 0.0f;    ///< how far the colour goes from branch to branch
     bool tones = false;      ///< the colours of triangles are its own, a little darker: it stays one material
-    BarkParams bark{};       ///< for bark: its pictures, if it has a family
+    /// Of leaves on a day of the year: the colours of the mesh are whole ones that pigments give, and what
+    /// shines through follows from them (leaf_pigments.h).
+    bool pigments = false;
+    bool hidden = false;                  ///< what wears it is not seen: leaves of a winter
+    glm::u8vec3 mean{255}, passed{255};   ///< sRGB, if so: of all leaves, and what shines through them
+    BarkParams bark{};                    ///< for bark: its pictures, if it has a family
     LeafShape leaf = LeafShape::Faithful; ///< for leaves: their pictures, if a plant's
     PictureParams pictures{};             ///< image files that replace generated pictures
     bool operator==(const Material&) const = default;
@@ -38,6 +44,8 @@ Material barkMaterial(const BarkParams& bark = {}, const PictureParams& pictures
 /// year.
 Material leavesMaterial(LeafShape shape = LeafShape::Faithful, bool turn = false,
                         const PictureParams& pictures = {});
+/// Returns the material of a tree's leaves as they are, on a day of the year or not.
+Material leavesMaterial(const Foliage& foliage, const PictureParams& pictures = {});
 /// Fruit and flowers bring colours of their own.
 Material applesMaterial(FruitKind kind = FruitKind::Faithful, const PictureParams& pictures = {});
 /// Returns the material of wood that a cut lays open. The colours of its mesh are tones.

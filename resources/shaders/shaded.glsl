@@ -2,6 +2,8 @@
 uniform float uShininess;  // 0 = Lambert
 uniform float uGlint;      // strength of the highlight
 uniform float uThrough;    // share of the light that shines through, for leaves
+uniform vec3 uSheen;       // of what they throw back, what never was inside them
+uniform vec3 uPassed;      // what shines through, of the rest
 uniform bool uTwoSided;
 uniform vec4 uBackward;    // orthographic: direction to the eye, w = 1; perspective: w = 0
 uniform float uAround;   // share of the light from all around that leaves let through as they do the sun's
@@ -39,7 +41,7 @@ vec3 shaded(vec3 relative, vec3 albedo, vec3 normal, vec3 plane, float gloss)
     vec3 colour = albedo * light;
     if (uThrough > 0.0) {
         vec3 behind = max(-facing, 0.0) * sun * uSunLight + uAround * open * ambient(-round);
-        vec3 through = uThrough * albedo * vec3(1.5, 1.25, 0.4);
+        vec3 through = uThrough * uPassed * max(albedo - uSheen, 0.0);
         colour += through * behind;
         colour *= 1.0 + passedOn * hidden * (albedo + through);
     }

@@ -1,9 +1,12 @@
 // Sections (per ring vertex), rough model and branch mesh (per triangle), normals (per triangle), foliage
 // (per leaf), bark (per family).
+#include "core/base/parallel.h"
 #include "core/skeleton/sections.h"
 #include "core/surface/bark/bark_maps.h"
 #include "core/surface/foliage/place_foliage.h"
 #include "core/surface/mesher/rough_model.h"
+#include "core/surface/season/crown_place.h"
+#include "core/surface/season/foliage_on_day.h"
 #include "tests/bench/bench_trees.h"
 #include <benchmark/benchmark.h>
 
@@ -64,6 +67,28 @@ void BM_foliage(benchmark::State& state)
     items(state, count);
 }
 BENCHMARK(BM_foliage)->Arg(8)->Arg(12)->Unit(benchmark::kMicrosecond);
+
+/// 100,000 leaves on a day when they turn.
+void BM_foliageOnDay(benchmark::State& state)
+{
+    const Skeleton skeleton = smallTree(state);
+    LeafParams maple;
+    maple.shape = LeafShape::Maple;
+    Foliage placed = bench::need(placeFoliage(skeleton, FoliageParams(), maple, FruitParams(), 0.2));
+    const std::size_t known = placed.leaves.size();
+    constexpr std::size_t count = 100'000;
+    for (std::size_t i = known; i < count; ++i) { // no two with one address
+        placed.leaves.push_back(placed.leaves[i - known]);
+        placed.leaves.back().number += 1000;
+    }
+    placed.leaves.resize(count);
+    placed.phases = std::make_shared<const std::vector<LeafPhase>>(phasesOf(placed, skeleton));
+    const ThreadLimit limit(1);
+    for (auto _ : state)
+        benchmark::DoNotOptimize(foliageOnDay(placed, skeleton, {double(state.range(1))}, 0.2).leaves.data());
+    items(state, count);
+}
+BENCHMARK(BM_foliageOnDay)->Args({12, 298})->Unit(benchmark::kMillisecond);
 
 /// All five maps at 1024 pixels a side.
 void BM_barkMaps(benchmark::State& state)

@@ -51,6 +51,7 @@ GROWING = [
     ("a quarter of a million metamers born", "BM_growHistory/28/1", 250),
     ("any age of an oak of 2,000 axes", "BM_skeletonAtAge", 33),
     ("1,000 edits find their places on 10,000 axes", "BM_editPlaces", 20),
+    ("100,000 leaves on a day when they turn", "BM_foliageOnDay", 4),
 ]
 GROWTH = [
     ("branch mesh", "BM_growthMesh"),
@@ -155,6 +156,7 @@ FRENCH_CELLS = {
     "aspen of Weber and Penn, 1,500 stems": "tremble de Weber et Penn, 1,500 tiges",
     "24,000 points colonised": "24,000 points colonisés",
     "1,000 edits find their places on 10,000 axes": "1,000 retouches trouvent leur place sur 10,000 axes",
+    "100,000 leaves on a day when they turn": "100,000 feuilles un jour où elles virent",
     "branch mesh": "maillage des branches",
     "full check": "vérification complète",
     "normals": "normales",

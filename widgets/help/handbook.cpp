@@ -22,6 +22,7 @@ constexpr PageName pageNames[] = {
     {"bend-limb", true},
     {"fill-a-shape", true},
     {"blender-and-back", true},
+    {"oak-year", true},
     {"farm", true},
     {"window", false},
     {"grammar", false},

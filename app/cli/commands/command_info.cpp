@@ -11,7 +11,7 @@
 #include "core/scene/object_mesh.h"
 #include "core/skeleton/edit_places.h"
 #include "core/skeleton/measures.h"
-#include "core/surface/foliage/place_foliage.h"
+#include "core/surface/season/foliage_on_day.h"
 #include "widgets/view/render/surface_images.h"
 #include <QJsonArray>
 #include <QJsonObject>
@@ -218,8 +218,7 @@ Expected<std::vector<TreeFacts>> factsOfTrees(EvaluatedScene& scene, const std::
         const auto result = evaluateTree(pipeline, now, trees.size() > 1, Stage::Simplified);
         RAMURE_TRY(result);
         const Skeleton& simplified = result->simplified->skeleton;
-        const auto foliage = placeFoliage(simplified, now.params.foliage, now.params.leaf, now.params.fruit,
-                                          trunkRadius(now.params));
+        const auto foliage = foliageOf(simplified, now.params);
         out.push_back(
             {node->name, std::int64_t(result->symbols->size()), factsOf(*result->skeleton),
              factsOf(simplified), foliage ? std::int64_t(leafCount(*foliage)) : -1,

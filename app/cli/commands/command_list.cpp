@@ -55,6 +55,8 @@ const char* unitName(ParamUnit unit)
         return "factor";
     case ParamUnit::Year:
         return "years";
+    case ParamUnit::Day:
+        return "day";
     }
     return "";
 }

@@ -21,6 +21,7 @@ enum FormatHolds : std::uint16_t {
     holdsClip = 32,        ///< a sequence of frames as one file that moves
     holdsLevels = 64,      ///< levels of detail; else each is a file
     holdsCompressed = 128, ///< numbers made small: WriteOptions::compressed
+    holdsVariants = 512,   ///< seasons of leaves: ExportMesh::seasons
     holdsWind = 256,       ///< data by which shaders of games move vertices: ExportMesh::wind
 };
 

@@ -71,6 +71,7 @@ ShownUnit shownUnit(ParamUnit unit)
     case ParamUnit::Factor:
         return {1.0, " ×"};
     case ParamUnit::Year:
+    case ParamUnit::Day:
     case ParamUnit::None:
     case ParamUnit::Ratio:
     case ParamUnit::Count:

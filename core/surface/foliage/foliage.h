@@ -7,6 +7,8 @@
 #include "core/surface/foliage/fruit_shapes.h"
 #include "core/surface/foliage/leaf_shapes.h"
 #include <glm/gtc/quaternion.hpp>
+#include <memory>
+#include <vector>
 
 namespace ramure {
 
@@ -29,6 +31,14 @@ struct FoliageItem
     glm::vec3 tint{1.0F}; ///< multiplies the material's colour, by the leaf and by the season; at most 1
 };
 
+/// What the time of a leaf depends on; see core/surface/season/crown_place.h.
+struct LeafPhase
+{
+    float light = 0.0F; ///< 0 deep inside .. 1 on the crown's top and outside
+    float phase = 0.0F; ///< 0 turns first .. 1 turns last
+    std::uint64_t lots = 0;
+};
+
 struct Foliage
 {
     std::vector<FoliageItem> leaves;
@@ -36,6 +46,10 @@ struct Foliage
     LeafForm form;                   ///< common to all leaves
     FruitForm fruit;                 ///< common to all fruit
     std::size_t shed = 0;            ///< number of leaves, or of shoots, that the season took
+    /// One for each leaf as it was placed; null: not asked for yet.
+    std::shared_ptr<const std::vector<LeafPhase>> phases{};
+    /// sRGB, 0..255, on a day of the year: how all leaves together look, and what shines through them.
+    glm::vec3 meanColour{0.0F}, meanThrough{0.0F};
 };
 
 /// Returns the number of leaves that hang: a shoot counts with all of its leaves.

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace ramure {
@@ -204,6 +205,8 @@ private:
     TriangleMesh m_mesh;
 };
 
+constexpr glm::vec3 unripe(0x86, 0x9B, 0x45);
+
 double stalkOf(const FruitForm& form)
 {
     const double length = fruitRow(form.kind).stalk * form.stalk;
@@ -249,8 +252,11 @@ bool hangs(FruitKind kind)
 
 TriangleMesh fruitMesh(const FruitForm& form)
 {
-    return form.kind == FruitKind::Faithful ? unitSphere()
-                                            : Turned(fruitRow(form.kind), stalkOf(form)).build();
+    if (form.kind == FruitKind::Faithful)
+        return unitSphere();
+    FruitRow row = fruitRow(form.kind);
+    row.colour = glm::u8vec3(glm::mix(unripe, glm::vec3(row.colour), static_cast<float>(form.ripe)) + 0.5F);
+    return Turned(row, stalkOf(form)).build();
 }
 
 } // namespace ramure

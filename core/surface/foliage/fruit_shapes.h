@@ -12,6 +12,7 @@ struct FruitForm
 {
     FruitKind kind = FruitKind::Faithful;
     double size = 1.0, stalk = 1.0; ///< of what the plant has
+    double ripe = 1.0;              ///< 0 green .. 1 in the colour of the row
     bool operator==(const FruitForm&) const = default;
 };
 

@@ -20,6 +20,7 @@ struct LeafForm
     double cup = 0.0;                  ///< -1..1
     int detail = 2;                    ///< 1..3
     bool turns = false;                ///< it is not summer
+    bool onDay = false;                ///< colours are those of a day: tints are whole colours
     double length = 0.0;               ///< m, see LeafParams; a form of any length has a mesh of length 1
     int perShoot = 1;                  ///< more than 1: the mesh is that of a shoot, see leaf_shoot.h
     LeafArrangement arrangement = LeafArrangement::Natural; ///< on the shoot; Natural of a single leaf

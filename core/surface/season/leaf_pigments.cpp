@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 namespace ramure {
 namespace {
@@ -141,6 +143,28 @@ Pigments mix(const Pigments& from, const Pigments& to, float share)
     const auto between = [share](float a, float b) { return a + share * (b - a); };
     return {between(from.chlorophyll, to.chlorophyll), between(from.carotenoids, to.carotenoids),
             between(from.anthocyanin, to.anthocyanin), between(from.brown, to.brown)};
+}
+
+LeafColours photographed(const LeafColours& colours)
+{
+    constexpr double exposure = 2.75, kept = 0.4; // of the sheen
+    const auto light = [](const glm::vec3& srgb) {
+        glm::dvec3 out;
+        for (int i = 0; i < 3; ++i) {
+            const double c = double(srgb[i]) / 255.0;
+            out[i] = c <= 0.04045 ? c / 12.92 : maths::pow((c + 0.055) / 1.055, 2.4);
+        }
+        return out;
+    };
+    const glm::dvec3 within =
+        glm::max(light(colours.reflected) - (1.0 - kept) * glm::dvec3(surfaceSheen), glm::dvec3(0.0));
+    const double bright = glm::dot(within, glm::dvec3(0.2126, 0.7152, 0.0722));
+    // Film saturates: what is bright gains less.
+    const double gain = bright > 1e-6 ? (1.0 - maths::exp(-exposure * bright)) / bright : exposure;
+    const auto shown = [gain](const glm::dvec3& linear) {
+        return glm::vec3(toSrgb(gain * linear.r), toSrgb(gain * linear.g), toSrgb(gain * linear.b));
+    };
+    return {shown(within), shown(light(colours.transmitted))};
 }
 
 LeafColours pigmentColours(const Pigments& pigments)

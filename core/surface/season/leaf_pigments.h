@@ -32,6 +32,11 @@ struct LeafColours
 /// 0, and larger ones than those above as these.
 LeafColours pigmentColours(const Pigments& pigments);
 
+/// Returns the colours as a photograph of a crown has them, which is exposed for leaves: they are darker than
+/// all around them, and the other colours of the program are those of photographs. What shines on the surface
+/// of a leaf is left out for the most part, because renderers add it themselves.
+LeafColours photographed(const LeafColours& colours);
+
 /// What a leaf throws back at its surface, before any pigment: linear. Beneath it, what a leaf lets through
 /// has nearly the colour that it shows: transmitted = passedOn * max(reflected - surfaceSheen, 0). Against
 /// the model ΔE00 stays below 5 for all colours of a year, so that shaders need one colour a leaf.

@@ -38,6 +38,7 @@ struct PlantYear
     double later = 0.0;     ///< days by which its buds burst after those of the model
     double turns = 1.0;     ///< share of Delpierre's sum when half of the leaves have turned
     double fallWeeks = 4.0; ///< from a tenth of the leaves fallen to nine tenths
+    float redYoung = 1.0F;  ///< anthocyanin of leaves that unfold
     Pigments summer{45, 10, 1, 0};
     Pigments autumn{3, 6, 0, 0.05F};
     float withers = 0.3F;     ///< brown pigments that are added before a leaf falls

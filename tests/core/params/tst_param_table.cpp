@@ -128,6 +128,7 @@ void TestParamTable::keysAreThePublicInterface()
                                             "foliage.leafAngle",
                                             "foliage.leafDroop",
                                             "foliage.leafLight",
+                                            "season.day",
                                             "foliage.season",
                                             "foliage.leafStiffness",
                                             "foliage.leafFlutter",

@@ -112,7 +112,7 @@ GrammarParams randomGrammar(Random& random)
 std::array<const void*, 6> resultsOf(const TreeResult& tree)
 {
     return {tree.symbols.get(),  tree.skeleton.get(), tree.simplified.get(),
-            tree.sections.get(), tree.branches.get(), tree.foliage.get()};
+            tree.sections.get(), tree.branches.get(), tree.placed.get()};
 }
 
 QByteArray messageOf(const NodeParams& params)

@@ -94,6 +94,7 @@ NumberFormat numberFormat(const ParamDef& def, AngleUnit angles)
     case ParamUnit::Year:
         format.suffix = u' ' + coreText(RAMURE_NOOP("yr"));
         break;
+    case ParamUnit::Day:
     case ParamUnit::None:
     case ParamUnit::Ratio:
     case ParamUnit::Count:

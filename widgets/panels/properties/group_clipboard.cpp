@@ -29,6 +29,7 @@ const char* unitSuffix(const ParamDef& def)
     case ParamUnit::Kilogram:
         return " kg";
     case ParamUnit::Year:
+    case ParamUnit::Day:
     case ParamUnit::Factor: // its sign multiplies
     case ParamUnit::None:
     case ParamUnit::Ratio:

@@ -3,6 +3,7 @@
 #include "core/surface/foliage/leaf_table.h"
 #include "core/surface/foliage/place_foliage.h"
 #include "core/surface/mesher/rough_model.h"
+#include "core/surface/season/foliage_on_day.h"
 #include <algorithm>
 
 namespace ramure {
@@ -28,7 +29,7 @@ Foliage placed(const Skeleton& twig, const NodeParams& params)
     all.applesProbability = 0.0;
     auto made = placeFoliage(twig, all, params.leaf, params.fruit, 1.0);
     if (made)
-        return std::move(*made);
+        return hasDay(params.season) ? foliageOnDay(*made, twig, params.season, 1.0) : std::move(*made);
     Foliage none;
     none.form = leafForm(params.leaf);
     return none;
@@ -94,7 +95,7 @@ RenderScene leafScene(const NodeParams& shown)
     if (foliage.form.shape != LeafShape::Faithful)
         if (auto maps = leafMaps(foliage.form.shape, picturePixels))
             item.leaf = std::make_shared<const LeafMaps>(std::move(*maps));
-    add(scene, std::move(item), leavesMaterial(foliage.form.shape, foliage.form.turns, params.leafPictures));
+    add(scene, std::move(item), leavesMaterial(foliage, params.leafPictures));
     scene.updateBoxes();
     return scene;
 }

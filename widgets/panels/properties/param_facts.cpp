@@ -4,6 +4,7 @@
 #include "core/rig/physics/wind.h"
 #include "widgets/base/texts/core_text.h"
 #include <QCoreApplication>
+#include <QDate>
 #include <QLocale>
 #include <string_view>
 
@@ -39,6 +40,8 @@ QString unitText(const ParamDef& def, AngleUnit unit)
         return FactWords::tr("a factor");
     case ParamUnit::Year:
         return FactWords::tr("years");
+    case ParamUnit::Day:
+        return FactWords::tr("days of the year: 1 is the first of January");
     case ParamUnit::None:
         break;
     }
@@ -88,6 +91,10 @@ QList<std::pair<QString, QString>> paramFacts(const ParamDef& def, AngleUnit uni
 QString paramMeaning(const ParamDef& def, const ParamValue& value)
 {
     const auto* number = std::get_if<double>(&value);
+    if (number && def.unit == ParamUnit::Day)
+        return *number >= 1.0 ? QLocale().toString(QDate(2023, 1, 1).addDays(static_cast<int>(*number) - 1),
+                                                   FactWords::tr("d MMMM", "a day of the year"))
+                              : FactWords::tr("no day: see Season");
     if (!number || def.key != std::string_view("physics.windStrength"))
         return {};
     return FactWords::tr("about %1 m/s on average")

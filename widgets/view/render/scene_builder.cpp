@@ -177,9 +177,7 @@ struct TreeItems
     }
     [[nodiscard]] Material leaf() const
     {
-        return tree.foliage ? leavesMaterial(tree.foliage->form.shape, tree.foliage->form.turns,
-                                             node.params.leafPictures)
-                            : leavesMaterial();
+        return tree.foliage ? leavesMaterial(*tree.foliage, node.params.leafPictures) : leavesMaterial();
     }
     [[nodiscard]] Material fruit() const
     {

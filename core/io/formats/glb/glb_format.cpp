@@ -8,11 +8,11 @@
 #include "core/io/formats/glb/glb_motion.h"
 #include "core/io/formats/glb/glb_packed.h"
 #include "core/io/formats/glb/glb_reader.h"
+#include "core/io/formats/glb/glb_variants.h"
 #include "core/math/finite.h"
 #include "core/rig/arm/arm_chain.h"
 #include "core/rig/arm/arm_shape.h"
 #include "core/rig/pose/skin.h"
-#include "core/surface/proof/validate.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,46 +42,6 @@ Json numbersOf(const glm::vec3& v)
     return {v.x, v.y, v.z};
 }
 
-/// Each edge of a closed mesh is walked once either way, so that what edges weigh adds up to nothing. Of
-/// leaves, most of a tree, it does not, and they need no proof.
-bool mayBeClosed(const TriangleMesh& mesh)
-{
-    std::uint64_t sum = 0;
-    for (const glm::uvec3& t : mesh.triangles)
-        for (int c = 0; c < 3; ++c) {
-            const std::uint64_t from = t[c], to = t[(c + 1) % 3];
-            const std::uint64_t edge = (std::min(from, to) << 32U) | std::max(from, to);
-            const std::uint64_t weight = (edge ^ (edge >> 29U)) * 0x9e3779b97f4a7c15U;
-            sum += from < to ? weight : 0 - weight;
-        }
-    return sum == 0;
-}
-
-bool isClosed(const TriangleMesh& mesh)
-{
-    if (!mayBeClosed(mesh))
-        return false;
-    const auto report = validateMesh(mesh);
-    return report && report->faces > 0 && report->boundaryEdges == 0 && report->nonManifoldEdges == 0 &&
-           report->inconsistentEdges == 0 && report->nonManifoldVertices == 0;
-}
-
-glm::dmat4 inSpaceOf(const glm::dmat4& above, const glm::dmat4& world)
-{
-    glm::dmat4 place = glm::inverse(above) * world;
-    for (int column = 0; column < 4; ++column) // which rounding may have touched
-        place[column][3] = column == 3 ? 1.0 : 0.0;
-    return place;
-}
-
-bool isNear(const glm::dmat4& a, const glm::dmat4& b)
-{
-    for (int column = 0; column < 4; ++column)
-        if (glm::distance(a[column], b[column]) > 1e-9)
-            return false;
-    return true;
-}
-
 template <class T> bool areEqual(const std::shared_ptr<const T>& a, const std::shared_ptr<const T>& b)
 {
     return a == b || (a && b && *a == *b);
@@ -91,8 +51,9 @@ template <class T> bool areEqual(const std::shared_ptr<const T>& a, const std::s
 struct Written
 {
     std::shared_ptr<const TriangleMesh> mesh;
-    std::shared_ptr<const WindColumns> wind; ///< may be null
-    bool textured;
+    std::shared_ptr<const WindColumns> wind;      ///< may be null
+    std::shared_ptr<const ExportSeasons> seasons; ///< may be null
+    bool textured, coloured;
     std::size_t material;
     std::size_t number = 0; ///< in the file
 
@@ -100,7 +61,7 @@ struct Written
     bool operator==(const Written& other) const
     {
         return textured == other.textured && material == other.material && areEqual(mesh, other.mesh) &&
-               areEqual(wind, other.wind);
+               areEqual(wind, other.wind) && seasons == other.seasons;
     }
 };
 
@@ -141,6 +102,7 @@ public:
                   {"nodes", std::move(m_nodes)},
                   {"meshes", std::move(m_meshes)}};
         m_materials.addTo(root);
+        m_variants.addTo(root);
         m_animation.addTo(root);
         if (!m_skins.empty())
             root["skins"] = std::move(m_skins);
@@ -177,7 +139,7 @@ private:
         std::vector<glm::dmat4> places;
         for (const ExportFrame& frame : m_scene.frames) {
             const glm::dmat4& world = frame.transforms[number].world;
-            places.push_back(isTop ? world : inSpaceOf(frame.transforms[node.parent].world, world));
+            places.push_back(isTop ? world : glb::inSpaceOf(frame.transforms[node.parent].world, world));
         }
         const auto added = addNode(node.name, places, isTop ? m_roots : m_nodes[*parent]["children"]);
         if (added)
@@ -226,8 +188,8 @@ private:
         std::vector<glm::dmat4> places;
         for (const ExportFrame& frame : m_scene.frames) {
             const NodeTransforms& at = frame.transforms[number];
-            places.push_back((at.world == at.geometry ? glm::dmat4(1.0) : inSpaceOf(at.world, at.geometry)) *
-                             inside);
+            places.push_back(
+                (at.world == at.geometry ? glm::dmat4(1.0) : glb::inSpaceOf(at.world, at.geometry)) * inside);
         }
         if (Json none = Json::array(); isOther)
             return addNode(name, places, none);
@@ -241,7 +203,7 @@ private:
         m_nodes.push_back({{"name", name}});
         Json& node = m_nodes.back();
         const bool isStill = std::ranges::all_of(
-            places, [&](const glm::dmat4& place) { return isNear(place, places.front()); });
+            places, [&](const glm::dmat4& place) { return glb::isNear(place, places.front()); });
         const std::size_t number = m_nodes.size() - 1;
         if (!isStill) {
             RAMURE_TRY(m_animation.place(node, number, places));
@@ -347,7 +309,7 @@ private:
                                     : holderOf(from.node, from.name, glm::dmat4(1.0), from.finest != noIndex);
         RAMURE_TRY(holder);
         m_meshNode.push_back(*holder);
-        return addOnce(*holder, {mesh, from.wind, textured, *number}, from.name);
+        return addOnce(*holder, {mesh, from.wind, from.seasons, textured, coloured, *number}, from.name);
     }
 
     /// What is in the buffer already is only named: equal trees share one mesh, wherever they stand.
@@ -359,7 +321,24 @@ private:
             return {};
         written.number = m_meshes.size();
         m_written.push_back(written);
-        return addMesh(name, *written.mesh, written.textured, written.material, nullptr, written.wind.get());
+        RAMURE_TRY(addMesh(name, *written.mesh, written.textured, written.material, nullptr,
+                           written.wind.get(), written.seasons.get()));
+        return addVariants(written);
+    }
+
+    Expected<void> addVariants(const Written& written)
+    {
+        std::vector<std::size_t> numbers;
+        for (std::size_t i = 0; written.seasons && i < written.seasons->variants.size(); ++i) {
+            const Material& material = m_scene.materials[written.seasons->variants[i].material];
+            const bool pictured = written.textured && m_materials.isPictured(material);
+            const auto number = m_materials.add(material, pictured, written.coloured, {});
+            RAMURE_TRY(number);
+            numbers.push_back(*number);
+        }
+        if (written.seasons)
+            m_variants.tell(m_meshes[written.number]["primitives"][0], *written.seasons, numbers);
+        return {};
     }
 
     /// Only its joints say where it is: its node stands at the top and nowhere.
@@ -376,7 +355,7 @@ private:
 
     Expected<void> addMesh(const std::string& name, const TriangleMesh& mesh, bool textured,
                            std::size_t material, const ExportMesh* skinned = nullptr,
-                           const WindColumns* wind = nullptr)
+                           const WindColumns* wind = nullptr, const ExportSeasons* seasons = nullptr)
     {
         if (!std::ranges::all_of(mesh.positions, &isFinite<3, float>) ||
             !std::ranges::all_of(mesh.normals, &isFinite<3, float>) ||
@@ -402,6 +381,10 @@ private:
             attributes[hasWindColours ? "COLOR_1" : "COLOR_0"] = addColours(vertices.colours);
         if (wind)
             addWind(attributes, *wind, vertices);
+        if (auto phases = seasons ? glb::phasesOf(*seasons, vertices.from, mesh.positions.size())
+                                  : std::vector<glm::vec1>();
+            !phases.empty())
+            attributes["_SEASON"] = m_buffer.addFloats(phases, coarseBits, "SCALAR");
         if (skinned) {
             const glb::Weights weights =
                 glb::weightsOf(*skinned->skin, m_skinOf.at(skinned->node).second, vertices.from);
@@ -419,7 +402,7 @@ private:
                  {"primitives", Json::array({{{"attributes", std::move(attributes)},
                                               {"indices", indices},
                                               {"material", material}}})}};
-        if (isClosed(mesh))
+        if (glb::isClosed(mesh))
             out["extensions"][manifold] = closed(vertices, positions, view);
         if (wind)
             out["extras"]["wind"] = glb::windExtras(*wind);
@@ -495,7 +478,8 @@ private:
     {
         const Material& material = m_scene.materials[from.material];
         const bool textured = m_materials.isPictured(material) && !from.shape->uv.empty();
-        const auto number = m_materials.add(material, textured, !from.shape->colours.empty(), progress);
+        const bool coloured = !from.shape->colours.empty();
+        const auto number = m_materials.add(material, textured, coloured, progress);
         RAMURE_TRY(number);
         const auto holder = holderOf(from.node, from.name, glm::dmat4(1.0));
         RAMURE_TRY(holder);
@@ -503,8 +487,15 @@ private:
             m_placed, [&](const auto& placed) { return placed.first->copies == from.copies; });
         if (known == m_placed.end())
             known = m_placed.emplace(known, &from, placesOf(from));
-        m_nodes[*holder]["extensions"][instancing]["attributes"] = known->second;
-        return addOnce(*holder, {from.shape, nullptr, textured, *number}, from.name);
+        Json& attributes = m_nodes[*holder]["extensions"][instancing]["attributes"] = known->second;
+        std::shared_ptr<const ExportSeasons> ofShape;
+        if (from.seasons) {
+            std::vector<glm::vec1> phases(from.seasons->phases.begin(), from.seasons->phases.end());
+            if (!phases.empty())
+                attributes["_SEASON"] = m_buffer.addFloats(phases, coarseBits, "SCALAR", Target::None);
+            ofShape = std::make_shared<const ExportSeasons>(ExportSeasons{from.seasons->variants, {}});
+        }
+        return addOnce(*holder, {from.shape, nullptr, ofShape, textured, coloured, *number}, from.name);
     }
 
     Json placesOf(const ExportCopies& from)
@@ -551,6 +542,7 @@ private:
     const WriteOptions& m_options;
     glb::Buffer m_buffer;
     glb::Materials m_materials;
+    glb::Variants m_variants;
     glb::Animation m_animation;
     std::vector<Index> m_node; ///< per node of the scene that of the file, once it is there
     std::vector<Written> m_written;
@@ -589,7 +581,7 @@ const FileFormat glbFormat = {
     .choice = RAMURE_NOOP("GLB (glTF), with materials and motion"),
     .help = "glTF 2.0 with materials and pictures inside: nodes as in the scene, closed meshes told as such",
     .holds = holdsObjects | holdsTexture | holdsLines | holdsCopies | holdsClip | holdsLevels |
-             holdsCompressed | holdsWind,
+             holdsCompressed | holdsWind | holdsVariants,
     .read = &readGlb,
     .import = &importGlb,
     .write = &exportGlb,

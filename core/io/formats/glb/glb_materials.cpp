@@ -68,8 +68,11 @@ Expected<std::size_t> Materials::add(const Material& material, bool textured, bo
         out["doubleSided"] = true;
     if (material.through > 0.0F) {
         m_isTranslucent = true;
-        out["extensions"][translucent] = {{"diffuseTransmissionFactor", material.through},
-                                          {"diffuseTransmissionColorFactor", linearColour(material.colour)}};
+        // As much light as a leaf throws back.
+        const float factor = material.pigments ? 0.5F : material.through;
+        const glm::u8vec3 colour = material.pigments ? material.passed : material.colour;
+        out["extensions"][translucent] = {{"diffuseTransmissionFactor", factor},
+                                          {"diffuseTransmissionColorFactor", linearColour(colour)}};
     }
     if (textured)
         RAMURE_TRY(addPictures(out, material, progress));
@@ -79,6 +82,10 @@ Expected<std::size_t> Materials::add(const Material& material, bool textured, bo
     if (!isWhite) {
         made["baseColorFactor"] = linearColour(material.colour);
         made["baseColorFactor"].push_back(1.0);
+    }
+    if (material.hidden) {
+        out["alphaMode"] = "MASK";
+        made["baseColorFactor"] = {1.0, 1.0, 1.0, 0.0};
     }
     m_materials.push_back(std::move(out));
     m_barks.push_back(material.pictures.colour.empty() ? material.bark : BarkParams());

@@ -5,8 +5,25 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 
 namespace ramure::glb {
+
+glm::dmat4 inSpaceOf(const glm::dmat4& above, const glm::dmat4& world)
+{
+    glm::dmat4 place = glm::inverse(above) * world;
+    for (int column = 0; column < 4; ++column) // which rounding may have touched
+        place[column][3] = column == 3 ? 1.0 : 0.0;
+    return place;
+}
+
+bool isNear(const glm::dmat4& a, const glm::dmat4& b)
+{
+    for (int column = 0; column < 4; ++column)
+        if (glm::distance(a[column], b[column]) > 1e-9)
+            return false;
+    return true;
+}
 
 Joints jointsOf(std::span<const ExportBone> bones, std::size_t count, std::size_t limit)
 {

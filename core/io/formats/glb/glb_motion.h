@@ -30,6 +30,11 @@ struct Weights
 /// \param from per vertex of the file its vertex in the mesh
 Weights weightsOf(const Skin& skin, const Joints& joints, std::span<const Index> from);
 
+/// Returns a place in the world as seen from another one.
+glm::dmat4 inSpaceOf(const glm::dmat4& above, const glm::dmat4& world);
+/// Returns true if two places differ by no more than rounding does.
+bool isNear(const glm::dmat4& a, const glm::dmat4& b);
+
 /// One animation: for each node the places that it takes one after the other.
 class Animation
 {

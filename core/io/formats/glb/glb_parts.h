@@ -109,6 +109,9 @@ void addTangents(Vertices& vertices);
 /// not Plain.
 void addAges(Vertices& vertices, const TriangleMesh& mesh, const BarkParams& bark);
 
+/// Whether a mesh is closed and manifold. Of leaves that is known at once.
+bool isClosed(const TriangleMesh& mesh);
+
 /// What shaders want to know of the whole tree, for the extras of a mesh.
 Json windExtras(const WindColumns& wind);
 

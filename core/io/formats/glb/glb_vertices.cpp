@@ -2,6 +2,7 @@
 
 #include "core/math/reproducible.h"
 #include "core/surface/bark/bark_maps.h"
+#include "core/surface/proof/validate.h"
 
 #include <algorithm>
 #include <array>
@@ -11,6 +12,30 @@
 #include <tuple>
 
 namespace ramure::glb {
+
+/// Each edge of a closed mesh is walked once either way, so that what edges weigh adds up to nothing. Of
+/// leaves, most of a tree, it does not, and they need no proof.
+static bool mayBeClosed(const TriangleMesh& mesh)
+{
+    std::uint64_t sum = 0;
+    for (const glm::uvec3& t : mesh.triangles)
+        for (int c = 0; c < 3; ++c) {
+            const std::uint64_t from = t[c], to = t[(c + 1) % 3];
+            const std::uint64_t edge = (std::min(from, to) << 32U) | std::max(from, to);
+            const std::uint64_t weight = (edge ^ (edge >> 29U)) * 0x9e3779b97f4a7c15U;
+            sum += from < to ? weight : 0 - weight;
+        }
+    return sum == 0;
+}
+
+bool isClosed(const TriangleMesh& mesh)
+{
+    if (!mayBeClosed(mesh))
+        return false;
+    const auto report = validateMesh(mesh);
+    return report && report->faces > 0 && report->boundaryEdges == 0 && report->nonManifoldEdges == 0 &&
+           report->inconsistentEdges == 0 && report->nonManifoldVertices == 0;
+}
 
 /// IEC 61966-2-1.
 static float linear(double c)

@@ -198,11 +198,16 @@ void writeMaterial(FileWriter& out, const Material& material, int mapSize)
     };
     char buffer[16 + 3 * maxFloatText];
     char* end = appendText(buffer, "Kd ");
-    end = writing::appendVector(end, isMade ? glm::vec3(1.0f) : glm::vec3(material.colour) / 255.0f);
+    const glm::u8vec3 colour = material.pigments ? material.mean : material.colour;
+    end = writing::appendVector(end, isMade ? glm::vec3(1.0f) : glm::vec3(colour) / 255.0f);
     out.append("\nnewmtl " + oneLine(material.name) + "\n");
     if (material.twoSided)
         out.append("# seen from both sides\n");
     out.append({buffer, static_cast<std::size_t>(end - buffer)});
+    if (material.pigments) { // the filter of what shines through
+        char* last = writing::appendVector(appendText(buffer, "\nTf "), glm::vec3(material.passed) / 255.0f);
+        out.append({buffer, static_cast<std::size_t>(last - buffer)});
+    }
     out.append(material.phong ? "\nKs 0.2 0.2 0.2\nNs 30\nillum 2\n" : "\nKs 0 0 0\nillum 1\n");
     if (mapSize <= 0)
         return;

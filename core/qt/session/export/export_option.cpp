@@ -191,6 +191,15 @@ const ExportOption table[] = {
      .hashed = "compressed", .holds = holdsCompressed, .key = "compressed", .label = RAMURE_NOOP("Compressed"),
      .tip = RAMURE_NOOP("Rounds numbers to visible precision and packs them (EXT_meshopt_compression): without its pictures, the file is about a fifth as large. For web pages and engines that read it; Blender 3.4 does not."),
      .uses = forEveryUse},
+    {.name = "variants",
+     .help = "Leaves and fruit of the trees of a .glb in four seasons (KHR_materials_variants): spring, summer, autumn and "
+             "winter, whatever the day. Leaves have _SEASON, a number by which shaders know when one turns: 0 is the first, "
+             "1 the last.",
+     .flags = ofExport | ofBatch | notOfPrint | ofFormats,
+     .place = at([](auto& o) -> auto& { return o.variants; }),
+     .hashed = "variants", .holds = holdsVariants, .key = "variants", .label = RAMURE_NOOP("Four seasons"),
+     .tip = RAMURE_NOOP("One file for a year: materials for spring, summer, autumn and winter, which engines and web viewers can choose from. Shaders that want any day in between find a number at each leaf that says when it turns."),
+     .uses = forGame | forWeb},
     {.name = "wind", .values = "plain|crysis|unity|pivot-painter|none",
      .help = "Of the trees of a .glb: numbers of each vertex by which a game moves them. plain: _WIND, four numbers for any "
              "shader; crysis: vertex colours of CryEngine; unity: colours and second texture coordinates of Unity's Tree "

@@ -30,6 +30,7 @@ struct ExportOptions
     bool texture = false;     ///< trees with texture coordinates; the rough model and the skeleton have none
     std::vector<double> clip; ///< s, further times: trees and arms of ExportModel::Mesh then have skins
     LevelOptions levels;      ///< levels of trees, see ExportModel::Mesh
+    bool variants = false;    ///< leaves and fruit in four seasons
     WindProfile wind = WindProfile::None; ///< data of trees by which games move them
     WriteOptions write;
     FileSpace space;    ///< the axes and the unit of the file

@@ -9,6 +9,7 @@
 #include "core/qt/session/export/foliage_copies.h"
 #include "core/qt/session/export/level_export.h"
 #include "core/qt/session/export/scene_counts.h"
+#include "core/qt/session/export/season_export.h"
 #include "core/qt/session/export/wind_export.h"
 #include "core/rig/arm/arm_chain.h"
 #include "core/rig/arm/arm_shape.h"
@@ -17,6 +18,7 @@
 #include "core/surface/foliage/place_foliage.h"
 #include "core/surface/mesh/transformed.h"
 #include "core/surface/mesher/rough_model.h"
+#include "core/surface/season/foliage_on_day.h"
 #include "core/surface/texture/object_texture.h"
 
 #include <algorithm>
@@ -120,7 +122,7 @@ Expected<TreeMeshes> roughMeshes(const TreeResult& tree, const NodeParams& param
             buildRoughBranches(skeleton, static_cast<int>(params.sections.radialDivisions)));
     if (!(parts & (exportLeaves | exportApples)))
         return meshes;
-    auto placed = placeFoliage(skeleton, params.foliage, params.leaf, params.fruit, alpha, progress);
+    auto placed = foliageOf(skeleton, params, progress);
     RAMURE_TRY(placed);
     meshes.foliage = std::make_shared<const Foliage>(std::move(*placed));
     const Foliage& foliage = *meshes.foliage;
@@ -151,22 +153,12 @@ Expected<void> addTexture(TreeMeshes& meshes, const TextureStage& texture, const
     }
     if (meshes.apples) {
         const auto apples = std::make_shared<TriangleMesh>(*meshes.apples);
-        addAppleTexture(*apples, fruitForm(params.fruit));
+        addAppleTexture(*apples, meshes.foliage ? meshes.foliage->fruit : fruitForm(params.fruit));
         if (!params.fruitPictures.colour.empty())
             apples->colours.clear(); // the picture takes their place
         meshes.apples = apples;
     }
     return {};
-}
-
-Material leafMaterial(const NodeParams& params)
-{
-    return leavesMaterial(params.leaf.shape, params.leaf.season > 0.0, params.leafPictures);
-}
-
-Material fruitMaterial(const NodeParams& params)
-{
-    return applesMaterial(params.fruit.kind, params.fruitPictures);
 }
 
 /// \param motion whose skins the meshes have; none: they are as they stand.
@@ -188,8 +180,10 @@ void addMeshes(ExportScene& out, const Candidate& tree, const TreeMeshes& meshes
         add("cuts", meshes.cuts,
             motion.bones ? std::make_shared<const Skin>(bindRigidly(*meshes.cuts)) : nullptr, woodMaterial(),
             0);
-    add("leaves", meshes.leaves, motion.leaves, leafMaterial(params), foliage.leaves.size());
-    add("fruit", meshes.apples, motion.apples, fruitMaterial(params), foliage.apples.size());
+    add("leaves", meshes.leaves, motion.leaves, leavesMaterial(foliage, params.leafPictures),
+        foliage.leaves.size());
+    add("fruit", meshes.apples, motion.apples, applesMaterial(foliage.fruit.kind, params.fruitPictures),
+        foliage.apples.size());
     out.frames.front().bones[tree.number] = motion.bones;
 }
 
@@ -207,8 +201,10 @@ void takeInstances(ExportScene& out, const Candidate& tree, TreeMeshes& meshes,
         }
         mesh.reset();
     };
-    add("leaves", meshes.leaves, &leafInstances, leafMaterial(instances.params));
-    add("fruit", meshes.apples, &appleInstances, fruitMaterial(instances.params));
+    add("leaves", meshes.leaves, &leafInstances,
+        leavesMaterial(instances.foliage, instances.params.leafPictures));
+    add("fruit", meshes.apples, &appleInstances,
+        applesMaterial(instances.foliage.fruit.kind, instances.params.fruitPictures));
 }
 
 /// Children share their parent's end point, so that the lines hang together.
@@ -326,6 +322,27 @@ Expected<void> addShape(ExportScene& out, const Candidate& shape, EvaluatedScene
     return {};
 }
 
+/// As leaves and fruit stand in no season.
+Expected<void> withoutDay(TreeMeshes& meshes, const PosedTree& posed, const NodeParams& params)
+{
+    const TreeResult& tree = posed.rest;
+    if (!tree.placed || tree.placed == tree.foliage)
+        return {};
+    if (posed.motion.bones)
+        return fail(ErrorCode::Invalid,
+                    RAMURE_NOOP("variants of the seasons are those of a tree at rest, or without a day"));
+    const double alpha = trunkRadius(params);
+    const Skeleton& skeleton = tree.simplified->skeleton;
+    meshes.foliage = tree.placed;
+    if (meshes.leaves)
+        meshes.leaves = std::make_shared<const TriangleMesh>(
+            buildLeaves(skeleton, *tree.placed, alpha, FoliageModel::Fine));
+    if (meshes.apples)
+        meshes.apples = std::make_shared<const TriangleMesh>(
+            buildApples(skeleton, *tree.placed, alpha, FoliageModel::Fine));
+    return {};
+}
+
 /// The continuous mesh, with its skin where it moves.
 Expected<void> addFineTree(ExportScene& out, const Candidate& tree, EvaluatedScene& scene,
                            const ExportOptions& options, const Progress& progress)
@@ -334,6 +351,11 @@ Expected<void> addFineTree(ExportScene& out, const Candidate& tree, EvaluatedSce
     RAMURE_TRY(posed);
     const NodeParams& params = scene.params(*tree.node);
     TreeMeshes meshes = fineMeshes(posed->rest, options.parts);
+    TreeSeasons seasons;
+    if (options.variants && meshes.foliage && meshes.foliage->form.shape != LeafShape::Faithful) {
+        RAMURE_TRY(withoutDay(meshes, *posed, params));
+        seasons = seasonsOf(out, *meshes.foliage, posed->rest.simplified->skeleton, params);
+    }
     if (options.instances && meshes.foliage)
         takeInstances(out, tree, meshes,
                       {*meshes.foliage, posed->rest.simplified->skeleton, params, posed->motion,
@@ -345,6 +367,7 @@ Expected<void> addFineTree(ExportScene& out, const Candidate& tree, EvaluatedSce
         bonesOf(posed->rest.simplified->skeleton, posed->rest.foliage.get(), posed->motion);
     const std::size_t from = out.meshes.size();
     addMeshes(out, tree, meshes, params, posed->motion);
+    tellSeasons(out, tree.suffix, seasons);
     const WindFoliage foliage{meshes.foliage.get()};
     return addWind(out, from, tree.suffix, options.wind, *posed, {&foliage, 1});
 }

@@ -110,6 +110,24 @@ private slots:
         }
     }
 
+    /// Brighter, in the same order and of the same hue.
+    void photographsKeepHueAndOrder()
+    {
+        const auto hue = [](const glm::dvec3& lab) {
+            return std::atan2(lab.z, lab.y) * 180.0 / 3.14159265358979;
+        };
+        QVERIFY(photographed({}).reflected == glm::vec3(0.0F));
+        for (const Known& leaf : known) {
+            const LeafColours made = pigmentColours(leaf.pigments), shown = photographed(made);
+            const glm::dvec3 seen = test::labOf(made.reflected), photo = test::labOf(shown.reflected);
+            QVERIFY(photo.x > seen.x && photo.x < 90.0);
+            QVERIFY2(std::abs(hue(photo) - hue(seen)) < 25.0, leaf.name);
+            for (const Known& other : known)
+                if (test::labOf(pigmentColours(other.pigments).reflected).x > seen.x + 5.0)
+                    QVERIFY(test::labOf(photographed(pigmentColours(other.pigments)).reflected).x > photo.x);
+        }
+    }
+
     void morePigmentsLetLessLightOut()
     {
         const auto brightness = [](const glm::vec3& colour) { return test::labOf(colour).x; };

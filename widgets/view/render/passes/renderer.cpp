@@ -1,6 +1,7 @@
 #include "widgets/view/render/passes/renderer.h"
 
 #include "core/base/stopwatch.h"
+#include "core/surface/season/leaf_pigments.h"
 #include "widgets/view/render/gl_setup.h"
 #include "widgets/view/render/passes/renderer_picture.h"
 #include <QOpenGLContext>
@@ -23,6 +24,9 @@ constexpr GLenum occlusionUnit = 10;
 constexpr GLenum skyUnit = 12;
 
 constexpr float exposure = 0.8f; ///< with which a film shows a surface in the middle as it is
+
+/// What shines through leaves whose pigments nobody knows, of the colour that they show: yellower.
+constexpr glm::vec3 usualPassed(1.5f, 1.25f, 0.4f);
 
 glm::vec3 srgb(const glm::u8vec3& bytes)
 {
@@ -461,6 +465,9 @@ void Renderer::drawMesh(ShaderProgram& program, const Picture& picture, const Me
     program.set("uShininess", item.material.phong ? 26.0f : 0.0f);
     program.set("uGlint", item.material.glint);
     program.set("uThrough", item.material.through);
+    const bool pigments = item.material.pigments;
+    program.set("uSheen", pigments ? surfaceSheen : glm::vec3(0.0f));
+    program.set("uPassed", pigments ? glm::vec3(passedOn) : usualPassed);
     program.set("uVariety", item.mesh->branch.empty() ? 0.0f : item.material.variety);
     program.set("uTwoSided", item.material.twoSided);
     program.set("uPaint", int(item.paint));
