@@ -36,6 +36,17 @@ constexpr auto realLeaves = [] {
     return names;
 }();
 
+/// Of plants that have a year: palms have none.
+constexpr auto yearlyLeaves = [] {
+    std::array<const char*, leafShapeCount - 3> names{};
+    std::size_t count = 0;
+    for (std::size_t i = 1; i < itemsOf<LeafShape>.size(); ++i)
+        if (const auto shape = static_cast<LeafShape>(i);
+            shape != LeafShape::Palm && shape != LeafShape::FanPalm)
+            names[count++] = itemsOf<LeafShape>[i].name;
+    return names;
+}();
+
 constexpr auto realFruit = [] {
     std::array<const char*, fruitKindCount - 1> names{};
     for (std::size_t i = 0; i < names.size(); ++i)
@@ -82,9 +93,9 @@ constexpr std::array relevances{
     Relevance{"foliage.leafAngle", "foliage.leaf", realLeaves},
     Relevance{"foliage.leafDroop", "foliage.leaf", realLeaves},
     Relevance{"foliage.leafLight", "foliage.leaf", realLeaves},
-    Relevance{"season.day", "foliage.leaf", realLeaves},
-    Relevance{"season.climate", "foliage.leaf", realLeaves},
-    Relevance{"season.purple", "foliage.leaf", realLeaves},
+    Relevance{"season.day", "foliage.leaf", yearlyLeaves},
+    Relevance{"season.climate", "foliage.leaf", yearlyLeaves},
+    Relevance{"season.purple", "foliage.leaf", yearlyLeaves},
     Relevance{"foliage.season", "foliage.leaf", realLeaves},
     Relevance{"foliage.leafStiffness", "foliage.leaf", realLeaves},
     Relevance{"foliage.leafFlutter", "foliage.leaf", realLeaves},

@@ -225,6 +225,8 @@ Foliage foliageOnDay(const Foliage& placed, const Skeleton& skeleton, const Seas
         return placed;
     const LeafRow& row = leafRow(placed.form.shape);
     const PlantYear& plant = plantYear(placed.form.shape);
+    if (row.evergreen && !(plant.needleYears > 0.0))
+        return placed; // nothing is seen of its year
     Foliage out;
     out.form = placed.form;
     out.fruit = placed.fruit;

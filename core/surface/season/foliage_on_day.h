@@ -18,7 +18,8 @@ namespace ramure {
 /// are colours, tones are 1, and the form says so. Evergreens bear young tips in spring and drop their oldest
 /// needles. Trees that flower do so before, with or after their leaves; fruit grow, ripen and fall.
 ///
-/// Faithful leaves and fruit stay as they are, and so does everything where the climate has no winter.
+/// Faithful leaves and fruit stay as they are, and so do palms. Where the climate has no winter, it is always
+/// summer.
 /// \param placed as it was placed, in no other season. \param alpha the grammar's length, m.
 /// \pre hasDay(season)
 Foliage foliageOnDay(const Foliage& placed, const Skeleton& skeleton, const SeasonParams& season,

@@ -1,6 +1,7 @@
 #include "core/surface/season/foliage_on_day.h"
 
 #include "core/params/param_def.h"
+#include "core/params/param_relevance.h"
 #include "core/pipeline/tree_pipeline.h"
 #include "core/presets/presets.h"
 #include "core/surface/foliage/leaf_table.h"
@@ -253,7 +254,12 @@ private slots:
         const YearDates year = dates(LeafShape::Spruce);
         QVERIFY(light(year.unfolded) > light(250) + 1.0F);
         // Palms have no year.
-        QVERIFY(on(20, LeafShape::Palm).shed == 0 && on(200, LeafShape::Palm).shed == 0);
+        for (const LeafShape palm : {LeafShape::Palm, LeafShape::FanPalm}) {
+            NodeParams params = treeOf(palm);
+            QVERIFY(on(20, palm).shed == 0 && !on(200, palm).form.onDay);
+            QVERIFY(!isRelevant(params, *findParam("season.day")));
+        }
+        QVERIFY(isRelevant(treeOf(LeafShape::Spruce), *findParam("season.day")));
     }
 
     void flowersComeBeforeFruit()
