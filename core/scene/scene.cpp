@@ -1,10 +1,17 @@
 #include "core/scene/scene.h"
 
 #include <algorithm>
+#include <atomic>
 #include <iterator>
 #include <set>
+#include <utility>
 
 namespace ramure {
+
+NodeList::operator std::vector<Node>() const
+{
+    return {begin(), end()};
+}
 
 /// Nodes mostly stand in the order they were made in: looked for from there outwards, both ways.
 std::size_t Scene::indexOf(NodeId id) const
@@ -15,9 +22,9 @@ std::size_t Scene::indexOf(NodeId id) const
     const std::size_t guess = id == noNode ? 0 : std::min(static_cast<std::size_t>(id) - 1, count - 1);
     std::size_t below = guess + 1, above = guess + 1; // below: one more than the next index to look at
     while (below > 0 || above < count) {
-        if (below > 0 && m_nodes[--below].id == id)
+        if (below > 0 && m_nodes[--below]->id == id)
             return below;
-        if (above < count && m_nodes[above++].id == id)
+        if (above < count && m_nodes[above++]->id == id)
             return above - 1;
     }
     return count;
@@ -26,18 +33,30 @@ std::size_t Scene::indexOf(NodeId id) const
 const Node* Scene::find(NodeId id) const
 {
     const std::size_t index = id == noNode ? m_nodes.size() : indexOf(id);
-    return index < m_nodes.size() ? &m_nodes[index] : nullptr;
+    return index < m_nodes.size() ? m_nodes[index].get() : nullptr;
 }
 
 Node* Scene::find(NodeId id)
 {
-    return const_cast<Node*>(std::as_const(*this).find(id));
+    const std::size_t index = id == noNode ? m_nodes.size() : indexOf(id);
+    return index < m_nodes.size() ? &own(index) : nullptr;
+}
+
+/// To be changed.
+Node& Scene::own(std::size_t index)
+{
+    std::shared_ptr<Node>& node = m_nodes[index];
+    if (node.use_count() > 1)
+        node = std::make_shared<Node>(*node);
+    else
+        std::atomic_thread_fence(std::memory_order_acquire); // whoever shared it until now has read it
+    return *node;
 }
 
 std::vector<NodeId> Scene::children(NodeId parent) const
 {
     std::vector<NodeId> ids;
-    for (const Node& node : m_nodes)
+    for (const Node& node : nodes())
         if (node.parent == parent)
             ids.push_back(node.id);
     return ids;
@@ -49,7 +68,7 @@ int Scene::row(NodeId id) const
     if (!node)
         return -1;
     int row = 0;
-    for (const Node& other : m_nodes) {
+    for (const Node& other : nodes()) {
         if (other.id == id)
             break;
         row += other.parent == node->parent ? 1 : 0;
@@ -61,10 +80,10 @@ int Scene::row(NodeId id) const
 /// in the block, and depth-first order keeps the block together.
 std::size_t Scene::subtreeEnd(std::size_t top) const
 {
-    std::set<NodeId> inside{m_nodes[top].id};
+    std::set<NodeId> inside{m_nodes[top]->id};
     std::size_t end = top + 1;
-    while (end < m_nodes.size() && inside.contains(m_nodes[end].parent))
-        inside.insert(m_nodes[end++].id);
+    while (end < m_nodes.size() && inside.contains(m_nodes[end]->parent))
+        inside.insert(m_nodes[end++]->id);
     return end;
 }
 
@@ -73,8 +92,8 @@ std::vector<Node> Scene::subtree(NodeId id) const
     if (!find(id))
         return {};
     const std::size_t top = indexOf(id);
-    const auto first = m_nodes.begin() + static_cast<std::ptrdiff_t>(top);
-    return {first, m_nodes.begin() + static_cast<std::ptrdiff_t>(subtreeEnd(top))};
+    const auto first = nodes().begin();
+    return {first + static_cast<std::ptrdiff_t>(top), first + static_cast<std::ptrdiff_t>(subtreeEnd(top))};
 }
 
 bool Scene::isAncestor(NodeId ancestor, NodeId node) const
@@ -112,7 +131,7 @@ NodeId Scene::newId()
     if (m_nextId != noNode)
         return m_nextId++;
     std::set<NodeId> used;
-    for (const Node& node : m_nodes)
+    for (const Node& node : nodes())
         used.insert(node.id);
     NodeId id = 1;
     while (used.contains(id))
@@ -133,7 +152,7 @@ std::size_t Scene::placeFor(NodeId parent, int row) const
     const std::size_t last = parent == noNode ? m_nodes.size() : subtreeEnd(indexOf(parent));
     int seen = 0;
     for (std::size_t i = first; i < last; ++i) {
-        if (m_nodes[i].parent != parent)
+        if (m_nodes[i]->parent != parent)
             continue;
         if (seen >= row)
             return i;
@@ -142,10 +161,10 @@ std::size_t Scene::placeFor(NodeId parent, int row) const
     return last;
 }
 
-void Scene::splice(std::vector<Node> block, NodeId parent, int row)
+void Scene::splice(NodeList::Pointers block, NodeId parent, int row)
 {
     const auto place = static_cast<std::ptrdiff_t>(placeFor(parent, row));
-    block.front().parent = parent;
+    block.front()->parent = parent;
     m_nodes.insert(m_nodes.begin() + place, std::make_move_iterator(block.begin()),
                    std::make_move_iterator(block.end()));
 }
@@ -157,7 +176,7 @@ Expected<void> Scene::insert(std::vector<Node> nodes, NodeId parent, int row)
     if (parent != noNode && !find(parent))
         return fail(ErrorCode::Unknown, RAMURE_NOOP("there is no node %1"), {std::to_string(parent)});
     std::set<NodeId> used;
-    for (const Node& node : m_nodes)
+    for (const Node& node : this->nodes())
         used.insert(node.id);
     std::set<NodeId> seen;
     for (const Node& node : nodes) {
@@ -177,16 +196,32 @@ Expected<void> Scene::insert(std::vector<Node> nodes, NodeId parent, int row)
     return {};
 }
 
-std::vector<Node> Scene::remove(NodeId id)
+NodeList::Pointers Scene::take(NodeId id)
 {
-    if (!find(id))
-        return {};
     const std::size_t top = indexOf(id);
+    own(top); // it may get another parent
     const auto first = m_nodes.begin() + static_cast<std::ptrdiff_t>(top);
     const auto last = m_nodes.begin() + static_cast<std::ptrdiff_t>(subtreeEnd(top));
-    std::vector<Node> taken(std::make_move_iterator(first), std::make_move_iterator(last));
+    NodeList::Pointers taken(std::make_move_iterator(first), std::make_move_iterator(last));
     m_nodes.erase(first, last);
     return taken;
+}
+
+std::vector<Node> Scene::remove(NodeId id)
+{
+    if (!std::as_const(*this).find(id))
+        return {};
+    const NodeList::Pointers taken = take(id);
+    return NodeList(taken);
+}
+
+bool Scene::operator==(const Scene& other) const
+{
+    const auto same = [](const std::shared_ptr<Node>& a, const std::shared_ptr<Node>& b) {
+        return a == b || *a == *b;
+    };
+    return std::ranges::equal(m_nodes, other.m_nodes, same) && m_timeline == other.m_timeline &&
+           m_bookmarks == other.m_bookmarks;
 }
 
 Expected<void> Scene::move(NodeId id, NodeId newParent, int row)
@@ -198,7 +233,7 @@ Expected<void> Scene::move(NodeId id, NodeId newParent, int row)
         return fail(ErrorCode::Unknown, RAMURE_NOOP("there is no node %1"), {std::to_string(id)});
     if (id == newParent || isAncestor(id, newParent))
         return fail(ErrorCode::Invalid, RAMURE_NOOP("a node cannot be moved below itself"));
-    splice(remove(id), newParent, row);
+    splice(take(id), newParent, row);
     return {};
 }
 

@@ -9,6 +9,7 @@
 #include "core/params/node_params.h"
 #include "core/rig/tracks/node_animation.h"
 #include "core/rig/tracks/timeline_settings.h"
+#include "core/scene/node_list.h"
 #include "core/scene/view_bookmarks.h"
 #include "core/surface/mesh/triangle_mesh.h"
 #include <glm/mat4x4.hpp>
@@ -38,13 +39,16 @@ struct Node
     bool operator==(const Node&) const = default;
 };
 
+/// Copies share their nodes, so that a copy costs little whatever the nodes hold.
 class Scene
 {
 public:
     /// Depth-first: parents before children, siblings in their order.
-    [[nodiscard]] const std::vector<Node>& nodes() const { return m_nodes; }
+    [[nodiscard]] NodeList nodes() const { return NodeList(m_nodes); }
     [[nodiscard]] bool empty() const { return m_nodes.empty(); }
     [[nodiscard]] const Node* find(NodeId id) const;
+    /// To change it: a node that other scenes share is copied first. Pointers to it from before a copy of the
+    /// scene was made still show the shared one.
     [[nodiscard]] Node* find(NodeId id);
     [[nodiscard]] std::vector<NodeId> children(NodeId parent) const;
     /// Position among its siblings, -1 where there is no such node.
@@ -81,19 +85,18 @@ public:
     void setBookmarks(const ViewBookmarks& bookmarks) { m_bookmarks = bookmarks; }
     /// The same nodes in the same order, the same timeline and bookmarks; which ids were used before does
     /// not count.
-    bool operator==(const Scene& other) const
-    {
-        return m_nodes == other.m_nodes && m_timeline == other.m_timeline && m_bookmarks == other.m_bookmarks;
-    }
+    bool operator==(const Scene& other) const;
 
 private:
     void noteUsed(NodeId highest);
     [[nodiscard]] std::size_t indexOf(NodeId id) const;
     [[nodiscard]] std::size_t subtreeEnd(std::size_t top) const;
     [[nodiscard]] std::size_t placeFor(NodeId parent, int row) const;
-    void splice(std::vector<Node> block, NodeId parent, int row);
+    void splice(NodeList::Pointers block, NodeId parent, int row);
+    NodeList::Pointers take(NodeId id);
+    Node& own(std::size_t index);
 
-    std::vector<Node> m_nodes;
+    NodeList::Pointers m_nodes; ///< one that another scene has too is never changed
     TimelineSettings m_timeline;
     ViewBookmarks m_bookmarks;
     NodeId m_nextId = 1; ///< noNode once all have been used

@@ -51,7 +51,7 @@ Expected<Scene> Scene::fromNodes(std::vector<Node> nodes)
         placed[i] = true;
         push(nodes[i].id);
         scene.noteUsed(nodes[i].id);
-        scene.m_nodes.push_back(std::move(nodes[i]));
+        scene.m_nodes.push_back(std::make_shared<Node>(std::move(nodes[i])));
     }
     // What the way down from the top level never met hangs in a circle.
     const auto lost = std::find(placed.begin(), placed.end(), false);

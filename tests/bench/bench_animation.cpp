@@ -1,5 +1,6 @@
 // Tracks and the places of nodes.
 #include "core/math/random.h"
+#include "core/presets/presets.h"
 #include "core/rig/tracks/track.h"
 #include "core/scene/demo_scenes.h"
 #include "core/scene/world_transforms.h"
@@ -86,6 +87,23 @@ void placesOfMovingTree(benchmark::State& state)
     }
 }
 
+/// What every thread takes of the document: 10,000 trees.
+void copyOfScene(benchmark::State& state)
+{
+    std::vector<Node> nodes(10'000);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        nodes[i].id = static_cast<NodeId>(i + 1);
+        nodes[i].kind = NodeKind::Tree;
+        nodes[i].name = "tree";
+        nodes[i].params = *presetParams("EnglishOak");
+    }
+    const Scene scene = *Scene::fromNodes(std::move(nodes));
+    for (auto _ : state) {
+        const Scene copy = scene;
+        benchmark::DoNotOptimize(copy.nodes().size());
+    }
+}
+
 BENCHMARK(nextTime)
     ->Name("BM_track_next_time")
     ->Arg(int(KeyMode::Linear))
@@ -97,6 +115,7 @@ BENCHMARK(nextOrientation)
     ->Arg(int(KeyMode::Linear))
     ->Arg(int(KeyMode::Cubic));
 BENCHMARK(keyEdit)->Name("BM_track_edit_100000_keys")->Unit(benchmark::kMillisecond);
+BENCHMARK(copyOfScene)->Name("BM_copy_10000_nodes")->Unit(benchmark::kMillisecond);
 BENCHMARK(placesOfMovingTree)->Name("BM_places_1365_nodes")->Unit(benchmark::kMillisecond);
 
 } // namespace

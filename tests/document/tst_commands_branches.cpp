@@ -206,7 +206,7 @@ void TestBranchCommands::resetGivesThePresetsValues()
 /// One edit of any kind; most succeed.
 static void randomEdit(Document& document, Random& random)
 {
-    const std::vector<Node>& nodes = document.scene().nodes();
+    const NodeList nodes = document.scene().nodes();
     const auto pick = [&]() -> NodeId {
         if (nodes.empty() || random.below(8) == 0)
             return noNode;

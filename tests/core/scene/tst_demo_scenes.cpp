@@ -103,8 +103,8 @@ private slots:
             double worst = 0.0;
             const std::function<void(NodeId, const Matrix&, int)> walk = [&](NodeId id, const Matrix& world,
                                                                              int level) {
-                const Node& node = *scene.find(id);
-                const auto index = static_cast<std::size_t>(&node - scene.nodes().data());
+                const auto index = static_cast<std::size_t>(std::ranges::find(scene.nodes(), id, &Node::id) -
+                                                            scene.nodes().begin());
                 worst =
                     std::max({worst, difference(transforms[index].world, world),
                               difference(transforms[index].geometry, times(world, scaled(0.15, 1, 0.15)))});

@@ -189,7 +189,7 @@ private slots:
         QVERIFY(m_files->newFromPreset(QStringLiteral("SmallTree")));
         m_chooser->answer = path("tree.ramure");
         m_set->find(QStringLiteral("file.open"))->trigger();
-        QVERIFY(m_document->scene().nodes() == saved.nodes());
+        QVERIFY(m_document->scene() == saved);
         QVERIFY(!m_document->isModified());
         QVERIFY(!m_document->selection().nodes.empty());
     }

@@ -127,11 +127,12 @@ void ArmMeshRow::turn(MeshAxis axis)
         return;
     if (const NodeId worn = wornNode(); worn != noNode)
         return wear(worn, axis);
+    const bool wears = static_cast<bool>(arm->mesh);
     NodeParams params;
     params.armSkin.axis = axis;
     const ParamDef& def = *findParam("armSkin.axis");
     showProblem(edit::setParam(*m_document, {m_arm}, def, def.get(params)));
-    if (arm->mesh && m_problem->isHidden()) {
+    if (wears && m_problem->isHidden()) {
         m_problem->setText(
             tr("The object that the arm's mesh was copied from is not in the scene: choose one "
                "again under “Skin”."));

@@ -232,7 +232,7 @@ std::vector<const Node*> Recompute::Private::staleTrees() const
 
 std::size_t Recompute::Private::treeCount() const
 {
-    const std::vector<Node>& nodes = document->scene().nodes();
+    const NodeList nodes = document->scene().nodes();
     return static_cast<std::size_t>(std::count_if(
         nodes.begin(), nodes.end(), [](const Node& node) { return node.kind == NodeKind::Tree; }));
 }

@@ -132,7 +132,7 @@ QStringList expectedRows(const Document& document, NodeId parent = noNode, int d
 /// A result of what the parameters say, for every tree that has none or an older one.
 void computeTrees(Document& document, TreePipeline& pipeline)
 {
-    for (const Node& node : std::vector(document.scene().nodes())) {
+    for (const Node& node : std::vector<Node>(document.scene().nodes())) {
         if (node.kind != NodeKind::Tree || document.isCurrent(node.id))
             continue;
         NodeResult result;
