@@ -42,20 +42,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>Turn %n branch(es)</source>
-        <translation>
-            <numerusform>Turn %n branch</numerusform>
-            <numerusform>Turn %n branches</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Delete %n edit(s) of branches</source>
-        <translation>
-            <numerusform>Delete %n edit of a branch</numerusform>
-            <numerusform>Delete %n edits of branches</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>Shape %n limb(s)</source>
         <translation>
             <numerusform>Shape %n limb</numerusform>
@@ -88,20 +74,6 @@
         <translation>
             <numerusform>Copy %n edit of the tree</numerusform>
             <numerusform>Copy %n edits of the tree</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Straighten %n branch(es)</source>
-        <translation>
-            <numerusform>Straighten %n branch</numerusform>
-            <numerusform>Straighten %n branches</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Bend %n branch(es)</source>
-        <translation>
-            <numerusform>Bend %n branch</numerusform>
-            <numerusform>Bend %n branches</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -486,13 +458,6 @@
 <context>
     <name>ramure::RecipeModel</name>
     <message numerus="yes">
-        <source>Bend of %n branch(es)</source>
-        <translation>
-            <numerusform>Bend of %n branch</numerusform>
-            <numerusform>Bend of %n branches</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n chosen axis(es)</source>
         <translation>
             <numerusform>%n chosen axis</numerusform>
@@ -647,23 +612,6 @@
         <translation>
             <numerusform>%Ln edit without a place</numerusform>
             <numerusform>%Ln edits without a place</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>ramure::UnplacedDialog</name>
-    <message numerus="yes">
-        <source>Bend of %n branch(es)</source>
-        <translation>
-            <numerusform>Bend of %n branch</numerusform>
-            <numerusform>Bend of %n branches</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Roll of %n branch(es)</source>
-        <translation>
-            <numerusform>Roll of %n branch</numerusform>
-            <numerusform>Roll of %n branches</numerusform>
         </translation>
     </message>
 </context>

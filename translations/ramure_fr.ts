@@ -1406,13 +1406,6 @@
         <source>Change Timeline</source>
         <translation>Modifier la ligne de temps</translation>
     </message>
-    <message numerus="yes">
-        <source>Turn %n branch(es)</source>
-        <translation>
-            <numerusform>Tourner %n branche</numerusform>
-            <numerusform>Tourner %n branches</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Insert Keys</source>
         <translation>Insérer des clés</translation>
@@ -1440,13 +1433,6 @@
     <message>
         <source>Forget Bookmark %1</source>
         <translation>Oublier le signet %1</translation>
-    </message>
-    <message numerus="yes">
-        <source>Delete %n edit(s) of branches</source>
-        <translation>
-            <numerusform>Supprimer %n modification de branche</numerusform>
-            <numerusform>Supprimer %n modifications de branches</numerusform>
-        </translation>
     </message>
     <message>
         <source>Pack pictures</source>
@@ -1493,20 +1479,6 @@
         <translation>
             <numerusform>Copier %n modification de l’arbre</numerusform>
             <numerusform>Copier %n modifications de l’arbre</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Straighten %n branch(es)</source>
-        <translation>
-            <numerusform>Redresser %n branche</numerusform>
-            <numerusform>Redresser %n branches</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Bend %n branch(es)</source>
-        <translation>
-            <numerusform>Plier %n branche</numerusform>
-            <numerusform>Plier %n branches</numerusform>
         </translation>
     </message>
     <message>
@@ -4002,10 +3974,6 @@
     <message>
         <source>the time is too late for the physics</source>
         <translation>ce moment est trop tardif pour la physique</translation>
-    </message>
-    <message>
-        <source>the bend of a branch must be finite</source>
-        <translation>la courbure d’une branche doit être finie</translation>
     </message>
     <message>
         <source>three numbers are expected here</source>
@@ -9079,6 +9047,14 @@
         <source>variants of the seasons are those of a tree at rest, or without a day</source>
         <translation>les variantes des saisons sont celles d’un arbre au repos, ou sans jour</translation>
     </message>
+    <message>
+        <source>Roll</source>
+        <translation>Roulis</translation>
+    </message>
+    <message>
+        <source>there is nothing above the roll</source>
+        <translation>il n’y a rien au-dessus du roulis</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>
@@ -13782,21 +13758,6 @@ restantes</translation>
         <source>It is kept, and acts again as soon as there is such a limb: %1</source>
         <translation>Elle est gardée, et agit de nouveau dès qu’il y a une telle branche : %1</translation>
     </message>
-    <message numerus="yes">
-        <source>Bend of %n branch(es)</source>
-        <translation>
-            <numerusform>Courbure de %n branche</numerusform>
-            <numerusform>Courbure de %n branches</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>A bend acts after the other edits; it cannot be switched off, moved or copied</source>
-        <translation>Une courbure agit après les autres retouches ; on ne peut ni la désactiver, ni la déplacer, ni la copier</translation>
-    </message>
-    <message>
-        <source>The branches are not there at present. It is kept, and acts again as soon as such branches grow; Del removes it.</source>
-        <translation>Ces branches n’existent pas pour le moment. La modification est gardée et agira de nouveau dès que de telles branches poussent ; Suppr l’efface.</translation>
-    </message>
     <message>
         <source>on the ground</source>
         <translation>au sol</translation>
@@ -13910,10 +13871,6 @@ restantes</translation>
     <message>
         <source>Select a tree: its recipe is listed here, the steps that make it one after the other.</source>
         <translation>Sélectionnez un arbre : sa recette s’affiche ici, les étapes qui le font l’une après l’autre.</translation>
-    </message>
-    <message>
-        <source>Delete steps</source>
-        <translation>Supprimer des étapes</translation>
     </message>
     <message>
         <source>Duplicate</source>
@@ -15292,28 +15249,16 @@ restantes</translation>
         </translation>
     </message>
     <message>
-        <source>Rolls and bends of branches that are not there at present. They are kept. A click lists them.</source>
-        <translation>Roulis et flexions de branches qui n’existent pas en ce moment. Elles sont conservées. Un clic les énumère.</translation>
+        <source>Steps on limbs that are not there at present. They are kept. A click lists them.</source>
+        <translation>Étapes sur des branches qui n’existent pas à présent. Elles sont conservées. Un clic les liste.</translation>
     </message>
 </context>
 <context>
     <name>ramure::UnplacedDialog</name>
     <message>
-        <source>Roll %1</source>
-        <translation>Roulis de %1</translation>
-    </message>
-    <message>
-        <source>Bend %1</source>
-        <translation>Flexion de %1</translation>
-    </message>
-    <message>
         <source>%1 %</source>
         <comment>a share</comment>
         <translation>%1 %</translation>
-    </message>
-    <message>
-        <source>unknown: from an older file</source>
-        <translation>inconnue : vient d’un ancien fichier</translation>
     </message>
     <message>
         <source>Trunk of %1, %2 up</source>
@@ -15362,20 +15307,6 @@ restantes</translation>
     <message>
         <source>on a limb made by hand</source>
         <translation>sur une branche faite à la main</translation>
-    </message>
-    <message numerus="yes">
-        <source>Bend of %n branch(es)</source>
-        <translation>
-            <numerusform>Courbure de %n branche</numerusform>
-            <numerusform>Courbure de %n branches</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Roll of %n branch(es)</source>
-        <translation>
-            <numerusform>Roulis de %n branche</numerusform>
-            <numerusform>Roulis de %n branches</numerusform>
-        </translation>
     </message>
 </context>
 <context>

@@ -160,7 +160,7 @@ Expected<void> separateTrees(Input& input, TreePipeline& pipeline, const Progres
         const double from = static_cast<double>(i) / count;
         auto separated = separateBranches(pipeline, node.params, {}, progress.part(from, from + 1.0 / count));
         RAMURE_TRY(separated);
-        node.params = withBends(node.params, separated->bendRad);
+        node.params = withSteps(node.params, separated->steps);
         printError(QStringLiteral("%1: %2 of %3 colliding pairs moved apart")
                        .arg(fromText(node.name))
                        .arg(separated->before - separated->rest.size())

@@ -241,14 +241,10 @@ std::int64_t LevelMaker::fillLeaves(std::int64_t budget, std::int64_t bark, Spli
 
 std::vector<double> LevelMaker::rolls(const PrunedTree& pruned) const
 {
-    std::vector<double> out;
-    if (m_params.branches.empty())
-        return out;
-    out.resize(pruned.skeleton.size(), 0.0);
-    for (Index b = 0; b < pruned.skeleton.size(); ++b)
-        if (const auto set = m_params.branches.find(m_skeleton.name(pruned.run(b).front()));
-            set != m_params.branches.end())
-            out[b] = set->second.rollRad;
+    const std::vector<double> all = m_skeleton.rollOfEach();
+    std::vector<double> out(all.empty() ? 0 : pruned.skeleton.size(), 0.0);
+    for (Index b = 0; b < out.size(); ++b)
+        out[b] = all[pruned.run(b).front()];
     return out;
 }
 

@@ -7,7 +7,6 @@
 
 #include "core/params/arm_params.h"
 #include "core/params/bark_params.h"
-#include "core/params/branch_place.h"
 #include "core/params/camera_params.h"
 #include "core/params/colonisation_params.h"
 #include "core/params/fruit_params.h"
@@ -24,7 +23,6 @@
 #include "core/params/weber_penn_params.h"
 #include <cstdint>
 #include <glm/vec3.hpp>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -128,20 +126,6 @@ struct PlacementParams
     bool operator==(const PlacementParams&) const = default;
 };
 
-/// Values that an artist set on one branch by hand.
-struct BranchParams
-{
-    double rollRad = 0.0; ///< the branch's frames turned about the tangent, handed on to its children
-    /// Turn of the branch about its start, together with everything that grows on it: axis times angle, in
-    /// tree space before the bends of its ancestors (core/skeleton/bend.h).
-    glm::dvec3 bendRad{0.0};
-    /// The branch's place when they were set, so that it is found again in a changed tree.
-    BranchPlace place{};
-
-    [[nodiscard]] bool changesNothing() const { return rollRad == 0.0 && bendRad == glm::dvec3(0.0); }
-    bool operator==(const BranchParams&) const = default;
-};
-
 struct NodeParams
 {
     GeneratorParams generator;
@@ -177,9 +161,7 @@ struct NodeParams
     CameraParams camera;
     StepParams step;                                   ///< only in a step of a recipe (StepValues)
     std::vector<ArmJoint> joints = defaultArmJoints(); ///< joints of an arm, from the foot on
-    std::map<std::uint64_t, BranchParams>
-        branches;                ///< by Skeleton::name; only branches that differ from the default
-    std::vector<TreeEdit> edits; ///< steps of a tree, in the order in which they act
+    std::vector<TreeEdit> edits;                       ///< steps of a tree, in the order in which they act
     std::optional<GroundPlane>
         ground; ///< no parameter: filled in from the scene, where the tree stands on something
     bool operator==(const NodeParams&) const = default;

@@ -283,15 +283,6 @@ Expected<void> checkParams(const NodeParams& params)
             return ok;
     if (auto ok = checkArm(params.joints); !ok)
         return ok;
-    for (const auto& [key, branch] : params.branches) {
-        const glm::dvec3& bend = branch.bendRad;
-        const bool rollIsFinite = std::isfinite(branch.rollRad);
-        if (rollIsFinite && isFinite(bend))
-            continue;
-        auto error = fail(ErrorCode::Invalid, RAMURE_NOOP("must be a finite number"));
-        error.value().path = "branches." + numberText(key) + (rollIsFinite ? ".bendRad" : ".rollRad");
-        return error;
-    }
     return checkTreeEdits(params.edits);
 }
 

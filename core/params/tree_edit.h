@@ -21,6 +21,7 @@ enum class EditOperation : std::uint8_t {
     Bend,      ///< turns the wood above `from`, gradually up to `to` if that is above
     Curl,      ///< turned bit by bit between `from` and `to`
     Twist,     ///< turns the limbs of an axis about it, by `angleRad` at the tip
+    Roll,      ///< turns the bark of an axis above `from` and of its limbs about their curves, no wood moves
     Length,    ///< times `factor`
     Thickness, ///< radii times `factor`
     Taper,     ///< radii times `factor` at the tip, unchanged at the foot

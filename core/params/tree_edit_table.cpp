@@ -22,6 +22,7 @@ constexpr EditOperationInfo operations[] = {
     {EditOperation::Curl, "curl", RAMURE_NOOP("Curl"), "target", "",
      editFrom | editTo | editRotation | editNeedsTarget},
     {EditOperation::Twist, "twist", RAMURE_NOOP("Twist"), "target", "", editAngle | editNeedsTarget},
+    {EditOperation::Roll, "roll", RAMURE_NOOP("Roll"), "target", "", editFrom | editAngle | editNeedsTarget},
     {EditOperation::Length, "length", RAMURE_NOOP("Length"), "target", "",
      editFactor | editBelow | editNeedsTarget},
     {EditOperation::Thickness, "thickness", RAMURE_NOOP("Thickness"), "target", "",

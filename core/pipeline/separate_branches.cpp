@@ -1,16 +1,20 @@
 #include "core/pipeline/separate_branches.h"
 
+#include "core/params/tree_edit_table.h"
 #include "core/pipeline/branch_mover.h"
+#include "core/pipeline/tree_context.h"
 #include "core/skeleton/bend.h"
+#include "core/skeleton/branch_steps.h"
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <set>
 
 namespace ramure {
 namespace {
 
-using Bends = std::map<std::uint64_t, glm::dvec3>;
-using BranchPair = std::pair<std::uint64_t, std::uint64_t>; ///< names
+using Bends = std::map<std::uint64_t, glm::dvec3>; ///< by Skeleton::key, of the tree that it began with
+using BranchPair = std::pair<std::uint64_t, std::uint64_t>; ///< keys
 
 /// A tree with its bends, and what is wrong with its mesh.
 struct Candidate
@@ -24,7 +28,7 @@ struct Candidate
     {
         std::set<BranchPair> found;
         for (const Collision& c : analysis.collisions)
-            found.emplace(skeleton().name(c.first), skeleton().name(c.second));
+            found.emplace(skeleton().key[c.first], skeleton().key[c.second]);
         return found;
     }
 };
@@ -52,12 +56,10 @@ public:
 
     Expected<Separation> run()
     {
-        Bends start;
-        for (const auto& [key, branch] : m_params.branches)
-            if (branch.bendRad != glm::dvec3(0.0))
-                start[key] = branch.bendRad;
-        auto best = look(start);
+        auto best = look({});
         RAMURE_TRY(best);
+        m_start = best->tree;
+        m_axes = axesOf(*m_start.skeleton);
         Separation result;
         result.before = best->analysis.collisions.size();
         for (int round = 1; round < m_options.rounds && !best->analysis.collisions.empty(); ++round) {
@@ -70,17 +72,33 @@ public:
                                             double(std::max<std::size_t>(result.before, 1));
             m_progress.report(std::max(solved, double(round) / double(m_options.rounds)));
         }
-        result.bendRad = best->bends;
+        result.steps = stepsOf(best->bends);
         result.rest = best->analysis.collisions;
         m_progress.report(1.0);
         return result;
     }
 
 private:
+    std::vector<TreeEdit> stepsOf(const Bends& bends) const
+    {
+        if (bends.empty())
+            return {};
+        const Skeleton& skeleton = m_start.simplified->skeleton;
+        std::vector<glm::dvec3> turns(skeleton.size(), glm::dvec3(0.0));
+        for (Index i = 0; i < skeleton.size(); ++i)
+            if (const auto found = bends.find(skeleton.key[i]); found != bends.end())
+                turns[i] = found->second;
+        const EditContext tree = contextOf(m_start, m_params);
+        std::vector<TreeEdit> steps;
+        for (TreeEdit& step : bendSteps(m_axes, *m_start.simplified, turns))
+            if (auto ready = tree.prepared(std::move(step), true))
+                steps.push_back(std::move(*ready));
+        return steps;
+    }
     Expected<Candidate> look(const Bends& bends)
     {
         const Progress quiet{m_progress.stop, {}};
-        auto tree = m_pipeline.evaluate(withBends(m_params, bends), Stage::Mesh, quiet);
+        auto tree = m_pipeline.evaluate(withSteps(m_params, stepsOf(bends)), Stage::Mesh, quiet);
         RAMURE_TRY(tree);
         auto analysis = analyseMesh(*tree->branches, tree->simplified->skeleton, m_options.threads, quiet);
         RAMURE_TRY(analysis);
@@ -122,9 +140,9 @@ private:
         std::vector<glm::dvec3> bends(skeleton.size(), glm::dvec3(0.0));
         std::vector<bool> banned(skeleton.size(), false);
         for (Index i = 0; i < skeleton.size(); ++i) {
-            if (const auto known = from.bends.find(skeleton.name(i)); known != from.bends.end())
+            if (const auto known = from.bends.find(skeleton.key[i]); known != from.bends.end())
                 bends[i] = known->second;
-            banned[i] = m_banned.contains(skeleton.name(i));
+            banned[i] = m_banned.contains(skeleton.key[i]);
         }
         std::vector<glm::dquat> turned = bendRotations(skeleton, bends);
         Bends changes;
@@ -141,7 +159,7 @@ private:
                 turned[branch] = glm::normalize(turn->rotation * turned[branch]);
             const Index parent = skeleton.parent[turn->branch];
             const glm::dquat base = parent == noIndex ? glm::dquat(1.0, 0.0, 0.0, 0.0) : turned[parent];
-            changes[skeleton.name(turn->branch)] = bendVector(glm::conjugate(base) * turned[turn->branch]);
+            changes[skeleton.key[turn->branch]] = bendVector(glm::conjugate(base) * turned[turn->branch]);
         }
         return changes;
     }
@@ -154,7 +172,7 @@ private:
         const std::set<BranchPair> before = from.pairs();
         std::set<Index> troubled;
         for (const Collision& c : next.analysis.collisions)
-            if (!before.contains({skeleton.name(c.first), skeleton.name(c.second)}))
+            if (!before.contains({skeleton.key[c.first], skeleton.key[c.second]}))
                 troubled.insert({c.first, c.second});
         const TriangleMesh& mesh = next.tree.branches->mesh;
         const bool forksSuffer =
@@ -167,8 +185,8 @@ private:
         std::set<std::uint64_t> guilty;
         for (Index at : troubled)
             for (; at != noIndex; at = skeleton.parent[at])
-                if (changes.contains(skeleton.name(at)))
-                    guilty.insert(skeleton.name(at));
+                if (changes.contains(skeleton.key[at]))
+                    guilty.insert(skeleton.key[at]);
         if (guilty.empty())
             for (const auto& change : changes)
                 guilty.insert(change.first);
@@ -179,19 +197,20 @@ private:
     const NodeParams& m_params;
     const SeparateOptions& m_options;
     const Progress& m_progress;
-    std::set<std::uint64_t> m_banned; ///< by name: turning them made things worse
+    TreeResult m_start;               ///< before any bend of this treatment
+    TreeAxes m_axes;                  ///< axes of its skeleton
+    std::set<std::uint64_t> m_banned; ///< by key: turning them made things worse
     int m_failed = 0;
 };
 
 } // namespace
 
-NodeParams withBends(NodeParams params, const std::map<std::uint64_t, glm::dvec3>& bendRad)
+NodeParams withSteps(NodeParams params, std::span<const TreeEdit> steps)
 {
-    for (auto& [key, branch] : params.branches)
-        branch.bendRad = glm::dvec3(0.0);
-    for (const auto& [key, bend] : bendRad)
-        params.branches[key].bendRad = bend;
-    std::erase_if(params.branches, [](const auto& entry) { return entry.second.changesNothing(); });
+    for (const TreeEdit& step : steps) {
+        params.edits.push_back(step);
+        params.edits.back().id = newEditId(std::span(params.edits).first(params.edits.size() - 1), step);
+    }
     return params;
 }
 

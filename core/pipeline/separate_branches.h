@@ -5,7 +5,8 @@
 
 #include "core/pipeline/tree_pipeline.h"
 #include "core/surface/check/mesh_analysis.h"
-#include <map>
+#include <span>
+#include <vector>
 
 namespace ramure {
 
@@ -19,9 +20,9 @@ struct SeparateOptions
 
 struct Separation
 {
-    std::map<std::uint64_t, glm::dvec3> bendRad; ///< BranchParams::bendRad of the branches that were turned
-    std::size_t before = 0;                      ///< pairs of branches that collided
-    std::vector<Collision> rest;                 ///< and still do; never more than before
+    std::vector<TreeEdit> steps; ///< bends, for the end of the recipe; without ids
+    std::size_t before = 0;      ///< pairs of branches that collided
+    std::vector<Collision> rest; ///< and still do; never more than before
 };
 
 /// Turns branches, builds the mesh and searches for crossings again, as long as this improves the tree: fewer
@@ -30,7 +31,7 @@ struct Separation
 Expected<Separation> separateBranches(TreePipeline& pipeline, const NodeParams& params,
                                       const SeparateOptions& options = {}, const Progress& progress = {});
 
-/// The parameters with the bends in them.
-NodeParams withBends(NodeParams params, const std::map<std::uint64_t, glm::dvec3>& bendRad);
+/// The parameters with these steps, which need no ids, at the end of the recipe.
+NodeParams withSteps(NodeParams params, std::span<const TreeEdit> steps);
 
 } // namespace ramure

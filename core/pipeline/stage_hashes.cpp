@@ -133,21 +133,9 @@ StageHashes::StageHashes(const NodeParams& params)
         add(edited, params.edits[i]);
     of(Stage::Skeleton) = edited.value();
     follow(Stage::Simplified, of(Stage::Skeleton));
-    StageHash bent(of(Stage::Simplified));
-    for (const auto& [key, branch] : params.branches)
-        if (branch.bendRad != glm::dvec3(0.0))
-            bent.add(key).add(branch.bendRad.x).add(branch.bendRad.y).add(branch.bendRad.z);
-    // An edit that knows its place may be found on another branch, and take it from another edit.
-    for (const auto& [name, branch] : params.branches)
-        if (!branch.place.way.empty())
-            add(bent.add(name), branch.place);
-    of(Stage::Simplified) = bent.value();
-    StageHash rolled = bent;
-    for (const auto& [key, branch] : params.branches)
-        rolled.add(key).add(branch.rollRad);
-    follow(Stage::Sections, rolled.value());
+    follow(Stage::Sections, of(Stage::Simplified));
     // A mesh for a budget has sections of its own.
-    follow(Stage::Mesh, params.mesh.targetTriangles > 0 ? rolled.value() : of(Stage::Sections));
+    follow(Stage::Mesh, of(params.mesh.targetTriangles > 0 ? Stage::Simplified : Stage::Sections));
     if (params.ground)
         of(Stage::Mesh) = StageHash(of(Stage::Mesh))
                               .add(params.ground->height)

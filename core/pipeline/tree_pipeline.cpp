@@ -9,8 +9,6 @@
 #include "core/pipeline/stage_cache.h"
 #include "core/pipeline/stage_hashes.h"
 #include "core/recipe/edit_context.h"
-#include "core/skeleton/bend.h"
-#include "core/skeleton/edit_places.h"
 #include "core/skeleton/packed_skeleton.h"
 #include "core/surface/foliage/place_foliage.h"
 #include "core/surface/mesher/build_branch_mesh.h"
@@ -53,7 +51,7 @@ std::size_t bytesOf(const Skeleton& s)
 {
     return bytesOf(s.parent) + bytesOf(s.p0) + bytesOf(s.p1) + bytesOf(s.a0) + bytesOf(s.a1) +
            bytesOf(s.level) + bytesOf(s.key) + bytesOf(s.source) + bytesOf(s.organs) + bytesOf(s.axisStarts) +
-           bytesOf(s.bare) + bytesOf(s.sawn) + bytesOf(s.loose);
+           bytesOf(s.bare) + bytesOf(s.sawn) + bytesOf(s.loose) + bytesOf(s.rolls);
 }
 std::size_t bytesOf(const TreeAxes& tree)
 {
@@ -143,38 +141,9 @@ std::size_t bytesOf(const MeshedFoliage& f)
 
 SimplifiedSkeleton untouched(const Skeleton& skeleton)
 {
-    SimplifiedSkeleton same{skeleton, std::vector<Index>(skeleton.size()), {}};
+    SimplifiedSkeleton same{skeleton, std::vector<Index>(skeleton.size())};
     std::iota(same.mergedInto.begin(), same.mergedInto.end(), Index(0));
     return same;
-}
-
-/// Turns branches that somebody, or the treatment of collisions, has turned.
-SimplifiedSkeleton bent(SimplifiedSkeleton simplified, const NodeParams& params)
-{
-    Skeleton& skeleton = simplified.skeleton;
-    std::vector<glm::dvec3> bends(skeleton.size(), glm::dvec3(0.0));
-    bool any = false;
-    for (Index i = 0; i < skeleton.size() && !params.branches.empty(); ++i)
-        if (const auto set = params.branches.find(skeleton.name(i)); set != params.branches.end()) {
-            bends[i] = set->second.bendRad;
-            any = any || bends[i] != glm::dvec3(0.0);
-        }
-    if (any)
-        bendBranches(skeleton, bends);
-    return simplified;
-}
-
-/// One turn per branch, empty where nobody set any.
-std::vector<double> rollsOf(const NodeParams& params, const Skeleton& skeleton)
-{
-    std::vector<double> rolls;
-    if (params.branches.empty())
-        return rolls;
-    rolls.resize(skeleton.size(), 0.0);
-    for (Index i = 0; i < skeleton.size(); ++i)
-        if (const auto set = params.branches.find(skeleton.name(i)); set != params.branches.end())
-            rolls[i] = set->second.rollRad;
-    return rolls;
 }
 
 Expected<void> checkMeshSize(Index branches, const NodeParams& all)
@@ -433,14 +402,9 @@ private:
             return ok;
         return cached(m_cache.simplified, m_hashes[Stage::Simplified], m_progress,
                       [&]() -> Expected<SimplifiedSkeleton> {
-                          Expected<SimplifiedSkeleton> merged =
-                              params.enabled
-                                  ? simplify(skeleton, params.rotationThreshold, m_progress.part(0.1, 0.12))
-                                  : untouched(skeleton);
-                          return std::move(merged).map([&](SimplifiedSkeleton&& made) {
-                              nameEditedBranches(skeleton, made, m_params.branches);
-                              return bent(std::move(made), m_params);
-                          });
+                          return params.enabled ? simplify(skeleton, params.rotationThreshold,
+                                                           m_progress.part(0.1, 0.12))
+                                                : untouched(skeleton);
                       })
             .map([&](auto made) { m_result.simplified = std::move(made); });
     }
@@ -453,7 +417,7 @@ private:
         const int divisions = static_cast<int>(m_params.sections.lengthDivisions);
         return cached(m_cache.sections, m_hashes[Stage::Sections], m_progress,
                       [&]() -> Expected<SectionSet> {
-                          return buildSections(skeleton, divisions, rollsOf(m_params, skeleton));
+                          return buildSections(skeleton, divisions, skeleton.rollOfEach());
                       })
             .map([&](auto made) { m_result.sections = std::move(made); });
     }
@@ -462,7 +426,7 @@ private:
         const Skeleton& skeleton = m_result.simplified->skeleton;
         return cached(m_cache.branches, m_hashes[Stage::Mesh], m_progress,
                       [&] {
-                          return meshBranches(skeleton, m_params, rollsOf(m_params, skeleton),
+                          return meshBranches(skeleton, m_params, skeleton.rollOfEach(),
                                               m_progress.part(0.2, 0.9));
                       })
             .map([&](auto made) {

@@ -65,10 +65,10 @@ Random chanceOf(const EditTree& tree, const TreeEdit& edit, Index axis)
 
 Expected<void> act(EditTree& tree, const TreeEdit& edit, Index target, Index other)
 {
-    constexpr Act* acts[] = {cut,   remove, keep,   bend,   curl,   twist,  length,   thickness,
-                             taper, draw,   extend, redraw, graft,  move,   prune,    attract,
-                             comb,  leaves, root,   place,  sag,    gnarl,  deadWood, pipe,
-                             flare, growOn, source, source, source, source, frozen,   unknown};
+    constexpr Act* acts[] = {cut,    remove, keep,   bend,   curl,   twist,    roll,  length,  thickness,
+                             taper,  draw,   extend, redraw, graft,  move,     prune, attract, comb,
+                             leaves, root,   place,  sag,    gnarl,  deadWood, pipe,  flare,   growOn,
+                             source, source, source, source, frozen, unknown};
     static_assert(std::size(acts) == editOperationCount);
     tree.setMaker(edit.id);
     Act* const act = acts[static_cast<std::size_t>(edit.operation)];

@@ -41,7 +41,7 @@ Index pieceAbove(EditTree& tree, Index axis, double share)
 {
     const Index first = tree.axis(axis).first;
     const AxisSpot spot = tree.spotOn(axis, share);
-    if (spot.piece == first && spot.t * tree.length(first) < 1e-3 * tree.axisLength(axis))
+    if (spot.piece == first && spot.t < 1.0 && spot.t * tree.length(first) < 1e-3 * tree.axisLength(axis))
         return first;
     return tree.piece(tree.splitAt(spot)).next;
 }
@@ -162,6 +162,15 @@ Expected<void> twist(EditTree& tree, const TreeEdit& edit, Index target, Index /
         return any = true;
     });
     return any ? Expected<void>() : fail(ErrorCode::Invalid, RAMURE_NOOP("nothing grows on this axis"));
+}
+
+Expected<void> roll(EditTree& tree, const TreeEdit& edit, Index target, Index /*other*/)
+{
+    const Index first = pieceAbove(tree, target, edit.from);
+    if (first == noIndex)
+        return fail(ErrorCode::Invalid, RAMURE_NOOP("there is nothing above the roll"));
+    tree.piece(first).roll += edit.angleRad;
+    return {};
 }
 
 Expected<void> length(EditTree& tree, const TreeEdit& edit, Index target, Index /*other*/)

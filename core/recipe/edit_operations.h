@@ -13,16 +13,16 @@ namespace ramure::edits {
 /// done (Invalid), and then the tree is as it was.
 using Act = Expected<void>(EditTree& tree, const TreeEdit& edit, Index target, Index other);
 
-Act cut, remove, keep, prune, leaves;               // edit_cuts.cpp
-Act bend, curl, twist, length, attract, comb, root; // edit_bends.cpp
-Act thickness, taper, redraw;                       // edit_shapes.cpp
-Act draw, extend, graft, move;                      // edit_growth.cpp
-Act place;                                          // edit_organs.cpp
-Act sag, gnarl;                                     // wandering.cpp
-Act deadWood;                                       // dead_wood.cpp
-Act pipe, flare;                                    // radii.cpp
-Act growOn;                                         // grow_on.cpp
-Act source;                                         // step_source.cpp
+Act cut, remove, keep, prune, leaves;                     // edit_cuts.cpp
+Act bend, curl, twist, roll, length, attract, comb, root; // edit_bends.cpp
+Act thickness, taper, redraw;                             // edit_shapes.cpp
+Act draw, extend, graft, move;                            // edit_growth.cpp
+Act place;                                                // edit_organs.cpp
+Act sag, gnarl;                                           // wandering.cpp
+Act deadWood;                                             // dead_wood.cpp
+Act pipe, flare;                                          // radii.cpp
+Act growOn;                                               // grow_on.cpp
+Act source;                                               // step_source.cpp
 
 Expected<void> act(EditTree& tree, const TreeEdit& edit, Index target, Index other);
 

@@ -2,6 +2,7 @@
 
 #include "core/math/stage_hash.h"
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 
 namespace ramure {
@@ -9,6 +10,8 @@ namespace {
 
 /// As a share of the axis' length: nearer to a node it is the node.
 constexpr double sameSpot = 1e-3;
+/// Likewise: so near it is that node, even where another one is nearer than sameSpot, too.
+constexpr double exactSpot = 1e-9;
 
 } // namespace
 
@@ -52,6 +55,8 @@ void EditTree::takePieces(const Skeleton& tree)
         m_organs.push_back({organ, false});
     for (const Index i : tree.sawn)
         m_pieces[i].sawn = true;
+    for (const auto& [i, roll] : tree.rolls)
+        m_pieces[i].roll = roll;
     for (const Index i : tree.bare)
         m_pieces[i].bare = true;
     for (const LooseLimb& limb : tree.loose) {
@@ -145,9 +150,15 @@ AxisSpot PieceTree::spotOn(Index axis, double share) const
         const double own = length(i);
         if (wanted < start + own - sameSpot * whole)
             return {i, std::clamp((wanted - start) / own, 0.0, 1.0)};
-        if (wanted <= start + own + sameSpot * whole || m_pieces[i].next == noIndex)
-            return {i, 1.0};
         start += own;
+        if (wanted > start + sameSpot * whole && m_pieces[i].next != noIndex)
+            continue;
+        for (Index k = i; k != noIndex && start < wanted + exactSpot * whole; k = m_pieces[k].next) {
+            if (std::abs(wanted - start) <= exactSpot * whole)
+                return {k, 1.0};
+            start += m_pieces[k].next == noIndex ? 0.0 : length(m_pieces[k].next);
+        }
+        return {i, 1.0};
     }
     return {tipOf(axis), 1.0};
 }
@@ -258,6 +269,7 @@ Index EditTree::splitPiece(Index i, double from, double t)
     above.a0 = radius;
     above.parent = i;
     above.loose = false;
+    above.roll = 0.0;
     m_pieces.push_back(above);
     EditPiece& below = m_pieces[i];
     below.p1 = point;
@@ -459,6 +471,8 @@ Skeleton PieceTree::skeleton() const
             out.axisStarts.emplace_back(at, m_axes[piece.axis].address);
         if (piece.bare)
             out.bare.push_back(at);
+        if (piece.roll != 0.0)
+            out.rolls.emplace_back(at, piece.roll);
         if (piece.sawn && piece.next == noIndex)
             out.sawn.push_back(at);
     }

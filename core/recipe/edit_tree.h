@@ -29,6 +29,7 @@ struct EditPiece
     bool loose = false;                      ///< the root of a limb that falls
     Index stump = noIndex;                   ///< what that came off
     double fallsAt = 0.0;                    ///< s: LooseLimb::seconds
+    double roll = 0.0;                       ///< rad: Skeleton::rolls
     bool gone = false;
 };
 

@@ -6,6 +6,7 @@
 #include "core/math/stage_hash.h"
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 
 namespace ramure {
@@ -336,59 +337,6 @@ std::vector<FoundPlace> findPlaces(const TreeAxes& tree, std::span<const BranchP
     return found;
 }
 
-void nameEditedBranches(const Skeleton& drawn, SimplifiedSkeleton& simplified, const BranchEdits& edits)
-{
-    Skeleton& skeleton = simplified.skeleton;
-    skeleton.renamed.clear();
-    simplified.matched.clear();
-    if (edits.empty())
-        return;
-    std::vector<std::uint64_t> names;
-    std::vector<const BranchPlace*> places;
-    bool anyKeys = false;
-    for (const auto& [name, edit] : edits) {
-        names.push_back(name);
-        places.push_back(&edit.place);
-        anyKeys = anyKeys || edit.place.way.empty();
-    }
-    std::map<Index, std::uint64_t> nameOf; // of the branches with edits
-    std::vector<bool> isPlaced(names.size(), false);
-    const bool anyPlaces =
-        std::ranges::any_of(places, [](const BranchPlace* place) { return !place->way.empty(); });
-    const auto found = anyPlaces ? findPlaces(axesOf(drawn), places) : std::vector<FoundPlace>(names.size());
-    for (const bool byAddress : {true, false})
-        for (std::size_t i = 0; i < names.size(); ++i)
-            if (found[i].branch != noIndex && found[i].byAddress == byAddress &&
-                nameOf.emplace(simplified.mergedInto[found[i].branch], names[i]).second) {
-                isPlaced[i] = true;
-                if (!byAddress)
-                    simplified.matched.push_back(names[i]);
-            }
-    // Under its own key a branch is found last: an edit that knows its place goes first.
-    std::vector<Index> displaced;
-    for (Index branch = 0; branch < skeleton.size(); ++branch) {
-        const auto at = std::ranges::lower_bound(names, skeleton.key[branch]);
-        if (at == names.end() || *at != skeleton.key[branch] || nameOf.contains(branch))
-            continue;
-        const auto i = static_cast<std::size_t>(at - names.begin());
-        if (!isPlaced[i] && places[i]->way.empty())
-            isPlaced[i] = true;
-        else
-            displaced.push_back(branch);
-    }
-    for (const auto& [branch, name] : nameOf)
-        if (name != skeleton.key[branch])
-            skeleton.renamed.emplace_back(branch, name);
-    for (const Index branch : displaced) {
-        std::uint64_t name = skeleton.key[branch];
-        while (std::ranges::binary_search(names, name))
-            name = mixBits(name + 1);
-        skeleton.renamed.emplace_back(branch, name);
-    }
-    std::ranges::sort(skeleton.renamed);
-    std::ranges::sort(simplified.matched);
-}
-
 std::vector<Index> findBranches(const Skeleton& drawn, const SimplifiedSkeleton& simplified,
                                 std::span<const BranchPlace> places)
 {
@@ -412,41 +360,6 @@ std::vector<Index> followBranches(const Skeleton& drawn, const SimplifiedSkeleto
     for (const Index branch : branches)
         places.push_back(placeOf(tree, simplified.skeleton.source[branch], 0));
     return findBranches(otherDrawn, other, places);
-}
-
-EditCount countEdits(const BranchEdits& edits, const SimplifiedSkeleton& simplified)
-{
-    EditCount count;
-    if (edits.empty())
-        return count;
-    std::vector<std::uint64_t> found;
-    for (Index i = 0; i < simplified.skeleton.size(); ++i)
-        if (const std::uint64_t name = simplified.skeleton.name(i); edits.contains(name))
-            found.push_back(name);
-    std::ranges::sort(found);
-    for (const auto& [name, edit] : edits) {
-        if (!std::ranges::binary_search(found, name))
-            count.unplaced.push_back(name);
-        else if (std::ranges::binary_search(simplified.matched, name))
-            ++count.matched;
-        else
-            ++count.placed;
-    }
-    return count;
-}
-
-void rememberPlaces(const Skeleton& drawn, const SimplifiedSkeleton& simplified, BranchEdits& edits)
-{
-    const auto isUnknown = [](const auto& edit) { return edit.second.place.way.empty(); };
-    if (std::ranges::none_of(edits, isUnknown))
-        return;
-    const TreeAxes tree = axesOf(drawn);
-    const std::uint64_t mark = treeMark(tree);
-    const Skeleton& skeleton = simplified.skeleton;
-    for (Index branch = 0; branch < skeleton.size(); ++branch)
-        if (const auto edit = edits.find(skeleton.name(branch));
-            edit != edits.end() && edit->second.place.way.empty())
-            edit->second.place = placeOf(tree, skeleton.source[branch], mark);
 }
 
 } // namespace ramure

@@ -3,15 +3,13 @@
 /// if the branch there resembles the edited one, else by likeness. A poor match is never forced.
 #pragma once
 
-#include "core/params/node_params.h"
+#include "core/params/branch_place.h"
 #include "core/skeleton/axes.h"
 #include "core/skeleton/simplify.h"
 #include <span>
 #include <vector>
 
 namespace ramure {
-
-using BranchEdits = std::map<std::uint64_t, BranchParams>; ///< by name, NodeParams::branches
 
 /// One number for all that places hold of a tree.
 std::uint64_t treeMark(const TreeAxes& tree);
@@ -29,31 +27,14 @@ struct FoundPlace
 /// An edit of an axis is found only on the axis that its parent became.
 std::vector<FoundPlace> findPlaces(const TreeAxes& tree, std::span<const BranchPlace* const> places);
 
-/// Gives the branches of \p simplified the names of the edits that find their places there (Skeleton::name).
-/// Edits without any place are for the branch with that key. \param drawn the skeleton it was made of.
-void nameEditedBranches(const Skeleton& drawn, SimplifiedSkeleton& simplified, const BranchEdits& edits);
-
 /// By place, of \p simplified; noIndex: nowhere.
 /// \param drawn the skeleton it was made of.
 std::vector<Index> findBranches(const Skeleton& drawn, const SimplifiedSkeleton& simplified,
                                 std::span<const BranchPlace> places);
-/// Finds branches of one tree in another, so that a selection survives a change. Branches are matched by name
-/// if the same branches grow there, otherwise by place.
+/// Finds branches of one tree in another, so that a selection survives a change. Branches are the same
+/// where the same keys grow there; otherwise they are matched by place.
 std::vector<Index> followBranches(const Skeleton& drawn, const SimplifiedSkeleton& simplified,
                                   std::span<const Index> branches, const Skeleton& otherDrawn,
                                   const SimplifiedSkeleton& other);
-
-struct EditCount
-{
-    Index placed = 0;                    ///< by address or key
-    Index matched = 0;                   ///< by likeness
-    std::vector<std::uint64_t> unplaced; ///< names of edits without a place, ascending
-    bool operator==(const EditCount&) const = default;
-};
-/// \param simplified named for these \p edits.
-EditCount countEdits(const BranchEdits& edits, const SimplifiedSkeleton& simplified);
-
-/// Fills in the places of edits that have none, from the branches of their names.
-void rememberPlaces(const Skeleton& drawn, const SimplifiedSkeleton& simplified, BranchEdits& edits);
 
 } // namespace ramure

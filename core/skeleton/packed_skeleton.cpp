@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 #include <numeric>
+#include <span>
 #include <type_traits>
 
 namespace ramure {
@@ -14,7 +15,8 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the numbers in files are little-endian");
 
-constexpr std::uint32_t mark = 0x314b5352; // "RSK1"
+constexpr std::uint32_t mark = 0x314b5352;       // "RSK1"
+constexpr std::uint32_t rolledMark = 0x324b5352; // "RSK2": with rolls, which few trees have
 
 /// Writes and reads the same fields in the same order.
 class Packer
@@ -110,6 +112,10 @@ void lists(auto& io, auto& s)
         io(limb.stump);
         io(limb.seconds);
     }
+    for (auto& [branch, roll] : s.rolls) {
+        io(branch);
+        io(roll);
+    }
 }
 
 bool rises(const std::vector<Index>& list, Index count)
@@ -134,16 +140,21 @@ bool isSound(const Skeleton& s)
             !std::isfinite(s.a0[i]) || !std::isfinite(s.a1[i]))
             return false;
     }
-    std::vector<Index> starts, loose;
+    std::vector<Index> starts, loose, rolls;
     for (const auto& [branch, address] : s.axisStarts)
         starts.push_back(branch);
+    for (const auto& [branch, roll] : s.rolls) {
+        rolls.push_back(branch);
+        if (!std::isfinite(roll))
+            return false;
+    }
     for (const LooseLimb& limb : s.loose) {
         loose.push_back(limb.first);
         if (!(limb.stump == noIndex || limb.stump < s.size()) || !std::isfinite(limb.seconds))
             return false;
     }
     return rises(starts, s.size()) && rises(loose, s.size()) && rises(s.bare, s.size()) &&
-           rises(s.sawn, s.size()) &&
+           rises(s.sawn, s.size()) && rises(rolls, s.size()) &&
            std::ranges::all_of(s.organs, [&s](const Organ& o) { return isOrgan(o, s.size()); });
 }
 
@@ -152,10 +163,12 @@ bool isSound(const Skeleton& s)
 std::string packSkeleton(const Skeleton& s)
 {
     Packer io;
-    io(mark);
+    io(s.rolls.empty() ? mark : rolledMark);
     for (const std::size_t count : {s.parent.size(), s.organs.size(), s.axisStarts.size(), s.bare.size(),
                                     s.sawn.size(), s.loose.size()})
         io(static_cast<std::uint32_t>(count));
+    if (!s.rolls.empty())
+        io(static_cast<std::uint32_t>(s.rolls.size()));
     branches(io, s);
     lists(io, s);
     return io.take();
@@ -165,9 +178,9 @@ Expected<Skeleton> unpackSkeleton(std::string_view bytes)
 {
     Unpacker io(bytes);
     std::uint32_t found = 0;
-    std::array<std::uint32_t, 6> counts{};
+    std::array<std::uint32_t, 7> counts{};
     io(found);
-    for (std::uint32_t& count : counts)
+    for (std::uint32_t& count : std::span(counts).first(found == rolledMark ? 7 : 6))
         io(count);
     constexpr std::size_t branchBytes = 80, organBytes = 120;
     Skeleton s;
@@ -178,10 +191,11 @@ Expected<Skeleton> unpackSkeleton(std::string_view bytes)
     io.resize(s.bare, counts[3], sizeof(Index));
     io.resize(s.sawn, counts[4], sizeof(Index));
     io.resize(s.loose, counts[5], 2 * sizeof(Index) + sizeof(double));
+    io.resize(s.rolls, counts[6], sizeof(Index) + sizeof(double));
     branches(io, s);
     lists(io, s);
     std::iota(s.source.begin(), s.source.end(), Index(0));
-    if (found != mark || !io.isAtEnd() || !isSound(s))
+    if ((found != mark && found != rolledMark) || !io.isAtEnd() || !isSound(s))
         return fail(ErrorCode::Invalid, RAMURE_NOOP("these are not the bytes of a tree"));
     return s;
 }

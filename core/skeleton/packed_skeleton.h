@@ -9,7 +9,7 @@
 
 namespace ramure {
 
-/// \pre as generators and edits make it, not simplified: Skeleton::source counts up, nothing is renamed
+/// \pre as generators and edits make it, not simplified: Skeleton::source counts up
 std::string packSkeleton(const Skeleton& skeleton);
 /// Errors: Invalid: the bytes are not those of packSkeleton, or break an invariant of Skeleton.
 Expected<Skeleton> unpackSkeleton(std::string_view bytes);

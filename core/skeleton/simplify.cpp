@@ -79,6 +79,14 @@ std::vector<bool> bareBranches(const Skeleton& skeleton)
     return bare;
 }
 
+/// In the order of the branches: whether the next that rolls is this one.
+bool isNext(const Skeleton& skeleton, std::size_t& roll, Index branch)
+{
+    const bool rolls = roll < skeleton.rolls.size() && skeleton.rolls[roll].first == branch;
+    roll += rolls ? 1 : 0;
+    return rolls;
+}
+
 /// What goes on from the branch before it does not bend by more.
 struct MostBend
 {
@@ -107,10 +115,12 @@ void merge(const Skeleton& skeleton, const MostBend& most, const std::vector<Ind
 {
     Skeleton& out = result.skeleton;
     std::vector<Index>& mergedInto = result.mergedInto;
+    std::size_t roll = out.rolls.size(); // each begins a branch of the result
     for (Index i = from; i < to; ++i) {
+        const bool rolls = isNext(skeleton, roll, i);
         const Index parent = skeleton.parent[i];
         const Index into = parent == noIndex ? noIndex : mergedInto[parent];
-        if (parent != noIndex && children[parent] == 1 && !differs(bare, i, parent) &&
+        if (parent != noIndex && children[parent] == 1 && !rolls && !differs(bare, i, parent) &&
             most.allows(out, into, skeleton, i)) {
             out.p1[into] = skeleton.p1[i];
             out.a1[into] = skeleton.a1[i];
@@ -119,6 +129,8 @@ void merge(const Skeleton& skeleton, const MostBend& most, const std::vector<Ind
         }
         mergedInto[i] = out.size();
         append(skeleton, i, into, out);
+        if (rolls)
+            out.rolls.emplace_back(mergedInto[i], skeleton.rolls[roll - 1].second);
         if (!bare.empty() && bare[i])
             out.bare.push_back(mergedInto[i]);
     }

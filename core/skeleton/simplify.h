@@ -13,16 +13,14 @@ struct SimplifiedSkeleton
 {
     Skeleton skeleton;             ///< source[i] = first branch (of the input) merged into branch i
     std::vector<Index> mergedInto; ///< per branch of the input: its branch in the result
-    /// Names of the edits that found their branches by likeness, ascending (edit_places.h).
-    std::vector<std::uint64_t> matched{};
 };
 
 /// m per m by which a branch gets thinner; 0 if it has no length.
 double taperOf(const Skeleton& skeleton, Index branch);
 
 /// Removes every branch that has exactly one child which turns by less than \p rotationThresholdRad against
-/// the direction of the branch merged so far. Never merges across a fork. Level and key are those of the
-/// first.
+/// the direction of the branch merged so far. Never merges across a fork, nor where a roll begins. Level and
+/// key are those of the first.
 SimplifiedSkeleton simplify(const Skeleton& skeleton, double rotationThresholdRad);
 
 /// Further limits to merging.

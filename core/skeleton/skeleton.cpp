@@ -35,10 +35,12 @@ void Skeleton::clear()
     *this = Skeleton();
 }
 
-std::uint64_t Skeleton::name(Index i) const
+std::vector<double> Skeleton::rollOfEach() const
 {
-    const auto found = std::ranges::lower_bound(renamed, i, {}, &std::pair<Index, std::uint64_t>::first);
-    return found != renamed.end() && found->first == i ? found->second : key[i];
+    std::vector<double> all(rolls.empty() ? 0 : size(), 0.0);
+    for (const auto& [branch, roll] : rolls)
+        all[branch] = roll;
+    return all;
 }
 
 Index Skeleton::add(Index parentIndex, const glm::dvec3& from, const glm::dvec3& to, double radius0,

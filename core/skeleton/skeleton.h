@@ -65,8 +65,6 @@ struct Skeleton
         key; ///< a name that survives changes elsewhere: a hash of the way from the root
     std::vector<Index>
         source; ///< before simplification: noIndex-free 0..n-1; after: the first branch merged into it
-    /// Names other than the keys, ascending by branch: see name().
-    std::vector<std::pair<Index, std::uint64_t>> renamed;
     std::vector<Organ> organs; ///< organs as they were drawn
     /// First branches of axes with the axes' addresses, ascending, where edits were made: axes are no longer
     /// where levels say, and keep their addresses whatever happened beside them. Empty: by levels and ranks.
@@ -74,13 +72,15 @@ struct Skeleton
     std::vector<Index> bare;      ///< branches on which no leaf and no fruit grows by itself, ascending
     std::vector<Index> sawn;      ///< branches whose end was cut, ascending: it is flat
     std::vector<LooseLimb> loose; ///< ascending by their roots
+    /// Extra turns of branches' frames about their curves in rad, ascending by branch; their children take
+    /// them on.
+    std::vector<std::pair<Index, double>> rolls;
     std::vector<LivedEdit> lived; ///< edits in the life of a tree grown by years
 
     [[nodiscard]] Index size() const { return static_cast<Index>(parent.size()); }
     [[nodiscard]] bool empty() const { return parent.empty(); }
-    /// How edits know the branch: its key, unless an edit that was made under another name has found its
-    /// place here, or one made under this name is elsewhere (edit_places.h). No two branches share one.
-    [[nodiscard]] std::uint64_t name(Index i) const;
+    /// Returns the extra turn of each branch; empty where there is none.
+    [[nodiscard]] std::vector<double> rollOfEach() const;
     [[nodiscard]] double length(Index i) const { return glm::length(p1[i] - p0[i]); }
     void reserve(std::size_t count);
     /// New branches are all zero: the caller fills every array.

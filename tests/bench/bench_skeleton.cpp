@@ -5,9 +5,8 @@
 #include "core/generators/weber_penn/weber_penn.h"
 #include "core/math/random.h"
 #include "core/params/tree_edit_table.h"
-#include "core/pipeline/tree_pipeline.h"
+#include "core/pipeline/tree_context.h"
 #include "core/presets/presets.h"
-#include "core/recipe/edit_context.h"
 #include "core/skeleton/edit_places.h"
 #include "tests/bench/bench_trees.h"
 #include "tests/support/book_trees.h"
@@ -244,6 +243,41 @@ void BM_draftOfAnEdit(benchmark::State& state)
                    (state.range(0) == 0 ? "bare" : "in leaf"));
 }
 BENCHMARK(BM_draftOfAnEdit)->DenseRange(0, 1)->Unit(benchmark::kMillisecond);
+
+/// From the press of the saw to the draft without what it cut, in a tree of about 10,000 axes with a thousand
+/// edits: the tree at work is the kept result of the last step.
+void BM_pressAfterThousandEdits(benchmark::State& state)
+{
+    NodeParams params = *presetParams("SmallTree");
+    params.grammar.iterations = 11;
+    params.foliage.leavesCutoff = 0.0;
+    TreePipeline pipeline;
+    const TreeResult grown = bench::need(pipeline.evaluate(params, Stage::Skeleton));
+    const TreeAxes axes = axesOf(*grown.skeleton);
+    const auto count = static_cast<std::uint32_t>(axes.axes.size());
+    const EditContext plain = contextOf(grown, params);
+    Random random(1, RandomStream::Test);
+    TreeEdit edit;
+    edit.operation = EditOperation::Length;
+    while (params.edits.size() < 1000) {
+        edit.target.address = axes.axes[random.below(count)].address;
+        edit.factor = random.range(0.9, 1.1);
+        params.edits.push_back(bench::need(plain.prepared(edit, true)));
+        params.edits.back().id = params.edits.size();
+    }
+    const TreeResult before = bench::need(pipeline.evaluateDraft(params));
+    edit.operation = EditOperation::Cut;
+    edit.id = 5000;
+    for (auto _ : state) {
+        edit.target.address = axes.axes[random.below(count)].address;
+        NodeParams after = params;
+        after.edits.push_back(bench::need(contextOf(before, params).prepared(edit, true)));
+        const TreeResult draft = bench::need(pipeline.evaluateDraft(after));
+        benchmark::DoNotOptimize(draft.draftTubes.get());
+    }
+    state.SetLabel(std::to_string(count) + " axes");
+}
+BENCHMARK(BM_pressAfterThousandEdits)->Unit(benchmark::kMillisecond);
 
 /// What a tool does when it is pressed.
 void BM_editContext(benchmark::State& state)

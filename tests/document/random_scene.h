@@ -96,11 +96,14 @@ inline Node randomNode(NodeId id, NodeId parent, Random& random)
     for (const ParamDef& def : paramTable())
         if (hasParam(node.kind, def) && random.below(3) == 0)
             def.assign(node.params, randomValue(def, random));
-    for (std::uint32_t i = random.below(4); i-- > 0;)
-        node.params.branches[random.next()].rollRad = random.range(-7.0, 7.0);
-    if (random.below(4) == 0)
-        node.params.branches[random.next()].bendRad =
-            glm::dvec3(random.range(-1.0, 1.0), random.range(-1.0, 1.0), random.range(-1.0, 1.0));
+    for (std::uint32_t i = node.kind == NodeKind::Tree ? random.below(4) : 0; i-- > 0;) {
+        TreeEdit step{.id = random.next() | 1,
+                      .operation = random.below(2) == 0 ? EditOperation::Roll : EditOperation::Bend,
+                      .target = {.address = random.next() | 1},
+                      .from = random.range(0.0, 1.0)};
+        (step.operation == EditOperation::Roll ? step.angleRad : step.rotation.y) = random.range(-7.0, 7.0);
+        node.params.edits.push_back(step);
+    }
     for (const Channel& channel : channelsOf(node.kind))
         if (random.below(10) == 0)
             node.animation.set(channel, randomTrack(channel, random));

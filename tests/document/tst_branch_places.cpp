@@ -3,9 +3,8 @@
 #include "core/recipe/edit_context.h"
 #include "core/skeleton/axes.h"
 #include "tests/support/suite.h"
+#include "tests/support/turned_branches.h"
 #include "tests/widgets/tree_document.h"
-
-#include <set>
 
 namespace tst_branch_places {
 
@@ -26,13 +25,11 @@ struct Fixture
         QVERIFY(trees.compute(tree));
     }
     [[nodiscard]] const NodeParams& params() { return trees.document().scene().find(tree)->params; }
-    /// The branch of this name.
-    [[nodiscard]] Index branch(std::uint64_t name)
+    void bend(Index branch, const glm::dvec3& bendRad)
     {
-        for (Index i = 0; i < trees.skeleton(tree).size(); ++i)
-            if (trees.skeleton(tree).name(i) == name)
-                return i;
-        return noIndex;
+        const auto steps = test::bends(trees.document().result(tree)->tree, params(), {{branch, bendRad}});
+        QVERIFY(edit::putTreeEdits(trees.document(), tree, steps));
+        QVERIFY(trees.compute(tree));
     }
     test::TreeDocument trees;
     NodeId tree = noNode;
@@ -46,9 +43,8 @@ class TestBranchPlaces : public QObject
     Q_OBJECT
 private slots:
     void init() { test::failOnAnyWarning(); }
-    void unknownTreesAndBranches();
     void editsFollowTheirBranches();
-    void renamedBranchesAreEditedUnderTheirNames();
+    void rollsAreChangedWhereTheirBranchIs();
     void lostOnesAreListedAndComeBack();
     void lostEditsOfLimbsAreListed();
     void selectedBranchesStaySelected();
@@ -56,47 +52,28 @@ private slots:
     void randomEditsUndoToTheSameBytes();
 };
 
-void TestBranchPlaces::unknownTreesAndBranches()
-{
-    Fixture f;
-    QVERIFY(!edit::removeBranchEdits(f.trees.document(), 99, {1}));
-    const NodeId group = f.trees.addGroup();
-    QVERIFY(!edit::removeBranchEdits(f.trees.document(), group, {1}));
-    const int steps = f.trees.document().undoStack()->count();
-    QVERIFY(edit::removeBranchEdits(f.trees.document(), f.tree, {1, 2}));
-    QVERIFY(edit::setBranchRoll(f.trees.document(), f.tree, {f.trees.skeleton(f.tree).name(3)}, 0.0));
-    QCOMPARE(f.trees.document().undoStack()->count(), steps); // nothing changed
-}
-
 void TestBranchPlaces::editsFollowTheirBranches()
 {
     Fixture f;
-    const std::uint64_t name = f.trees.skeleton(f.tree).name(9); // where the trunk goes on
-    QVERIFY(edit::turnBranches(f.trees.document(), f.tree, {{name, {0.3, 0.0, 0.0}}}));
-    QVERIFY(f.trees.compute(f.tree));
+    f.bend(9, {0.3, 0.0, 0.0}); // where the trunk goes on
     const double bent = f.trees.skeleton(f.tree).p1[9].z;
     QVERIFY(std::abs(bent) > 1e-3);
     f.setAxiom(twigInFront);
-    QCOMPARE(f.branch(name), Index{10});
     QVERIFY(std::abs(f.trees.skeleton(f.tree).p1[10].z - bent) < 1e-9);
     QVERIFY(unplacedEdits(f.trees.document()).empty());
 }
 
-void TestBranchPlaces::renamedBranchesAreEditedUnderTheirNames()
+void TestBranchPlaces::rollsAreChangedWhereTheirBranchIs()
 {
     Fixture f;
-    const std::uint64_t name = f.trees.skeleton(f.tree).name(9);
-    QVERIFY(edit::setBranchRoll(f.trees.document(), f.tree, {name}, 0.5));
+    const auto key = [&f](Index branch) { return f.trees.skeleton(f.tree).key[branch]; };
+    QVERIFY(edit::setBranchRoll(f.trees.document(), f.tree, {key(9)}, 0.5));
     f.setAxiom(twigInFront);
-    const Index now = f.branch(name);
-    QVERIFY(now != noIndex);
-    QVERIFY(edit::setBranchRoll(f.trees.document(), f.tree, {f.trees.skeleton(f.tree).name(now)}, 0.7));
-    QCOMPARE(f.params().branches.size(), std::size_t{1});
-    QCOMPARE(f.params().branches.at(name).rollRad, 0.7);
-    // The branch that has the old key has another name now: editing it is another edit.
-    for (Index i = 0; i < f.trees.skeleton(f.tree).size(); ++i)
-        if (f.trees.skeleton(f.tree).key[i] == name && i != now)
-            QVERIFY(f.trees.skeleton(f.tree).name(i) != name);
+    QCOMPARE(edit::branchRolls(f.trees.document(), f.tree, {key(9), key(10)}),
+             (std::vector<double>{0.0, 0.5}));
+    QVERIFY(edit::setBranchRoll(f.trees.document(), f.tree, {key(10)}, 0.7));
+    QCOMPARE(f.params().edits.size(), std::size_t{1});
+    QCOMPARE(f.params().edits.front().angleRad, 0.7);
 }
 
 void TestBranchPlaces::whatIsDoneToOtherLimbsMovesNone()
@@ -106,8 +83,6 @@ void TestBranchPlaces::whatIsDoneToOtherLimbsMovesNone()
     std::vector<std::uint64_t> names;
     for (Index i = 0; i < f.trees.skeleton(f.tree).size(); ++i)
         names.push_back(f.trees.skeleton(f.tree).key[i]);
-    QVERIFY(edit::setBranchRoll(document, f.tree, names, 0.5));
-    QVERIFY(f.trees.compute(f.tree));
     const std::vector<Axis> axes = axesOf(*document.result(f.tree)->tree.grown).axes;
     for (std::size_t removed = 1; removed < axes.size(); ++removed) {
         TreeEdit remove;
@@ -117,9 +92,8 @@ void TestBranchPlaces::whatIsDoneToOtherLimbsMovesNone()
         QVERIFY(ids && f.trees.compute(f.tree));
         const Skeleton& left = f.trees.skeleton(f.tree);
         QVERIFY(left.size() < names.size());
-        for (const std::uint64_t name : names)
-            if (std::ranges::find(left.key, name) != left.key.end())
-                QCOMPARE(left.key[f.branch(name)], name);
+        QVERIFY(std::ranges::all_of(
+            left.key, [&names](std::uint64_t key) { return std::ranges::find(names, key) != names.end(); }));
         QVERIFY(edit::removeTreeEdits(document, f.tree, *ids));
     }
 }
@@ -127,17 +101,16 @@ void TestBranchPlaces::whatIsDoneToOtherLimbsMovesNone()
 void TestBranchPlaces::lostOnesAreListedAndComeBack()
 {
     Fixture f;
-    const std::uint64_t name = f.trees.skeleton(f.tree).name(5);
-    QVERIFY(edit::setBranchRoll(f.trees.document(), f.tree, {name}, 0.5));
+    QVERIFY(edit::setBranchRoll(f.trees.document(), f.tree, {f.trees.skeleton(f.tree).key[5]}, 0.5));
+    const std::uint64_t id = f.params().edits.front().id;
     f.setAxiom("F");
-    QCOMPARE(unplacedEdits(f.trees.document()), (std::vector<UnplacedEdit>{{f.tree, name, false}}));
-    QCOMPARE(f.params().branches.at(name).rollRad, 0.5); // kept
+    QCOMPARE(unplacedEdits(f.trees.document()), (std::vector<UnplacedEdit>{{f.tree, id}}));
     f.setAxiom(axiom);
     QVERIFY(unplacedEdits(f.trees.document()).empty());
-    QCOMPARE(f.branch(name), Index{5});
+    QCOMPARE(f.trees.skeleton(f.tree).rollOfEach()[5], 0.5);
     f.setAxiom("F");
-    QVERIFY(edit::removeBranchEdits(f.trees.document(), f.tree, {name}));
-    QVERIFY(f.params().branches.empty());
+    QVERIFY(edit::removeTreeEdits(f.trees.document(), f.tree, {id}));
+    QVERIFY(f.params().edits.empty());
     f.trees.document().undo();
     QCOMPARE(unplacedEdits(f.trees.document()).size(), std::size_t{1});
 }
@@ -154,7 +127,7 @@ void TestBranchPlaces::lostEditsOfLimbsAreListed()
     QVERIFY(ids && f.trees.compute(f.tree));
     QVERIFY(unplacedEdits(document).empty());
     f.setAxiom("F");
-    QCOMPARE(unplacedEdits(document), (std::vector<UnplacedEdit>{{f.tree, ids->front(), true}}));
+    QCOMPARE(unplacedEdits(document), (std::vector<UnplacedEdit>{{f.tree, ids->front()}}));
     f.setAxiom(axiom);
     QVERIFY(unplacedEdits(document).empty());
     f.setAxiom("F");
@@ -181,28 +154,23 @@ void TestBranchPlaces::randomEditsUndoToTheSameBytes()
     const QByteArray before = writeProject(document.project());
     for (int i = 0; i < 60; ++i) {
         const Skeleton& skeleton = f.trees.skeleton(f.tree);
-        const std::uint64_t name = skeleton.name(random.below(skeleton.size()));
+        const Index branch = random.below(skeleton.size());
         switch (random.below(4)) {
         case 0:
-            QVERIFY(edit::setBranchRoll(document, f.tree, {name}, 0.1 * random.below(3)));
+            QVERIFY(edit::setBranchRoll(document, f.tree, {skeleton.key[branch]}, 0.1 * random.below(3)));
             break;
         case 1:
-            QVERIFY(edit::turnBranches(document, f.tree, {{name, {0.1, 0.0, 0.2}}}));
+            f.bend(branch, {0.1, 0.0, 0.2});
             break;
         case 2:
             f.setAxiom(std::string(random.below(3), 'F') + (random.below(2) == 0 ? "[+F]" : "") + axiom);
             break;
         default:
-            QVERIFY(edit::removeBranchEdits(document, f.tree, {name}));
+            if (!f.params().edits.empty())
+                QVERIFY(edit::removeTreeEdits(document, f.tree, {f.params().edits.back().id}));
             break;
         }
         QVERIFY(f.trees.compute(f.tree));
-        std::set<std::uint64_t> names;
-        for (Index b = 0; b < f.trees.skeleton(f.tree).size(); ++b)
-            names.insert(f.trees.skeleton(f.tree).name(b));
-        QCOMPARE(names.size(), std::size_t{f.trees.skeleton(f.tree).size()});
-        for (const UnplacedEdit& edit : unplacedEdits(document))
-            QVERIFY(f.params().branches.contains(edit.name) && !names.contains(edit.name));
     }
     const QByteArray after = writeProject(document.project());
     document.history().goToStep(1); // the first one made the tree

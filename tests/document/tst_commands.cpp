@@ -107,10 +107,6 @@ void TestCommands::stepsNameTheValue()
         QVERIFY(edit::setParam(f.document, {2}, *findParam("turtle.decay"), decay, gesture));
     QCOMPARE(f.stack.count(), before + 1);
     QVERIFY2(step().contains(QLatin1String("to 0.7")) || ends("to 70 %"), qPrintable(step()));
-    QVERIFY(edit::turnBranches(f.document, 2, {{1, glm::dvec3(0.1)}, {2, glm::dvec3(0.1)}}, 0));
-    QVERIFY2(step().startsWith(QLatin1String("Bend")), qPrintable(step()));
-    QVERIFY(edit::turnBranches(f.document, 2, {{1, glm::dvec3(0.0)}}, 0));
-    QVERIFY2(step().startsWith(QLatin1String("Straighten")), qPrintable(step()));
 }
 
 void TestCommands::badStructureIsRefused()

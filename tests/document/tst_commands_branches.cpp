@@ -5,9 +5,9 @@
 #include "tests/document/commands_fixture.h"
 #include "tests/document/random_scene.h"
 #include "tests/support/suite.h"
+#include "tests/widgets/tree_document.h"
 
 #include <QElapsedTimer>
-#include <map>
 #include <set>
 
 namespace tst_commands_branches {
@@ -23,8 +23,6 @@ private slots:
     void init() { test::failOnAnyWarning(); }
 
     void branchRolls();
-    void branchBends();
-    void turnedBranches();
     void newTrees();
     void newTreeOfEveryPresetIsAnotherTree();
     void newTreeNeedsSomethingThatVaries();
@@ -35,80 +33,38 @@ private slots:
 
 void TestBranchCommands::branchRolls()
 {
-    Fixture f;
-    const QByteArray file = fileOf(f.document);
+    test::TreeDocument trees;
+    Document& document = trees.document();
+    const NodeId tree = trees.add(test::smallForks());
+    const auto key = [&](Index branch) { return trees.skeleton(tree).key[branch]; };
+    const auto rolls = [&] { return edit::branchRolls(document, tree, {key(5), key(7), 42}); };
+    const int before = document.undoStack()->count();
+    const QByteArray file = fileOf(document);
+    QCOMPARE(edit::setBranchRoll(document, tree, {42}, 0.5).error().code, ErrorCode::Unknown);
+    QVERIFY(edit::setBranchRoll(document, tree, {key(5)}, 0.0)); // as it is
+    QCOMPARE(document.undoStack()->count(), before);
+    test::Recorder recorder(document);
     const GestureId drag = newGesture();
-    QVERIFY(edit::setBranchRoll(f.document, 2, {7, 5, 7}, 0.5, drag));
-    const Change news = f.recorder.takeEdit();
+    QVERIFY(edit::setBranchRoll(document, tree, {key(7), key(5)}, 0.5, drag));
+    const Change news = recorder.takeEdit();
     QCOMPARE(news.kinds, quint32{changeBranches});
-    QCOMPARE(news.firstStale, Stage::Sections);
-    QCOMPARE(f.document.shapeRevision(2), news.revision);
-    QVERIFY(edit::setBranchRoll(f.document, 2, {5, 7}, 0.75, drag));
-    QCOMPARE(f.stack.count(), 1);
-    QCOMPARE(f.document.scene().find(2)->params.branches.at(5).rollRad, 0.75);
-    QVERIFY(edit::setBranchRoll(f.document, 2, {5, 7}, 0.0, drag)); // where the drag began
-    QCOMPARE(f.stack.count(), 0);
-    QVERIFY(f.document.scene().find(2)->params.branches.empty());
-    QVERIFY(edit::setBranchRoll(f.document, 2, {5}, 0.5));
-    QVERIFY(edit::setBranchRoll(f.document, 2, {5}, 0.0));
-    f.document.undo();
-    f.document.undo();
-    QCOMPARE(fileOf(f.document), file);
-}
-
-void TestBranchCommands::branchBends()
-{
-    Fixture f;
-    const QByteArray file = fileOf(f.document);
-    QVERIFY(!edit::setBranchBends(f.document, 99, {{5, {1.0, 0.0, 0.0}}}));
-    QVERIFY(!edit::setBranchBends(f.document, 2, {{5, {std::nan(""), 0.0, 0.0}}}));
-    QVERIFY(edit::setBranchBends(f.document, 2, {}));
-    QVERIFY(edit::setBranchBends(f.document, 2, {{5, glm::dvec3(0.0)}}));
-    QCOMPARE(f.stack.count(), 0);
-    QVERIFY(edit::setBranchRoll(f.document, 2, {5}, 0.5));
-    f.recorder.changes.clear();
-    QVERIFY(edit::setBranchBends(f.document, 2, {{5, {0.1, 0.2, 0.3}}, {7, {0.0, 0.0, 1.0}}}));
-    const Change news = f.recorder.takeEdit();
-    QCOMPARE(news.kinds, quint32{changeBranches});
-    QCOMPARE(news.firstStale, Stage::Simplified);
-    QCOMPARE(f.document.scene().find(2)->params.branches.at(5).rollRad, 0.5);
-    QVERIFY(f.document.scene().find(2)->params.branches.at(5).bendRad == glm::dvec3(0.1, 0.2, 0.3));
-    const QByteArray bent = fileOf(f.document);
-    // Those that are not named lose their bend, and keep the rest.
-    QVERIFY(edit::setBranchBends(f.document, 2, {{7, {0.0, 0.0, 1.0}}}));
-    QVERIFY(f.document.scene().find(2)->params.branches.at(5).bendRad == glm::dvec3(0.0));
-    QCOMPARE(f.document.scene().find(2)->params.branches.at(5).rollRad, 0.5);
-    f.document.undo();
-    QCOMPARE(fileOf(f.document), bent);
-    f.document.undo();
-    f.document.undo();
-    QCOMPARE(fileOf(f.document), file);
-    f.document.redo();
-    f.document.redo();
-    QCOMPARE(fileOf(f.document), bent);
-}
-
-void TestBranchCommands::turnedBranches()
-{
-    Fixture f;
-    const QByteArray file = fileOf(f.document);
-    QVERIFY(!edit::turnBranches(f.document, 99, {{5, {1.0, 0.0, 0.0}}}));
-    QVERIFY(!edit::turnBranches(f.document, 2, {{5, {std::nan(""), 0.0, 0.0}}}));
-    QVERIFY(edit::turnBranches(f.document, 2, {{5, glm::dvec3(0.0)}}));
-    QCOMPARE(f.stack.count(), 0);
-    QVERIFY(edit::setBranchBends(f.document, 2, {{3, {1.0, 0.0, 0.0}}}));
-    const GestureId drag = newGesture();
-    // The bend of one of them does not change at first: the drag is one step all the same.
-    QVERIFY(edit::turnBranches(f.document, 2, {{5, {0.1, 0.0, 0.0}}, {7, glm::dvec3(0.0)}}, drag));
-    QVERIFY(edit::turnBranches(f.document, 2, {{5, {0.2, 0.0, 0.0}}, {7, {0.0, 0.3, 0.0}}}, drag));
-    QCOMPARE(f.stack.count(), 2);
-    const auto& branches = f.document.scene().find(2)->params.branches;
-    QVERIFY(branches.at(3).bendRad == glm::dvec3(1.0, 0.0, 0.0));
-    QVERIFY(branches.at(7).bendRad == glm::dvec3(0.0, 0.3, 0.0));
-    f.document.undo();
-    QVERIFY(!f.document.scene().find(2)->params.branches.contains(5));
-    f.document.undo();
-    QCOMPARE(fileOf(f.document), file);
+    QCOMPARE(document.shapeRevision(tree), news.revision);
+    QVERIFY(trees.compute(tree));
+    QVERIFY(edit::setBranchRoll(document, tree, {key(5), key(7)}, 0.75, drag));
+    QCOMPARE(document.undoStack()->count(), before + 1);
+    QVERIFY(trees.compute(tree));
+    QCOMPARE(rolls(), (std::vector<double>{0.75, 0.75, 0.0}));
+    QCOMPARE(document.scene().find(tree)->params.edits.size(), std::size_t{2});
+    for (const Index branch : {Index(5), Index(7)})
+        QCOMPARE(trees.skeleton(tree).rollOfEach()[branch], 0.75);
+    QVERIFY(edit::setBranchRoll(document, tree, {key(5)}, 0.0));
+    QCOMPARE(rolls(), (std::vector<double>{0.0, 0.75, 0.0}));
+    document.undo();
+    QVERIFY(edit::setBranchRoll(document, tree, {key(5), key(7)}, 0.0));
+    QVERIFY(document.scene().find(tree)->params.edits.empty());
+    document.undo();
+    document.undo();
+    QCOMPARE(fileOf(document), file);
 }
 
 void TestBranchCommands::newTrees()
@@ -203,6 +159,14 @@ void TestBranchCommands::resetGivesThePresetsValues()
     QCOMPARE(f.document.scene().find(f.document.selection().activeNode())->preset, std::string("FanTree"));
 }
 
+/// Mostly one that the tree has already.
+static TreeEdit randomStep(Random& random)
+{
+    TreeEdit step{.id = 1 + random.below(3), .operation = EditOperation::Bend, .target = {.address = 5}};
+    step.rotation = glm::dvec3(random.range(-1, 1), random.range(-1, 1), random.range(-1, 1));
+    return step;
+}
+
 /// One edit of any kind; most succeed.
 static void randomEdit(Document& document, Random& random)
 {
@@ -242,8 +206,7 @@ static void randomEdit(Document& document, Random& random)
         edit::setNodeLocked(document, {pick(), pick()}, random.below(16) == 0);
         break;
     case 7:
-        edit::setBranchRoll(document, pick(), {random.below(3), random.below(3)}, random.range(-1, 1),
-                            gesture);
+        edit::putTreeEdits(document, pick(), {randomStep(random)}, gesture);
         break;
     case 8:
         edit::newTree(document, {pick(), pick()});
@@ -281,10 +244,7 @@ static void randomMeshEdit(Document& document, Random& random, GestureId gesture
                        random.below(2) == 0 ? gesture : 0);
         return;
     }
-    std::map<std::uint64_t, glm::dvec3> bends;
-    for (std::uint32_t i = random.below(4); i > 0; --i)
-        bends[random.below(6)] = glm::dvec3(random.range(-1, 1), random.range(-1, 1), random.range(-1, 1));
-    edit::setBranchBends(document, 2, bends);
+    edit::putTreeEdits(document, 2, {randomStep(random), randomStep(random)});
 }
 
 void TestBranchCommands::editsOfTheMeshUndoToTheSameBytes()

@@ -295,7 +295,6 @@ void TestProjectFile::defaultsAreLeftOut()
     node.id = 1;
     node.kind = NodeKind::Tree;
     node.name = "Oak";
-    node.params.branches[5] = BranchParams{};
     node.params.tree.translation = {-0.0, 0.0, -0.0};
     QCOMPARE(writeProject({*Scene::fromNodes({node}), {}}), QByteArray(R"({
     "format": "ramure",
@@ -330,14 +329,9 @@ void TestProjectFile::numbersAreShortest()
     node.params.turtle.alpha = 0.3;
     node.params.turtle.decay = 0.1 + 0.2;
     node.params.tree.scale = {-0.0 + 2.0, 2.5, 1.0};
-    node.params.branches[0xab].rollRad = 1.0 / 3.0;
-    node.params.branches[0xac].bendRad = {0.1, -0.0, 1.0 / 3.0};
     const QByteArray bytes = writeProject({*Scene::fromNodes({node}), {}});
     QVERIFY(bytes.contains("\"turtle.alpha\": 0.3,"));
     QVERIFY(bytes.contains("\"turtle.decay\": 0.30000000000000004"));
-    QVERIFY(bytes.contains("\"bend\": [\n                        0.1,\n                        0,\n"
-                           "                        0.3333333333333333"));
-    QVERIFY(bytes.contains("\"00000000000000ab\": {\n                    \"roll\": 0.3333333333333333"));
 }
 
 void TestProjectFile::unknownKeysAreKept()
@@ -384,7 +378,7 @@ void TestProjectFile::unknownKeysAreKept()
     Project changed = *project;
     changed.scene.find(1)->params = NodeParams{};
     const QByteArray without = writeProject(changed);
-    QVERIFY(without.contains("\"pruned\": true") && !without.contains("roll"));
+    QVERIFY(without.contains("\"pruned\": true"));
     QVERIFY(without.contains("physics.wind") && !without.contains("tree.scale"));
 }
 

@@ -1,5 +1,11 @@
+#include "core/math/random.h"
+#include "core/pipeline/tree_pipeline.h"
+#include "core/presets/presets.h"
 #include "core/qt/document/project/project_file.h"
+#include "core/qt/document/project/project_json.h"
+#include "core/qt/document/project/project_places.h"
 #include "core/qt/session/jobs/unplaced_edits.h"
+#include "core/skeleton/bend.h"
 #include "core/skeleton/edit_places.h"
 #include "tests/support/suite.h"
 #include "tests/widgets/tree_document.h"
@@ -29,24 +35,15 @@ const QByteArray goodAxis =
     R"({"id":"00c0ffee00c0ffee","fork":0,"mate":0,"forks":1,"mates":1,"s":0,"share":0,"downAngle":0,)"
     R"("azimuth":0,"length":1,"radius":0.1})";
 
-/// What the document holds, as a file of version 2: branches are known by their keys alone.
-QByteArray olderFile(const Document& document)
+/// The document's only tree without its steps, as an older file with these values of branches.
+QByteArray olderFile(const Document& document, int version, const QJsonObject& branches)
 {
     QJsonObject root = QJsonDocument::fromJson(writeProject(document.project())).object();
-    root["version"] = 2;
-    QJsonArray nodes = root["nodes"].toArray();
-    for (auto&& node : nodes) {
-        QJsonObject object = node.toObject();
-        QJsonObject branches = object["branches"].toObject();
-        for (auto&& branch : branches) {
-            QJsonObject values = branch.toObject();
-            values.remove("place");
-            branch = values;
-        }
-        object["branches"] = branches;
-        node = object;
-    }
-    root["nodes"] = nodes;
+    root["version"] = version;
+    QJsonObject node = root["nodes"].toArray()[0].toObject();
+    node.remove("edits");
+    node["branches"] = branches;
+    root["nodes"] = QJsonArray({node});
     return QJsonDocument(root).toJson();
 }
 
@@ -61,7 +58,8 @@ private slots:
     void brokenPlaces_data();
     void brokenPlaces();
     void thereAndBack();
-    void olderFilesFindThePlaces();
+    void olderBranchesBecomeSteps_data();
+    void olderBranchesBecomeSteps();
     void olderFilesKeepWhatHasNone();
 };
 
@@ -104,9 +102,8 @@ void TestProjectPlaces::thereAndBack()
     QVERIFY(readProject(withAxis(goodAxis)));
     test::TreeDocument trees;
     const NodeId tree = trees.add(test::smallForks());
-    const std::uint64_t name = trees.skeleton(tree).name(5);
-    QVERIFY(edit::setBranchRoll(trees.document(), tree, {name}, 0.5));
-    QVERIFY(!trees.document().scene().find(tree)->params.branches.at(name).place.way.empty());
+    QVERIFY(edit::setBranchRoll(trees.document(), tree, {trees.skeleton(tree).key[5]}, 0.5));
+    QVERIFY(!trees.document().scene().find(tree)->params.edits.front().target.place.way.empty());
     const QByteArray bytes = writeProject(trees.document().project());
     const auto back = readProject(bytes);
     QVERIFY2(back, test::why(back));
@@ -114,37 +111,83 @@ void TestProjectPlaces::thereAndBack()
     QCOMPARE(writeProject(*back), bytes);
 }
 
-void TestProjectPlaces::olderFilesFindThePlaces()
+/// Older files have rolls and bends of branches beside the recipe, in files of version 2 by keys alone: the
+/// tree stands as it did.
+void TestProjectPlaces::olderBranchesBecomeSteps_data()
 {
-    test::TreeDocument trees;
-    NodeParams forks = test::smallForks();
-    forks.mesh.leastRadius = forks.mesh.forkLength = 0.0; // what such files had
-    const NodeId tree = trees.add(forks);
-    for (const Index branch : {2u, 5u, 12u})
-        QVERIFY(
-            edit::setBranchRoll(trees.document(), tree, {trees.skeleton(tree).name(branch)}, 0.1 * branch));
-    const auto old = readProject(olderFile(trees.document()));
-    QVERIFY2(old, test::why(old));
-    QVERIFY(old->scene == trees.document().scene());
+    QTest::addColumn<int>("version");
+    for (const int version : {2, 3, 5})
+        QTest::addRow("%d", version) << version;
+}
+
+void TestProjectPlaces::olderBranchesBecomeSteps()
+{
+    QFETCH(int, version);
+    for (const char* preset : {"TinyTree", "SmallTree", "EnglishOak1995", "ParkTree"}) {
+        test::TreeDocument trees;
+        NodeParams params = *presetParams(preset);
+        params.mesh.leastRadius = params.mesh.forkLength = 0.0; // what such files had
+        params.mesh.targetTriangles = 1000;
+        params.foliage.leavesCutoff = 0.0;
+        const NodeId tree = trees.add(params);
+        const TreeResult before = trees.document().result(tree)->tree;
+        const Skeleton& grown = before.simplified->skeleton;
+        const TreeAxes axes = axesOf(*before.skeleton);
+        Random random(std::uint64_t(version), RandomStream::Test);
+        std::vector<glm::dvec3> bends(grown.size(), glm::dvec3(0.0));
+        std::vector<double> rolls(grown.size(), 0.0);
+        QJsonObject branches;
+        for (int i = 0; i < 12; ++i) {
+            Index branch = random.below(grown.size());
+            for (; branch != noIndex;
+                 branch = i < 4 ? grown.parent[branch] : noIndex) { // as a chain that was dragged
+                bends[branch] = {random.range(-0.5, 0.5), random.range(-0.5, 0.5), random.range(-0.5, 0.5)};
+                rolls[branch] = random.range(-3.0, 3.0);
+                QJsonObject values{{"roll", rolls[branch]},
+                                   {"bend", QJsonArray{bends[branch].x, bends[branch].y, bends[branch].z}}};
+                if (version > 2)
+                    values["place"] = json::writePlace(placeOf(axes, grown.source[branch], treeMark(axes)));
+                branches[json::branchKey(grown.key[branch])] = values;
+            }
+        }
+        const auto old = readProject(olderFile(trees.document(), version, branches));
+        QVERIFY2(old, test::why(old));
+        const auto after = TreePipeline().evaluate(old->scene.find(tree)->params, Stage::Simplified);
+        QVERIFY2(after, test::why(after));
+        Skeleton expected = grown;
+        bendBranches(expected, bends);
+        const Skeleton& now = after->simplified->skeleton;
+        QCOMPARE(now.key, expected.key);
+        for (Index b = 0; b < now.size(); ++b) {
+            const double away =
+                std::max(glm::distance(now.p0[b], expected.p0[b]), glm::distance(now.p1[b], expected.p1[b]));
+            QVERIFY2(away < 1e-9, qPrintable(QStringLiteral("%1 %2: %3 m").arg(preset).arg(b).arg(away)));
+        }
+        QCOMPARE(now.a0, expected.a0);
+        QCOMPARE(now.rollOfEach(), rolls);
+        const auto again = readProject(writeProject(*old));
+        QVERIFY(again && again->scene == old->scene);
+    }
 }
 
 void TestProjectPlaces::olderFilesKeepWhatHasNone()
 {
     test::TreeDocument trees;
     const NodeId tree = trees.add(test::smallForks());
-    QVERIFY(edit::setBranchRoll(trees.document(), tree, {42}, 0.5)); // no such branch
-    QCOMPARE(unplacedEdits(trees.document()), (std::vector<UnplacedEdit>{{tree, 42, false}}));
-    auto old = readProject(olderFile(trees.document()));
+    const QJsonObject lost{{json::branchKey(42), QJsonObject{{"roll", 0.5}, {"bend", QJsonArray{0, 0, 1}}}}};
+    const auto old = readProject(olderFile(trees.document(), 2, lost));
     QVERIFY2(old, test::why(old));
-    QVERIFY(old->scene.find(tree)->params.branches.at(42).place.way.empty());
+    trees.document().reset(old->scene, {});
+    QVERIFY(trees.compute(tree));
+    QCOMPARE(unplacedEdits(trees.document()).size(), std::size_t{2});
     // Nor does a tree that cannot be grown keep a file from being opened.
     Node broken = *old->scene.find(tree);
     broken.params.grammar.axiom.assign(1, '[');
     test::TreeDocument other;
     other.document().reset(*Scene::fromNodes({broken}), {});
-    const auto still = readProject(olderFile(other.document()));
+    const auto still = readProject(olderFile(other.document(), 2, lost));
     QVERIFY2(still, test::why(still));
-    QCOMPARE(still->scene.find(tree)->params.branches.size(), std::size_t{1});
+    QCOMPARE(still->scene.find(tree)->params.edits.size(), std::size_t{2});
 }
 
 RAMURE_SUITE(TestProjectPlaces)

@@ -264,7 +264,7 @@ void TestArmViewport::aLimbFollowsTheHand()
     QTRY_VERIFY_WITH_TIMEOUT(!window.view->work().pick, test::patience(20'000));
     drag("limb-grabbed");
     QCOMPARE(window.document.undoStack()->count(), 1);
-    QVERIFY(!window.document.scene().find(tree.id)->params.branches.empty());
+    QVERIFY(!window.document.scene().find(tree.id)->params.edits.empty());
     window.document.undo();
     compute();
     player.setPace(PlayPace::EveryFrame);

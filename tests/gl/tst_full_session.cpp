@@ -219,19 +219,17 @@ private slots:
         NodeParams expected = *presetParams("TinyTree");
         expected.sections.radialDivisions = 11;
         expected.sections.lengthDivisions = 5;
-        expected.branches = saved->params.branches;
+        expected.edits = saved->params.edits;
         QVERIFY(saved->params == expected);
-        QCOMPARE(expected.branches.size(), std::size_t{1});
-        const auto& [key, own] = *expected.branches.begin();
-        QVERIFY(std::abs(own.rollRad - std::numbers::pi / 6.0) < 1e-12);
+        QCOMPARE(expected.edits.size(), std::size_t{1});
+        QVERIFY(std::abs(expected.edits.front().angleRad - std::numbers::pi / 6.0) < 1e-12);
         // The limb that was clicked is the one whose name the panel gave, and the one that was rolled.
         const auto grown = TreePipeline().evaluate(saved->params);
         QVERIFY(grown);
         const BranchRows rows(*grown);
-        const auto rolled = rows.find(key);
-        QVERIFY(rolled);
+        const Index rolled = grown->simplified->skeleton.rolls.front().first;
         QCOMPARE(branchName.section(u'\n', -1),
-                 BranchNames().axis(rows, rows.axisOf(*rolled))); // below its tree's name
+                 BranchNames().axis(rows, rows.axisOf(rolled))); // below its tree's name
     }
 
     void openedAgainAndExported()

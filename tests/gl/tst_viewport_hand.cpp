@@ -70,7 +70,7 @@ struct Window : test::ViewWindow
     {
         return pixelOf(glm::mix(skeleton().p0[twig()], skeleton().p1[twig()], 0.8));
     }
-    [[nodiscard]] bool isBent() const { return !document.scene().nodes().front().params.branches.empty(); }
+    [[nodiscard]] bool isBent() const { return !document.scene().nodes().front().params.edits.empty(); }
     void click(QPoint at, Qt::MouseButton button = Qt::LeftButton) const
     {
         QTest::mouseClick(view, button, Qt::NoModifier, at);
@@ -159,12 +159,12 @@ void TestViewportHand::aLimbIsMadeWhileTheHandRests()
     Window window;
     window.bend({30, -12});
     QTRY_VERIFY(window.isBent());
-    const auto first = window.document.scene().nodes().front().params.branches;
+    const auto first = window.document.scene().nodes().front().params.edits;
     window.compute();
     window.waitForPicture();
     window.move(QPointF(window.onTwig()) + QPointF(-20.0, 4.0), Qt::LeftButton, Qt::ControlModifier);
     window.release();
-    QVERIFY(window.document.scene().nodes().front().params.branches != first);
+    QVERIFY(window.document.scene().nodes().front().params.edits != first);
     QCOMPARE(window.document.undoStack()->count(), 1);
     window.document.undo();
     QVERIFY(!window.isBent());

@@ -576,16 +576,16 @@ void TestRecompute::snapshotsAreSmall()
 {
     Document document;
     document.reset(trees(1), {});
-    std::vector<std::uint64_t> keys(10000);
-    for (std::size_t i = 0; i < keys.size(); ++i)
-        keys[i] = i * 7919;
-    QVERIFY(edit::setBranchRoll(document, 1, keys, 0.5));
+    std::vector<TreeEdit> steps(10000, {.operation = EditOperation::Roll, .target = {.address = 1}});
+    for (std::size_t i = 0; i < steps.size(); ++i)
+        steps[i].id = i + 1;
+    QVERIFY(edit::setTreeEdits(document, 1, steps, {}));
     QElapsedTimer timer;
     timer.start();
     const NodeParams copy = document.scene().find(1)->params;
     const qint64 ns = timer.nsecsElapsed();
-    QCOMPARE(copy.branches.size(), std::size_t{10000});
-    qInfo("snapshot of a tree with 10,000 branches set by hand: %lld us", ns / 1000);
+    QCOMPARE(copy.edits.size(), std::size_t{10000});
+    qInfo("snapshot of a tree with 10,000 steps: %lld us", ns / 1000);
 }
 
 RAMURE_SUITE(TestRecompute)

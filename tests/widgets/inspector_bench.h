@@ -24,9 +24,7 @@ struct InspectorBench
     const Skeleton& skeleton() { return trees.skeleton(tree); }
     double rollOf(Index branch)
     {
-        const auto& branches = document().scene().find(tree)->params.branches;
-        const auto it = branches.find(skeleton().key[branch]);
-        return it == branches.end() ? 0.0 : it->second.rollRad;
+        return edit::branchRolls(document(), tree, {skeleton().key[branch]}).front();
     }
     std::vector<SectionFacts> sections(Index branch)
     {

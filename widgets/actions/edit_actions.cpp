@@ -66,7 +66,7 @@ void EditActions::addRows()
           [this, any] { return any() || !m_document->selection().branches.empty(); }},
          {"edit.straighten", Actions::tr("Strai&ghten branches"), nullptr, noKeys,
           Actions::tr("Take back how the selected branches were bent"), [this] { straightenSelected(); },
-          [this] { return !bentBranches().empty(); }},
+          [this] { return !selectedBends().empty(); }},
          {"edit.moreLikeThis", Actions::tr("M&ore like this…"), nullptr, noKeys,
           Actions::tr("Nine trees of the same numbers that chance grew otherwise, to choose from"),
           [this] { emit moreRequested(targetTrees(*m_document).front()); }, oneTree},
@@ -300,28 +300,38 @@ void EditActions::duplicateSelected()
         emit duplicated();
 }
 
-/// Of the selected branches those that are bent, without their bends.
-std::map<std::uint64_t, glm::dvec3> EditActions::bentBranches() const
+/// Bends of the selected branches: those that begin on one of them.
+std::vector<std::uint64_t> EditActions::selectedBends() const
 {
+    constexpr double sameSpot = 1e-3; // of the limb's length
     const Selection& selection = m_document->selection();
     const Node* node = m_document->scene().find(selection.branchNode);
     const NodeResult* result = m_document->result(selection.branchNode);
-    std::map<std::uint64_t, glm::dvec3> straight;
-    if (!node || !result || !result->tree.simplified)
-        return straight;
-    const Skeleton& skeleton = result->tree.simplified->skeleton;
-    for (const Index branch : selection.branches) {
-        const auto set = branch < skeleton.size() ? node->params.branches.find(skeleton.name(branch))
-                                                  : node->params.branches.end();
-        if (set != node->params.branches.end() && set->second.bendRad != glm::dvec3(0.0))
-            straight[set->first] = glm::dvec3(0.0);
+    const auto isBend = [](const TreeEdit& step) { return step.operation == EditOperation::Bend; };
+    if (!node || !result || !result->tree.edits || std::ranges::none_of(node->params.edits, isBend))
+        return {};
+    const std::vector<LimbSpan> spans = LimbFinder().spans(*m_document, node->id);
+    std::map<std::uint64_t, double> lengths;
+    for (const LimbSpan& span : spans)
+        lengths[span.address] = std::max(lengths[span.address], span.to);
+    std::vector<std::uint64_t> bends;
+    for (const TreeEdit& step : node->params.edits) {
+        const auto what = std::ranges::find(*result->tree.edits, step.id, &EditOutcome::id);
+        if (!isBend(step) || what == result->tree.edits->end())
+            continue;
+        const double at = (step.from + sameSpot) * lengths[what->address];
+        if (std::ranges::any_of(selection.branches, [&](Index branch) {
+                return branch < spans.size() && spans[branch].address == what->address &&
+                       spans[branch].from <= at && at < spans[branch].to;
+            }))
+            bends.push_back(step.id);
     }
-    return straight;
+    return bends;
 }
 
 void EditActions::straightenSelected()
 {
-    reportFailure(edit::turnBranches(*m_document, m_document->selection().branchNode, bentBranches()));
+    reportFailure(edit::removeTreeEdits(*m_document, m_document->selection().branchNode, selectedBends()));
 }
 
 void EditActions::toggleVisible()

@@ -68,7 +68,7 @@ private:
     void duplicateSelected();
     void straightenSelected();
     [[nodiscard]] int goingBranches() const;
-    [[nodiscard]] std::map<std::uint64_t, glm::dvec3> bentBranches() const;
+    [[nodiscard]] std::vector<std::uint64_t> selectedBends() const;
     void toggleVisible();
     void toggleLocked();
     [[nodiscard]] NodeId parentOfNew() const;

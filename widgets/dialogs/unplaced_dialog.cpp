@@ -15,23 +15,12 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <glm/geometric.hpp>
 #include <map>
 
 namespace ramure {
 namespace {
 
 constexpr QSize editsSize(560, 160);
-
-QString whatText(const BranchParams& edit, AngleUnit unit)
-{
-    QStringList parts;
-    if (edit.rollRad != 0.0)
-        parts += UnplacedDialog::tr("Roll %1").arg(facttext::angle(edit.rollRad, unit));
-    if (edit.bendRad != glm::dvec3(0.0))
-        parts += UnplacedDialog::tr("Bend %1").arg(facttext::angle(glm::length(edit.bendRad), unit));
-    return parts.join(QStringLiteral(", "));
-}
 
 QString shareText(double share)
 {
@@ -41,8 +30,6 @@ QString shareText(double share)
 /// Where the branch was, by the fingerprint of its axis.
 QString whereText(const BranchPlace& place)
 {
-    if (place.way.empty())
-        return UnplacedDialog::tr("unknown: from an older file");
     const AxisPrint& axis = place.way.back();
     const auto order = place.way.size() - 1;
     const QString length = facttext::length(axis.length);
@@ -56,19 +43,9 @@ QString whereText(const BranchPlace& place)
 }
 
 /// What an edit does, and where its branch was.
-std::pair<QString, QString> textsOf(const Node& node, const std::vector<UnplacedEdit>& group, AngleUnit unit)
+std::pair<QString, QString> textsOf(const Node& node, const UnplacedEdit& edit)
 {
-    const UnplacedEdit& edit = group.front();
-    if (!edit.isTreeEdit) {
-        const BranchParams& values = node.params.branches.at(edit.name);
-        if (group.size() > 1)
-            return {values.bendRad != glm::dvec3(0.0)
-                        ? UnplacedDialog::tr("Bend of %n branch(es)", nullptr, int(group.size()))
-                        : UnplacedDialog::tr("Roll of %n branch(es)", nullptr, int(group.size())),
-                    whereText(values.place)};
-        return {whatText(values, unit), whereText(values.place)};
-    }
-    const TreeEdit& found = *std::ranges::find(node.params.edits, edit.name, &TreeEdit::id);
+    const TreeEdit& found = *std::ranges::find(node.params.edits, edit.id, &TreeEdit::id);
     const bool wasDrawn = found.target.place.way.empty();
     return {found.name.empty() ? coreText(infoOf(found.operation).label) : QString::fromStdString(found.name),
             wasDrawn ? UnplacedDialog::tr("on a limb made by hand") : whereText(found.target.place)};
@@ -76,10 +53,9 @@ std::pair<QString, QString> textsOf(const Node& node, const std::vector<Unplaced
 
 } // namespace
 
-UnplacedDialog::UnplacedDialog(Document* document, AngleUnit unit, QWidget* parent)
+UnplacedDialog::UnplacedDialog(Document* document, QWidget* parent)
     : QDialog(parent)
     , m_document(document)
-    , m_unit(unit)
     , m_list(new QTreeWidget(this))
 {
     setWindowTitle(tr("Edits without a place"));
@@ -118,16 +94,16 @@ UnplacedDialog::UnplacedDialog(Document* document, AngleUnit unit, QWidget* pare
 
 void UnplacedDialog::follow()
 {
-    std::vector<std::vector<UnplacedEdit>> edits = unplacedGroups(*m_document);
+    std::vector<UnplacedEdit> edits = unplacedEdits(*m_document);
     if (edits.empty())
         return reject();
     if (edits == m_edits)
         return;
     m_edits = std::move(edits);
     m_list->clear();
-    for (const std::vector<UnplacedEdit>& group : m_edits) {
-        const Node& node = *m_document->scene().find(group.front().node);
-        const auto [what, where] = textsOf(node, group, m_unit);
+    for (const UnplacedEdit& edit : m_edits) {
+        const Node& node = *m_document->scene().find(edit.node);
+        const auto [what, where] = textsOf(node, edit);
         new QTreeWidgetItem(m_list, {QString::fromStdString(node.name), what, where});
     }
     m_list->setCurrentItem(m_list->topLevelItem(0));
@@ -135,19 +111,16 @@ void UnplacedDialog::follow()
 
 void UnplacedDialog::remove(bool all)
 {
-    std::map<std::pair<NodeId, bool>, std::vector<std::uint64_t>> names; // true: of edits of the tree
+    std::map<NodeId, std::vector<std::uint64_t>> ids;
     for (int row = 0; row < m_list->topLevelItemCount(); ++row)
-        if (all || m_list->topLevelItem(row)->isSelected())
-            for (const UnplacedEdit& edit : m_edits[static_cast<std::size_t>(row)])
-                names[{edit.node, edit.isTreeEdit}].push_back(edit.name);
-    for (const auto& [of, list] : names) {
-        const auto done = of.second ? edit::removeTreeEdits(*m_document, of.first, list)
-                                    : edit::removeBranchEdits(*m_document, of.first, list);
-        if (!done) {
+        if (const UnplacedEdit& edit = m_edits[static_cast<std::size_t>(row)];
+            all || m_list->topLevelItem(row)->isSelected())
+            ids[edit.node].push_back(edit.id);
+    for (const auto& [tree, list] : ids)
+        if (const auto done = edit::removeTreeEdits(*m_document, tree, list); !done) {
             QMessageBox::warning(this, windowTitle(), errorText(done.error()));
             return;
         }
-    }
 }
 
 void UnplacedDialog::keyPressEvent(QKeyEvent* event)

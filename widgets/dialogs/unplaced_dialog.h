@@ -3,7 +3,6 @@
 #pragma once
 
 #include "core/qt/session/jobs/unplaced_edits.h"
-#include "widgets/base/texts/number_format.h"
 #include <QDialog>
 
 class QPushButton;
@@ -16,7 +15,7 @@ class UnplacedDialog : public QDialog
     Q_OBJECT
 public:
     /// \param document is not owned and must outlive the dialog, which closes when no edit is left.
-    UnplacedDialog(Document* document, AngleUnit unit, QWidget* parent = nullptr);
+    explicit UnplacedDialog(Document* document, QWidget* parent = nullptr);
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
@@ -27,8 +26,7 @@ private:
     void remove(bool all);
 
     Document* m_document;
-    AngleUnit m_unit;
-    std::vector<std::vector<UnplacedEdit>> m_edits; ///< in the order of the rows
+    std::vector<UnplacedEdit> m_edits; ///< in the order of the rows
     QTreeWidget* m_list;
     QPushButton* m_delete;
 };

@@ -378,7 +378,7 @@ void MainWindow::buildStatusBar()
     statusBar()->addWidget(m_hints, 2);
     connect(m_hints, &HintLine::gestureBegan, statusBar(), &QStatusBar::clearMessage);
     addPanelHints(m_hints, m_timeline, m_keys, findChild<LevelsPanel*>());
-    statusBar()->addPermanentWidget(new UnplacedButton(m_document, m_preferences, this));
+    statusBar()->addPermanentWidget(new UnplacedButton(m_document, this));
     statusBar()->addPermanentWidget(new IsolationButton(m_isolation, this));
     statusBar()->addPermanentWidget(newAutoKeyMark(m_keyActions->autoAction(), this));
     addJob(m_bakes->job(), "bakeProgress")->setText(tr("Baking the motion"));

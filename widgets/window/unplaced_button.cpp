@@ -2,12 +2,11 @@
 
 #include "core/qt/session/jobs/unplaced_edits.h"
 #include "widgets/base/theme/icons.h"
-#include "widgets/base/theme/preferences.h"
 #include "widgets/dialogs/unplaced_dialog.h"
 
 namespace ramure {
 
-UnplacedButton::UnplacedButton(Document* document, const Preferences* preferences, QWidget* parent)
+UnplacedButton::UnplacedButton(Document* document, QWidget* parent)
     : QToolButton(parent)
     , m_document(document)
 {
@@ -23,8 +22,8 @@ UnplacedButton::UnplacedButton(Document* document, const Preferences* preference
         if (change.has(changeResults | changeReset | changeStructure | changeBranches))
             update();
     });
-    connect(this, &QToolButton::clicked, this, [this, preferences] {
-        auto* dialog = new UnplacedDialog(m_document, preferences->angleUnit(), window());
+    connect(this, &QToolButton::clicked, this, [this] {
+        auto* dialog = new UnplacedDialog(m_document, window());
         dialog->setAttribute(Qt::WA_DeleteOnClose);
         dialog->open();
     });
@@ -33,10 +32,9 @@ UnplacedButton::UnplacedButton(Document* document, const Preferences* preference
 
 void UnplacedButton::update()
 {
-    const auto count = static_cast<int>(unplacedGroups(*m_document).size());
+    const auto count = static_cast<int>(unplacedEdits(*m_document).size());
     setText(tr("%Ln edit(s) without a place", nullptr, count));
-    setToolTip(
-        tr("Rolls and bends of branches that are not there at present. They are kept. A click lists them."));
+    setToolTip(tr("Steps on limbs that are not there at present. They are kept. A click lists them."));
     setAccessibleName(text());
     setVisible(count > 0);
 }

@@ -7,14 +7,13 @@
 namespace ramure {
 
 class Document;
-class Preferences;
 
 class UnplacedButton : public QToolButton
 {
     Q_OBJECT
 public:
-    /// Neither is owned, and both must outlive the button.
-    UnplacedButton(Document* document, const Preferences* preferences, QWidget* parent = nullptr);
+    /// \param document is not owned and must outlive the button.
+    explicit UnplacedButton(Document* document, QWidget* parent = nullptr);
 
 private:
     void update();

@@ -33,10 +33,9 @@ constexpr CommandText infoText = {
     "numbers, "
     "row after row; \"geometry\" is where its own shape stands, which its children do not see; of arms, "
     "terrains, primitives and imported meshes also the vertices and faces, of arms the joints, the reach and "
-    "the tip (m, the arm's own space, as it is at --time). \"edits\" counts the branches shaped by hand: in "
-    "their places, matched by likeness, and without a place, the edits of `edit` among them, which \"list\" "
-    "there "
-    "names with what became of each; \"badPictures\" names image files that are "
+    "the tip (m, the arm's own space, as it is at --time). \"edits\" counts the steps of recipes: in "
+    "their places, matched by likeness, and without a place; \"list\" there "
+    "names them with what became of each; \"badPictures\" names image files that are "
     "missing or cannot be read; \"axes\" with --axes lists the stems; \"measures\" are a tree's height, the "
     "diameter of its stem 1.3 m above the ground and the width of its crown without leaves (m); "
     "\"leafLength\" "
@@ -61,7 +60,6 @@ struct TreeFacts
     std::int64_t symbols = 0;
     SkeletonFacts full, simplified;
     std::int64_t leaves = 0, shed = 0; ///< shed: by the season; below 0: there would be too many leaves
-    EditCount edits;
     LayerCount layer;
     QJsonArray editList;
     QJsonArray axes;                      ///< where they were asked for
@@ -119,10 +117,9 @@ QJsonObject jsonTree(const TreeFacts& tree)
         out.insert(QStringLiteral("leaves"), qint64(tree.leaves));
         out.insert(QStringLiteral("shed"), qint64(tree.shed));
     }
-    QJsonObject edits{
-        {QStringLiteral("placed"), qint64(tree.edits.placed + tree.layer.placed)},
-        {QStringLiteral("matched"), qint64(tree.edits.matched + tree.layer.matched)},
-        {QStringLiteral("unplaced"), qint64(tree.edits.unplaced.size()) + qint64(tree.layer.unplaced)}};
+    QJsonObject edits{{QStringLiteral("placed"), qint64(tree.layer.placed)},
+                      {QStringLiteral("matched"), qint64(tree.layer.matched)},
+                      {QStringLiteral("unplaced"), qint64(tree.layer.unplaced)}};
     if (!tree.editList.isEmpty())
         edits.insert(QStringLiteral("list"), tree.editList);
     out.insert(QStringLiteral("edits"), edits);
@@ -219,13 +216,13 @@ Expected<std::vector<TreeFacts>> factsOfTrees(EvaluatedScene& scene, const std::
         RAMURE_TRY(result);
         const Skeleton& simplified = result->simplified->skeleton;
         const auto foliage = foliageOf(simplified, now.params);
-        out.push_back(
-            {node->name, std::int64_t(result->symbols->size()), factsOf(*result->skeleton),
-             factsOf(simplified), foliage ? std::int64_t(leafCount(*foliage)) : -1,
-             foliage ? std::int64_t(foliage->shed) : 0, countEdits(now.params.branches, *result->simplified),
-             result->edits ? countLayer(*result->edits) : LayerCount(),
-             jsonEdits(now.params.edits, result->edits.get()),
-             axes ? jsonAxes(*result->skeleton) : QJsonArray(), measuresOf(*result->skeleton), std::nullopt});
+        out.push_back({node->name, std::int64_t(result->symbols->size()), factsOf(*result->skeleton),
+                       factsOf(simplified), foliage ? std::int64_t(leafCount(*foliage)) : -1,
+                       foliage ? std::int64_t(foliage->shed) : 0,
+                       result->edits ? countLayer(*result->edits) : LayerCount(),
+                       jsonEdits(now.params.edits, result->edits.get()),
+                       axes ? jsonAxes(*result->skeleton) : QJsonArray(), measuresOf(*result->skeleton),
+                       std::nullopt});
         if (foliage && foliage->form.shape != LeafShape::Faithful)
             out.back().crown =
                 leafMeasures(*foliage, trunkRadius(now.params), out.back().measures->crownWidth);
@@ -364,13 +361,9 @@ Expected<void> showScene(EvaluatedScene now, const Checked& checked, bool json, 
         const TreeFacts& tree = (*trees)[i];
         const glm::dmat4 world = now.transforms((*nodes)[i]->id).geometry;
         sum.symbols += tree.symbols;
-        sum.edits.placed += tree.edits.placed;
-        sum.edits.matched += tree.edits.matched;
         sum.layer.placed += tree.layer.placed;
         sum.layer.matched += tree.layer.matched;
         sum.layer.unplaced += tree.layer.unplaced;
-        sum.edits.unplaced.insert(sum.edits.unplaced.end(), tree.edits.unplaced.begin(),
-                                  tree.edits.unplaced.end());
         add(sum.full, tree.full, world);
         add(sum.simplified, tree.simplified, world);
         sum.leaves += std::max<std::int64_t>(tree.leaves, 0);

@@ -18,7 +18,7 @@ enum ChangeKind : quint32 {
     changeResults = 16,     ///< a computation finished, or failed, for nodes (Change::nodes)
     changeFile = 32,        ///< path or modified state
     changeReset = 64,       ///< another document: everything
-    changeBranches = 128,   ///< per-branch values of nodes
+    changeBranches = 128,   ///< steps of trees
     changeTimeline = 256,   ///< frames and frame rate of the scene
     changeTracks = 512,     ///< keys or extrapolation of tracks of nodes (Change::nodes)
     changeJoints = 1024,    ///< joints of arms, or what they wear (Change::nodes)

@@ -6,7 +6,6 @@
 #include "core/qt/document/document.h"
 #include "core/scene/node_transform.h"
 #include <QString>
-#include <map>
 #include <utility>
 #include <vector>
 
@@ -94,19 +93,14 @@ Expected<std::vector<NodeId>> duplicateNodes(Document& document, const std::vect
 /// parents: an error).
 Expected<void> moveNode(Document& document, NodeId node, NodeId newParent, int row, bool keepWorld,
                         double timeSeconds = 0.0);
-/// Sets the hand-made values of branches (by Skeleton::name) of one tree.
+/// Rolls branches (by Skeleton::key) of one tree at their starts: each gets a Roll step there, or the one
+/// that it has is changed; for 0 it is removed. Errors: Unknown (node, no such branch in the tree as it is
+/// shown), Invalid (locked, no tree, not finite).
 Expected<void> setBranchRoll(Document& document, NodeId node, const std::vector<std::uint64_t>& keys,
                              double rollRad, GestureId gesture = 0);
-/// Takes back all that was set by hand on branches (by Skeleton::name) of one tree.
-Expected<void> removeBranchEdits(Document& document, NodeId node, const std::vector<std::uint64_t>& names);
-/// Sets how branches (by Skeleton::name) of one tree are turned about their starts, as one step; branches
-/// that are not named lose their bend.
-Expected<void> setBranchBends(Document& document, NodeId node,
-                              const std::map<std::uint64_t, glm::dvec3>& bendRad);
-/// Sets how these branches are turned about their starts; the others stay. Errors as above; Invalid where a
-/// bend is not finite.
-Expected<void> turnBranches(Document& document, NodeId node,
-                            const std::map<std::uint64_t, glm::dvec3>& bendRad, GestureId gesture = 0);
+/// Returns what setBranchRoll has set of each branch, in rad; 0 for a branch that the tree has not.
+std::vector<double> branchRolls(const Document& document, NodeId node,
+                                const std::vector<std::uint64_t>& keys);
 /// Adds or replaces steps of a tree (core/params/tree_edit.h). A step whose id the tree has already replaces
 /// that one. Others go to the end of the list and get an id if they have none. Returns the ids. A drag passes
 /// the step again and again with the id from the first call, and becomes one step of undo. The function does

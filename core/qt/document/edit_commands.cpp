@@ -1,11 +1,17 @@
 // The edits of trees: every command leads from one list to another.
 #include "core/params/tree_edit_table.h"
 #include "core/pipeline/freeze.h"
+#include "core/pipeline/tree_context.h"
 #include "core/qt/document/document_command.h"
+#include "core/skeleton/branch_steps.h"
 
 #include <QCoreApplication>
+#include <cmath>
 #include <iterator>
 #include <map>
+#include <optional>
+#include <set>
+#include <unordered_map>
 
 namespace ramure {
 
@@ -208,6 +214,104 @@ Expected<void> edit::setStepParam(Document& document, NodeId id, std::uint64_t s
     const QString text = DocumentCommand::tr("Change %1 of %2", "a parameter, a step")
                              .arg(QCoreApplication::translate("core", def.label), labelOf(edit));
     pushLists(document, {{id, std::move(*list)}}, text, gesture);
+    return {};
+}
+
+/// Where a branch begins, and the step that rolls it there.
+struct RollPlace
+{
+    BranchStart start;
+    std::optional<std::size_t> step; ///< in the tree's list
+};
+
+/// In the tree that is shown: that is the one in which the artist chose them. Nothing for a branch that it
+/// has not.
+static std::vector<std::optional<RollPlace>>
+rollPlaces(const TreeResult& tree, const std::vector<TreeEdit>& steps, const std::vector<std::uint64_t>& keys)
+{
+    constexpr double sameSpot = 1e-6;
+    const TreeAxes axes = axesOf(*tree.skeleton);
+    std::unordered_map<std::uint64_t, Index> branches;
+    for (Index i = 0; i < tree.simplified->skeleton.size(); ++i)
+        branches.emplace(tree.simplified->skeleton.key[i], i);
+    std::vector<std::optional<RollPlace>> places;
+    for (const std::uint64_t key : keys) {
+        const auto branch = branches.find(key);
+        auto& place = places.emplace_back();
+        if (branch == branches.end())
+            continue;
+        place = RollPlace{branchStart(axes, *tree.simplified, branch->second), std::nullopt};
+        for (std::size_t i = 0; i < steps.size(); ++i) {
+            const EditReport none;
+            const EditReport& report = tree.edits ? *tree.edits : none;
+            const auto what = std::ranges::find(report, steps[i].id, &EditOutcome::id);
+            const std::uint64_t address = what == report.end() ? steps[i].target.address : what->address;
+            if (steps[i].operation == EditOperation::Roll && address == place->start.address &&
+                std::abs(steps[i].from - place->start.share) < sameSpot)
+                place->step = i;
+        }
+    }
+    return places;
+}
+
+static const TreeResult* shownTree(const Document& document, NodeId id)
+{
+    const NodeResult* shown = document.result(id);
+    return shown && shown->tree.skeleton && shown->tree.simplified ? &shown->tree : nullptr;
+}
+
+std::vector<double> edit::branchRolls(const Document& document, NodeId id, const Ids& keys)
+{
+    std::vector<double> rolls(keys.size(), 0.0);
+    const Node* const tree = document.scene().find(id);
+    const TreeResult* const shown = shownTree(document, id);
+    if (!tree || !shown ||
+        std::ranges::count(tree->params.edits, EditOperation::Roll, &TreeEdit::operation) == 0)
+        return rolls;
+    const auto places = rollPlaces(*shown, tree->params.edits, keys);
+    for (std::size_t i = 0; i < keys.size(); ++i)
+        if (places[i] && places[i]->step)
+            rolls[i] = tree->params.edits[*places[i]->step].angleRad;
+    return rolls;
+}
+
+Expected<void> edit::setBranchRoll(Document& document, NodeId id, const Ids& keys, double rollRad,
+                                   GestureId gesture)
+{
+    const auto tree = editableTree(document, id);
+    RAMURE_TRY(tree);
+    if (!std::isfinite(rollRad))
+        return fail(ErrorCode::Invalid, RAMURE_NOOP("a roll must be a finite angle"));
+    const TreeResult* const shown = shownTree(document, id);
+    if (!shown)
+        return fail(ErrorCode::Invalid, RAMURE_NOOP("\"%1\" has not grown yet"), {(*tree)->name});
+    std::vector<TreeEdit> list = (*tree)->params.edits;
+    std::set<std::uint64_t> gone;
+    std::optional<EditContext> context;
+    for (const auto& place : rollPlaces(*shown, list, keys)) {
+        if (!place)
+            return fail(ErrorCode::Unknown, RAMURE_NOOP("the tree has no such limb"));
+        if (place->step && rollRad == 0.0)
+            gone.insert(list[*place->step].id);
+        else if (place->step)
+            list[*place->step].angleRad = rollRad;
+        if (place->step || rollRad == 0.0)
+            continue;
+        if (!context)
+            context = contextOf(*shown, (*tree)->params);
+        auto target = context->target(place->start.address);
+        RAMURE_TRY(target);
+        TreeEdit step;
+        step.operation = EditOperation::Roll;
+        step.target = std::move(*target);
+        step.from = place->start.share;
+        step.angleRad = rollRad;
+        step.id = newEditId(list, step);
+        list.push_back(std::move(step));
+    }
+    std::erase_if(list, [&gone](const TreeEdit& step) { return gone.contains(step.id); });
+    pushLists(document, {{id, std::move(list)}},
+              DocumentCommand::tr("Roll %n branch(es)", nullptr, static_cast<int>(keys.size())), gesture);
     return {};
 }
 

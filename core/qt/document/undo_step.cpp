@@ -114,7 +114,7 @@ void MemoryCount::add(const TreeEdit& edit)
 
 void MemoryCount::add(const Node& node)
 {
-    m_bytes += sizeof(node) + node.extras.capacity() + node.params.branches.size() * sizeof(BranchParams);
+    m_bytes += sizeof(node) + node.extras.capacity();
     for (const TreeEdit& edit : node.params.edits)
         add(edit);
     add(node.animation);

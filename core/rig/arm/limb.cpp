@@ -48,14 +48,14 @@ Limb::Limb(const Skeleton& skeleton, const Bends& bendRad, Index branch, const L
         way.push_back(b);
     const std::size_t count = std::min(options.branches, way.size());
     for (std::size_t i = way.size(); i-- > count;)
-        m_carried = glm::normalize(m_carried * bendRotation(bendOf(bendRad, skeleton.name(way[i]))));
+        m_carried = glm::normalize(m_carried * bendRotation(bendOf(bendRad, skeleton.key[way[i]])));
     m_foot = count == 0 ? skeleton.p1[branch] : skeleton.p0[way[count - 1]];
     glm::dquat turn = m_carried;
     double most = 0.0;
     for (std::size_t i = count; i-- > 0;) {
         const Index b = way[i];
         Link link;
-        link.key = skeleton.name(b);
+        link.key = skeleton.key[b];
         link.bend = bendRotation(bendOf(bendRad, link.key));
         turn = glm::normalize(turn * link.bend);
         link.along = glm::conjugate(turn) * (skeleton.p1[b] - skeleton.p0[b]);

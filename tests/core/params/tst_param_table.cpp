@@ -74,7 +74,7 @@ private slots:
     void boolWords();
     void escapesInTexts();
     void checkParamsNamesTheKey();
-    void checkParamsSeesBranches();
+    void checkParamsSeesSteps();
     void seedsSayOfWhat();
     void kindsOfNodes();
 };
@@ -416,13 +416,15 @@ void TestParamTable::checkParamsNamesTheKey()
     QCOMPARE(checked.error().path, std::string("turtle.alpha"));
 }
 
-void TestParamTable::checkParamsSeesBranches()
+void TestParamTable::checkParamsSeesSteps()
 {
     NodeParams params;
-    params.branches[7].rollRad = infinity;
+    params.edits.push_back({.id = 7, .operation = EditOperation::Roll, .target = {.address = 5}});
+    QVERIFY(checkParams(params));
+    params.edits.front().angleRad = infinity;
     const auto checked = checkParams(params);
     QVERIFY(!checked);
-    QCOMPARE(checked.error().path, std::string("branches.7.rollRad"));
+    QCOMPARE(checked.error().path, std::string("edits[0].angle"));
 }
 
 void TestParamTable::seedsSayOfWhat()

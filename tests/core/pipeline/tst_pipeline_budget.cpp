@@ -3,6 +3,7 @@
 #include "core/presets/presets.h"
 #include "core/surface/mesher/mesh_divisions.h"
 #include "tests/support/suite.h"
+#include "tests/support/turned_branches.h"
 
 namespace tst_pipeline_budget {
 
@@ -115,8 +116,7 @@ void TestPipelineBudget::rollsStillTurn()
     NodeParams params = tinyTree(4000);
     const auto plain = pipeline.evaluate(params);
     QVERIFY2(plain, test::why(plain));
-    params.branches[plain->simplified->skeleton.key[3]].rollRad = 0.5;
-    const auto rolled = pipeline.evaluate(params);
+    const auto rolled = pipeline.evaluate(withSteps(params, std::vector{test::roll(*plain, params, 3, 0.5)}));
     QVERIFY2(rolled, test::why(rolled));
     QVERIFY(rolled->branches->mesh.positions != plain->branches->mesh.positions);
     QVERIFY(rolled->report->valid);

@@ -4,6 +4,7 @@
 #include "core/skeleton/bend.h"
 #include "tests/support/preset_trees.h"
 #include "tests/support/suite.h"
+#include "tests/support/turned_branches.h"
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -23,7 +24,6 @@ private slots:
     void bendsKeepLengthsAndKeys();
     void whatIsNotBentKeepsItsBytes();
     void bendsAreParametersOfTheTree();
-    void badBendsAreErrors();
     void treesWithoutCollisionsStay();
     void errorsAndCancelAreHandedOn();
     void presetsGetBetter_data();
@@ -121,27 +121,21 @@ void TestSeparateBranches::bendsAreParametersOfTheTree()
     NodeParams params = small("SmallTree", 4);
     const auto plain = pipeline.evaluate(params);
     QVERIFY2(plain, why(plain));
-    const std::uint64_t key = plain->simplified->skeleton.key[5];
-    params = withBends(params, {{key, {0.3, 0.0, 0.1}}, {0xDEAD, {1.0, 0.0, 0.0}}});
-    const auto bent = pipeline.evaluate(params);
+    const auto bent =
+        pipeline.evaluate(withSteps(params, test::bends(*plain, params, {{5, {0.3, 0.0, 0.1}}})));
     QVERIFY2(bent, why(bent));
     QVERIFY(bent->report->valid);
-    QVERIFY(bent->skeleton == plain->skeleton); // as the turtle drew it
+    QVERIFY(bent->grown == plain->grown); // as the turtle drew it
+    std::vector<glm::dvec3> bends(plain->simplified->skeleton.size(), glm::dvec3(0.0));
+    bends[5] = {0.3, 0.0, 0.1};
+    Skeleton expected = plain->simplified->skeleton;
+    bendBranches(expected, bends);
+    for (Index i = 0; i < expected.size(); ++i)
+        QVERIFY(glm::distance(expected.p1[i], bent->simplified->skeleton.p1[i]) < 1e-9);
     QVERIFY(bent->simplified->skeleton.p1[5] != plain->simplified->skeleton.p1[5]);
     QVERIFY(bent->branches->mesh.positions != plain->branches->mesh.positions);
-    const auto back = pipeline.evaluate(withBends(params, {}));
+    const auto back = pipeline.evaluate(params);
     QVERIFY(back->branches == plain->branches); // out of the cache
-    QVERIFY(withBends(params, {}) == small("SmallTree", 4));
-}
-
-void TestSeparateBranches::badBendsAreErrors()
-{
-    TreePipeline pipeline;
-    NodeParams params = small("TinyTree", 0);
-    params.branches[7].bendRad.y = std::nan("");
-    const auto result = pipeline.evaluate(params);
-    QVERIFY(!result);
-    QCOMPARE(result.error().path, std::string("branches.7.bendRad"));
 }
 
 void TestSeparateBranches::treesWithoutCollisionsStay()
@@ -151,7 +145,7 @@ void TestSeparateBranches::treesWithoutCollisionsStay()
     const auto done = separateBranches(pipeline, params);
     QVERIFY2(done, why(done));
     QCOMPARE(done->before, std::size_t(0));
-    QVERIFY(done->rest.empty() && done->bendRad.empty());
+    QVERIFY(done->rest.empty() && done->steps.empty());
 }
 
 void TestSeparateBranches::errorsAndCancelAreHandedOn()
@@ -194,8 +188,7 @@ void TestSeparateBranches::presetsGetBetter()
                                                                           last = f;
                                                                       }});
     QVERIFY2(done, why(done));
-    const auto before = pipeline.evaluate(params),
-               after = pipeline.evaluate(withBends(params, done->bendRad));
+    const auto before = pipeline.evaluate(params), after = pipeline.evaluate(withSteps(params, done->steps));
     QVERIFY(before && after);
     const auto foundBefore = analyseMesh(*before->branches, before->simplified->skeleton);
     const auto foundAfter = analyseMesh(*after->branches, after->simplified->skeleton);
@@ -209,10 +202,10 @@ void TestSeparateBranches::presetsGetBetter()
     QVERIFY(worstStretch(before->simplified->skeleton, after->simplified->skeleton) < 1e-12);
     QVERIFY(after->simplified->skeleton.key == before->simplified->skeleton.key);
     // A second treatment starts from the first.
-    const auto again = separateBranches(pipeline, withBends(params, done->bendRad));
+    const auto again = separateBranches(pipeline, withSteps(params, done->steps));
     QVERIFY(again && again->rest.size() <= done->rest.size());
     if (done->rest.empty())
-        QVERIFY(again->bendRad == done->bendRad);
+        QVERIFY(again->steps.empty());
 }
 
 void TestSeparateBranches::theSameOnAnyNumberOfThreads()
@@ -225,7 +218,7 @@ void TestSeparateBranches::theSameOnAnyNumberOfThreads()
     options.threads = 3;
     const auto three = separateBranches(pipeline, params, options);
     QVERIFY(one && three);
-    QVERIFY(one->bendRad == three->bendRad);
+    QVERIFY(one->steps == three->steps);
     QVERIFY(one->rest == three->rest);
 }
 

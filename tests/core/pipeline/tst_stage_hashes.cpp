@@ -70,7 +70,6 @@ private slots:
     void everyRowChangesItsStage();
     void whatDoesNotMatterChangesNothing_data() { everyRowChangesItsStage_data(); }
     void whatDoesNotMatterChangesNothing();
-    void branchesChangeTheirStages();
     void budgetsNeedNoSections();
     void editsChangeTheSkeleton();
     void everyValueOfBarkChangesItsHash();
@@ -108,24 +107,6 @@ void TestStageHashes::whatDoesNotMatterChangesNothing()
     const StageHashes before(*params), after(withOther(def, *params));
     for (std::size_t stage = 0; stage < stageCount; ++stage)
         QCOMPARE(after[Stage(stage)], before[Stage(stage)]);
-}
-
-void TestStageHashes::branchesChangeTheirStages()
-{
-    const StageHashes plain{NodeParams()};
-    NodeParams params;
-    params.branches[7].rollRad = 0.5;
-    const StageHashes rolled(params);
-    QCOMPARE(rolled[Stage::Simplified], plain[Stage::Simplified]);
-    QCOMPARE(rolled[Stage::Foliage], plain[Stage::Foliage]);
-    for (const Stage stage : {Stage::Sections, Stage::Mesh, Stage::Texture})
-        QVERIFY(rolled[stage] != plain[stage]);
-    params.branches[7].bendRad.y = 0.5;
-    const StageHashes bent(params);
-    QCOMPARE(bent[Stage::Skeleton], plain[Stage::Skeleton]);
-    for (const Stage stage :
-         {Stage::Simplified, Stage::Sections, Stage::Mesh, Stage::Foliage, Stage::Texture})
-        QVERIFY(bent[stage] != plain[stage]);
 }
 
 void TestStageHashes::budgetsNeedNoSections()

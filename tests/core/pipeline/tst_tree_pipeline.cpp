@@ -7,6 +7,7 @@
 #include "core/presets/presets.h"
 #include "tests/support/kind_with.h"
 #include "tests/support/suite.h"
+#include "tests/support/turned_branches.h"
 
 #include <cmath>
 #include <limits>
@@ -392,11 +393,12 @@ void TestTreePipeline::rollsMoveTheFrames()
     NodeParams params = smallParams();
     const auto plain = pipeline.evaluate(params);
     const Index branch = 5;
-    params.branches[plain->simplified->skeleton.key[branch]].rollRad = 0.5;
-    params.branches[0xDEADull].rollRad = 1.0; // a branch that this tree does not have
-    const auto rolled = pipeline.evaluate(params);
-    QVERIFY(rolled->simplified == plain->simplified);
-    QVERIFY(rolled->foliage == plain->foliage);
+    TreeEdit gone = test::roll(*plain, params, branch, 1.0);
+    gone.target = {.address = 0xDEADull}; // an axis that this tree does not have
+    const auto rolled =
+        pipeline.evaluate(withSteps(params, std::vector{gone, test::roll(*plain, params, branch, 0.5)}));
+    QVERIFY(rolled->simplified->skeleton.p1 == plain->simplified->skeleton.p1);
+    QVERIFY(rolled->leaves->positions == plain->leaves->positions);
     const auto normal = [&](const TreeResult& tree) { return tree.sections->of(branch)[0].frame.normal; };
     QVERIFY(std::abs(glm::dot(normal(*plain), normal(*rolled)) - std::cos(0.5)) < 1e-12);
     QVERIFY(rolled->branches->mesh.positions != plain->branches->mesh.positions);

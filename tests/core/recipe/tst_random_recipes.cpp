@@ -144,7 +144,7 @@ private slots:
             frozen.edits = *steps;
             const Skeleton held = *grownTree(frozen, Stage::Skeleton).skeleton;
             QVERIFY2(held.p1 == skeleton.skeleton->p1 && held.a0 == skeleton.skeleton->a0 &&
-                         held.loose == skeleton.skeleton->loose,
+                         held.loose == skeleton.skeleton->loose && held.rolls == skeleton.skeleton->rolls,
                      label.constData());
             TreePipeline pipeline;
             const auto tree = pipeline.evaluate(params, Stage::Mesh);

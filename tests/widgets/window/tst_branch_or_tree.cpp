@@ -1,6 +1,7 @@
 #include "core/qt/document/commands.h"
 #include "core/qt/session/jobs/recompute.h"
 #include "core/scene/kinds/node_kinds.h"
+#include "tests/support/turned_branches.h"
 #include "tests/widgets/base/fixture.h"
 #include "widgets/actions/edit_actions.h"
 #include "widgets/actions/file_actions.h"
@@ -193,15 +194,17 @@ private slots:
 
     void bentBranchesAreStraightenedInOneStep()
     {
-        const Skeleton& skeleton = m_document->result(tree())->tree.simplified->skeleton;
-        QVERIFY(edit::turnBranches(*m_document, tree(),
-                                   {{skeleton.key[1], {0.2, 0.0, 0.0}}, {skeleton.key[2], {0.0, 0.1, 0.0}}}));
+        const auto steps =
+            test::bends(m_document->result(tree())->tree, m_document->scene().find(tree())->params,
+                        {{1, {0.2, 0.0, 0.0}}, {2, {0.0, 0.1, 0.0}}});
+        QVERIFY(edit::putTreeEdits(*m_document, tree(), steps));
+        QTRY_VERIFY_WITH_TIMEOUT(m_document->isCurrent(tree()), test::patience(20'000));
         select({tree()}, {0});
         QVERIFY(!action("edit.straighten")->isEnabled());
         select({tree()}, {0, 1, 2});
         QVERIFY(action("edit.straighten")->isEnabled());
         action("edit.straighten")->trigger();
-        QVERIFY(m_document->scene().nodes().front().params.branches.empty());
+        QVERIFY(m_document->scene().nodes().front().params.edits.empty());
         QCOMPARE(m_document->undoStack()->count(), 2);
         QVERIFY(!action("edit.straighten")->isEnabled());
     }

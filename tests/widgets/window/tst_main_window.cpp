@@ -453,7 +453,7 @@ private slots:
         QCOMPARE(field->objectName(), QStringLiteral("rollField"));
         QTest::keyClicks(field, "30");
         QTest::keyClick(field, Qt::Key_Return);
-        QCOMPARE(m_document->scene().nodes().front().params.branches.size(), std::size_t{1});
+        QCOMPARE(m_document->scene().nodes().front().params.edits.size(), std::size_t{1});
         // In a field the same keys go from word to word.
         auto* search = m_window->properties()->findChild<QLineEdit*>();
         action("view.search")->trigger();

@@ -1,7 +1,7 @@
 // Edits whose branches have gone: counted in the status bar, listed on a click, deleted if wanted.
+#include "tests/support/turned_branches.h"
 #include "tests/widgets/base/fixture.h"
 #include "tests/widgets/tree_document.h"
-#include "widgets/base/theme/preferences.h"
 #include "widgets/dialogs/unplaced_dialog.h"
 #include "widgets/window/unplaced_button.h"
 
@@ -22,10 +22,12 @@ private:
     static NodeId loseThree(test::TreeDocument& trees)
     {
         const NodeId tree = trees.add(test::smallForks(), "Oak");
-        std::map<std::uint64_t, glm::dvec3> bends{{trees.skeleton(tree).name(3), {0.5, 0.0, 0.0}}};
-        std::vector<std::uint64_t> rolls{trees.skeleton(tree).name(1), 42};
-        if (!edit::setBranchRoll(trees.document(), tree, rolls, 0.25) ||
-            !edit::turnBranches(trees.document(), tree, bends) ||
+        const TreeResult& grown = trees.document().result(tree)->tree;
+        const NodeParams params = trees.document().scene().find(tree)->params;
+        std::vector<TreeEdit> steps = test::bends(grown, params, {{3, {0.5, 0.0, 0.0}}});
+        steps.push_back(test::roll(grown, params, 1, 0.25));
+        steps.push_back({.operation = EditOperation::Roll, .target = {.address = 42}, .angleRad = 0.25});
+        if (!edit::putTreeEdits(trees.document(), tree, steps) ||
             !edit::setParam(trees.document(), {tree}, *findParam("grammar.axiom"), std::string("F")) ||
             !trees.compute(tree))
             qFatal("the tree cannot be made");
@@ -38,8 +40,7 @@ private slots:
     void thereOnlyWhenNeeded()
     {
         test::TreeDocument trees;
-        Preferences preferences;
-        UnplacedButton button(&trees.document(), &preferences);
+        UnplacedButton button(&trees.document());
         QVERIFY(button.isHidden());
         loseThree(trees);
         QVERIFY(!button.isHidden());
@@ -52,8 +53,7 @@ private slots:
     {
         test::TreeDocument trees;
         loseThree(trees);
-        Preferences preferences;
-        UnplacedButton button(&trees.document(), &preferences);
+        UnplacedButton button(&trees.document());
         button.click();
         auto* dialog = button.findChild<UnplacedDialog*>();
         QVERIFY(dialog);
@@ -64,7 +64,7 @@ private slots:
             QCOMPARE(list->topLevelItem(row)->text(0), QStringLiteral("Oak"));
             texts += list->topLevelItem(row)->text(1) + list->topLevelItem(row)->text(2);
         }
-        QCOMPARE(texts.filter(QStringLiteral("unknown")).size(), 1);
+        QCOMPARE(texts.filter(QStringLiteral("by hand")).size(), 1);
         QCOMPARE(texts.filter(QStringLiteral("Bend")).size(), 1);
         QCOMPARE(texts.filter(QStringLiteral("Roll")).size(), 2);
     }
@@ -73,12 +73,12 @@ private slots:
     {
         test::TreeDocument trees;
         const NodeId tree = loseThree(trees);
-        UnplacedDialog dialog(&trees.document(), AngleUnit::Degrees);
+        UnplacedDialog dialog(&trees.document());
         dialog.show();
         auto* list = dialog.findChild<QTreeWidget*>();
         QTest::keyClick(list, Qt::Key_Delete); // the first is selected
         QCOMPARE(list->topLevelItemCount(), 2);
-        QCOMPARE(trees.document().scene().find(tree)->params.branches.size(), std::size_t{2});
+        QCOMPARE(trees.document().scene().find(tree)->params.edits.size(), std::size_t{2});
         trees.document().undo();
         QCOMPARE(list->topLevelItemCount(), 3);
         list->clearSelection();
@@ -86,7 +86,7 @@ private slots:
         QVERIFY(!remove->isEnabled());
         dialog.findChild<QPushButton*>(QStringLiteral("deleteAllEdits"))->click();
         QVERIFY(!dialog.isVisible()); // nothing is left to show
-        QVERIFY(trees.document().scene().find(tree)->params.branches.empty());
+        QVERIFY(trees.document().scene().find(tree)->params.edits.empty());
     }
 };
 

@@ -129,7 +129,7 @@ std::optional<Index> BranchRows::find(std::uint64_t name) const
 {
     if (m_byName.empty()) {
         for (Index branch = 0; branch < skeleton().size(); ++branch)
-            m_byName.emplace(skeleton().name(branch), branch);
+            m_byName.emplace(skeleton().key[branch], branch);
     }
     const auto found = m_byName.find(name);
     return found == m_byName.end() ? std::nullopt : std::optional(found->second);

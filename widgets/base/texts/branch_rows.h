@@ -48,7 +48,7 @@ public:
 
     /// Branches that begin at the end of one, whether they lead it on or not.
     [[nodiscard]] Index forks(Index branch) const { return m_forks[branch]; }
-    /// The branch of this name (Skeleton::name), where there is one.
+    /// The branch of this name (Skeleton::key), where there is one.
     [[nodiscard]] std::optional<Index> find(std::uint64_t name) const;
     /// The same branches below the same parents: only lengths and radii may differ.
     [[nodiscard]] bool sameShape(const Skeleton& other) const;

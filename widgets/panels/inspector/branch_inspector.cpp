@@ -226,10 +226,10 @@ void BranchInspector::Private::showBranch(const NodeResult& result)
     // A limb turns as a whole where its foot does: the turn of a branch goes on to those above it.
     std::vector<std::uint64_t> keys;
     if (isLimbSelected())
-        keys.push_back(skeleton.name(limb().front()));
+        keys.push_back(skeleton.key[limb().front()]);
     else
         for (const Index selected : document->selection().branches)
-            keys.push_back(skeleton.name(selected));
+            keys.push_back(skeleton.key[selected]);
     roll->showBranches(node, std::move(keys));
     showTitle();
 }

@@ -10,7 +10,9 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QToolButton>
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 
 namespace ramure {
@@ -18,23 +20,11 @@ namespace {
 
 constexpr double mostTyped = 1000.0 * 2.0 * pi; ///< whole turns are taken off
 
-double rollOf(const Node& node, std::uint64_t key)
-{
-    const auto it = node.params.branches.find(key);
-    return it == node.params.branches.end() ? 0.0 : it->second.rollRad;
-}
-
 /// The roll that all have, or nothing where they differ.
-std::optional<double> commonRoll(const Node& node, const std::vector<std::uint64_t>& keys)
+std::optional<double> commonRoll(const std::vector<double>& rolls)
 {
-    std::optional<double> common;
-    for (const std::uint64_t key : keys) {
-        const double roll = rollOf(node, key);
-        if (common && *common != roll)
-            return std::nullopt;
-        common = roll;
-    }
-    return common;
+    const bool differ = std::ranges::adjacent_find(rolls, std::not_equal_to()) != rolls.end();
+    return differ || rolls.empty() ? std::nullopt : std::optional(rolls.front());
 }
 
 } // namespace
@@ -113,7 +103,7 @@ void RollEditor::showBranches(NodeId node, std::vector<std::uint64_t> keys)
     const bool editable = tree && !m_keys.empty() && !m_document->scene().isLocked(node);
     for (QWidget* widget : std::initializer_list<QWidget*>{m_name, m_slider, m_field})
         widget->setEnabled(editable);
-    const std::optional<double> roll = tree ? commonRoll(*tree, m_keys) : 0.0;
+    const std::optional<double> roll = tree ? commonRoll(edit::branchRolls(*m_document, node, m_keys)) : 0.0;
     m_slider->setNumber(roll);
     m_field->setValue(roll);
     m_reset->setEnabled(editable && (!roll || *roll != 0.0));

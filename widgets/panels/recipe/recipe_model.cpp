@@ -124,19 +124,16 @@ void RecipeModel::update()
     auto report = result ? result->tree.edits : nullptr;
     static const std::vector<TreeEdit> none;
     const std::vector<TreeEdit>& edits = node ? node->params.edits : none;
-    std::vector<BendRow> bends = bendRows(*m_document, tree);
     const bool sameTree = tree == m_tree;
     const bool sameSource = node && sourceText(node->params) == m_source;
-    if (sameTree && sameSource && edits == m_edits && report == m_report && bends == m_bends)
+    if (sameTree && sameSource && edits == m_edits && report == m_report)
         return;
-    const bool sameRows = sameTree && std::ranges::equal(edits, m_edits, {}, &TreeEdit::id, &TreeEdit::id) &&
-                          std::ranges::equal(bends, m_bends, {}, &BendRow::id, &BendRow::id);
+    const bool sameRows = sameTree && std::ranges::equal(edits, m_edits, {}, &TreeEdit::id, &TreeEdit::id);
     if (!sameRows)
         beginResetModel();
     m_tree = tree;
     m_source = node ? sourceText(node->params) : QString();
     m_edits = edits;
-    m_bends = std::move(bends);
     m_report = std::move(report);
     updateLimbs();
     if (!sameRows) {
@@ -242,21 +239,13 @@ void RecipeModel::updateLimbs()
     }
 }
 
-const BendRow* RecipeModel::bendAt(int row) const
-{
-    return row <= editCount() ? nullptr : &m_bends[std::size_t(row - 1 - editCount())];
-}
-
 std::uint64_t RecipeModel::idAt(int row) const
 {
-    const BendRow* bend = bendAt(row);
-    return bend ? bend->id() : row == 0 ? sourceId : editAt(row).id;
+    return row == 0 ? sourceId : editAt(row).id;
 }
 
 std::vector<Index> RecipeModel::branchesAt(int row) const
 {
-    if (const BendRow* bend = bendAt(row))
-        return bend->branches;
     if (row == 0)
         return {};
     const EditOutcome* what = outcome(row);
@@ -305,7 +294,7 @@ std::uint64_t RecipeModel::addressAt(int row) const
 int RecipeModel::placeCount() const
 {
     const std::size_t first = m_tree == noNode ? 0 : 1;
-    return static_cast<int>(first + m_edits.size() + m_bends.size());
+    return static_cast<int>(first + m_edits.size());
 }
 
 int RecipeModel::rowCount(const QModelIndex& parent) const
@@ -327,8 +316,6 @@ QVariant RecipeModel::data(const QModelIndex& index, int role) const
     if (isGroup(index))
         return groupData(groupOf(index), index.column(), role);
     const int place = placeOf(index);
-    if (const BendRow* bend = bendAt(place))
-        return bendData(*bend, index.column(), role);
     return place == 0 ? sourceData(index.column(), role) : stepData(place, index.column(), role);
 }
 
@@ -438,27 +425,6 @@ QString RecipeModel::timeText(double seconds)
                          : tr("%1 s").arg(QLocale().toString(seconds, 'f', 1));
 }
 
-QVariant RecipeModel::bendData(const BendRow& bend, int column, int role) const
-{
-    const bool isGone = bend.branches.empty();
-    if (role == Qt::DisplayRole)
-        return column == Time   ? QString()
-               : column == Name ? tr("Bend of %n branch(es)", nullptr, static_cast<int>(bend.names.size()))
-               : isGone         ? tr("no place at present")
-                                : bend.limb;
-    if (role == Qt::DecorationRole && isGone && column == Limb)
-        return icon("warning");
-    if (role == Qt::ForegroundRole && isGone)
-        return QApplication::palette().brush(QPalette::PlaceholderText);
-    if (role == Qt::ToolTipRole && isGone)
-        return tr(
-            "The branches are not there at present. It is kept, and acts again as soon as such branches "
-            "grow; Del removes it.");
-    if (role == Qt::ToolTipRole)
-        return tr("A bend acts after the other edits; it cannot be switched off, moved or copied");
-    return {};
-}
-
 QVariant RecipeModel::headerData(int section, Qt::Orientation orientation, int role) const
 {
     if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
@@ -477,7 +443,7 @@ bool RecipeModel::setData(const QModelIndex& index, const QVariant& value, int r
 {
     std::vector<std::uint64_t> ids;
     for (const int place : placesOf(index))
-        if (place > 0 && !bendAt(place))
+        if (place > 0)
             ids.push_back(idAt(place));
     if (ids.empty())
         return false;
@@ -493,7 +459,7 @@ Qt::ItemFlags RecipeModel::flags(const QModelIndex& index) const
     if (!index.isValid())
         return Qt::ItemIsDropEnabled;
     const int place = placesOf(index).front();
-    if (isGroup(index) || bendAt(place) || place == 0)
+    if (isGroup(index) || place == 0)
         return Qt::ItemIsEnabled | Qt::ItemIsSelectable |
                (isGroup(index) && index.column() == Name ? Qt::ItemIsUserCheckable : Qt::NoItemFlags);
     const Qt::ItemFlags all = Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsDragEnabled;

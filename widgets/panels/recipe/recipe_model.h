@@ -1,14 +1,13 @@
 /// \file
 /// The recipe of one tree: the source that it begins with, then its steps in the order in which they act, a
-/// row each, to be renamed, switched on and off and moved. Behind them its bends (bend_rows.h), which can
-/// only be chosen and deleted. Ten hand edits and more that follow each other have a row of their own above
-/// them, to be folded. Places in the list count from 0, the source, whatever is folded.
+/// row each, to be renamed, switched on and off and moved. Ten hand edits and more that follow each other
+/// have a row of their own above them, to be folded. Places in the list count from 0, the source, whatever is
+/// folded.
 #pragma once
 
 #include "core/params/tree_edit.h"
 #include "core/qt/document/document.h"
 #include "core/recipe/edit_report.h"
-#include "widgets/panels/recipe/bend_rows.h"
 #include <QAbstractItemModel>
 
 namespace ramure {
@@ -23,7 +22,7 @@ class RecipeModel : public QAbstractItemModel
     Q_OBJECT
 public:
     enum Column { Name, Limb, Time, Columns };
-    /// Id of the first row, whose values are the tree's own. No step and no bend has it.
+    /// Id of the first row, whose values are the tree's own. No step has it.
     static constexpr std::uint64_t sourceId = 0;
 
     /// \p document is not owned and must outlive the model.
@@ -40,12 +39,10 @@ public:
     [[nodiscard]] QModelIndex indexOf(int place, int column = Name) const;
     [[nodiscard]] bool isGroup(const QModelIndex& index) const;
     [[nodiscard]] bool hasGroups() const { return !m_groups.empty(); }
-    /// Counts all places: the source, steps and bends.
+    /// Counts all places: the source and the steps.
     [[nodiscard]] int placeCount() const;
-    /// Steps behind the source; the rows of bends follow.
+    /// Steps behind the source.
     [[nodiscard]] int editCount() const { return static_cast<int>(m_edits.size()); }
-    /// Null: it is the source or a step.
-    [[nodiscard]] const BendRow* bendAt(int place) const;
     /// \pre it is a step's, from 1 on.
     [[nodiscard]] const TreeEdit& editAt(int place) const { return m_edits[std::size_t(place - 1)]; }
     /// Returns the branches of the simplified skeleton that the row is about.
@@ -97,14 +94,12 @@ private:
     [[nodiscard]] const EditOutcome* outcome(int place) const;
     [[nodiscard]] QVariant sourceData(int column, int role) const;
     [[nodiscard]] static QString timeText(double seconds);
-    [[nodiscard]] QVariant bendData(const BendRow& bend, int column, int role) const;
     bool report(const Expected<void>& done);
 
     Document* m_document;
     NodeId m_tree = noNode;
     QString m_source;
     std::vector<TreeEdit> m_edits;
-    std::vector<BendRow> m_bends;
     std::shared_ptr<const EditReport> m_report;
     std::vector<QString> m_limbs; ///< by step: what it acts on
     std::vector<Group> m_groups;

@@ -157,7 +157,7 @@ void RecipePanel::follow()
 void RecipePanel::chooseStep()
 {
     const auto ids = selectedIds();
-    emit stepChosen(m_model->tree(), ids.size() == 1 && !hasBend(ids) ? ids.front() : RecipeModel::sourceId);
+    emit stepChosen(m_model->tree(), ids.size() == 1 ? ids.front() : RecipeModel::sourceId);
 }
 
 void RecipePanel::select(quint64 step)
@@ -187,46 +187,24 @@ std::vector<std::uint64_t> RecipePanel::selectedIds() const
 void RecipePanel::updateButtons()
 {
     const auto ids = selectedIds();
-    const bool edits = !hasBend(ids);
-    const int row = ids.size() == 1 && edits ? m_model->rowOf(ids.front()) : -1;
+    const int row = ids.size() == 1 ? m_model->rowOf(ids.front()) : -1;
     const auto isTree = [](const Node& node) { return node.kind == NodeKind::Tree; };
     m_up->setEnabled(row > 1);
     m_down->setEnabled(row >= 1 && row < m_model->editCount());
     m_delete->setEnabled(!ids.empty());
-    m_copy->setEnabled(!ids.empty() && edits &&
-                       std::ranges::count_if(m_document->scene().nodes(), isTree) > 1);
+    m_copy->setEnabled(!ids.empty() && std::ranges::count_if(m_document->scene().nodes(), isTree) > 1);
 }
 
 void RecipePanel::removeSelected()
 {
-    std::vector<std::uint64_t> ids = selectedIds();
-    std::map<std::uint64_t, glm::dvec3> straight;
-    std::erase_if(ids, [&](std::uint64_t id) {
-        const BendRow* bend = m_model->bendAt(m_model->rowOf(id));
-        for (std::size_t i = 0; bend && i < bend->names.size(); ++i)
-            straight[bend->names[i]] = glm::dvec3(0.0);
-        return bend != nullptr;
-    });
-    const bool both = !ids.empty() && !straight.empty(); // one step
-    std::optional<OneStep> step;
-    if (both)
-        step.emplace(*m_document, tr("Delete steps"));
-    if (!straight.empty())
-        report(edit::turnBranches(*m_document, m_model->tree(), straight));
-    if (!ids.empty())
+    if (const auto ids = selectedIds(); !ids.empty())
         report(edit::removeTreeEdits(*m_document, m_model->tree(), ids));
-}
-
-bool RecipePanel::hasBend(const std::vector<std::uint64_t>& ids) const
-{
-    return std::ranges::any_of(
-        ids, [this](std::uint64_t id) { return m_model->bendAt(m_model->rowOf(id)) != nullptr; });
 }
 
 void RecipePanel::moveCurrent(int rows)
 {
     const auto ids = selectedIds();
-    if (ids.size() != 1 || hasBend(ids))
+    if (ids.size() != 1)
         return;
     const int to = m_model->rowOf(ids.front()) + rows;
     if (to >= 1 && to <= m_model->editCount())
@@ -269,7 +247,7 @@ void RecipePanel::actOnChosenAxes(std::uint64_t step)
 void RecipePanel::freeze()
 {
     const auto places = m_model->placesOf(m_view->currentIndex());
-    if (!places.empty() && !m_model->bendAt(places.back()))
+    if (!places.empty())
         report(edit::freezeTree(*m_document, m_model->tree(), m_model->idAt(places.back())));
 }
 
@@ -320,8 +298,8 @@ void RecipePanel::showMenu(const QPoint& at)
     QMenu menu(this);
     const auto addFreeze = [&] {
         menu.addAction(icon("lock"), tr("Freeze up to here"), this, &RecipePanel::freeze)
-            ->setEnabled(ids.size() <= 1 && !hasBend(ids) &&
-                         !m_model->isFrozen(m_view->currentIndex().row()));
+            ->setEnabled(ids.size() <= 1 &&
+                         !m_model->isFrozen(m_model->placesOf(m_view->currentIndex()).back()));
     };
     if (ids.empty()) { // the source
         addFreeze();
@@ -330,18 +308,14 @@ void RecipePanel::showMenu(const QPoint& at)
     }
     QAction* rename = menu.addAction(icon("rename"), tr("Rename"), this,
                                      [this] { m_view->edit(m_view->currentIndex().siblingAtColumn(0)); });
-    const bool edits = !hasBend(ids);
-    rename->setEnabled(ids.size() == 1 && edits);
+    rename->setEnabled(ids.size() == 1);
     menu.addAction(icon("duplicate"), tr("Duplicate"), this,
-                   [this] { report(edit::duplicateTreeEdits(*m_document, m_model->tree(), selectedIds())); })
-        ->setEnabled(edits);
+                   [this] { report(edit::duplicateTreeEdits(*m_document, m_model->tree(), selectedIds())); });
     for (const bool on : {true, false})
-        menu.addAction(on ? tr("Switch on") : tr("Switch off"), this,
-                       [this, on] {
-                           report(edit::setTreeEditsEnabled(*m_document, m_model->tree(), selectedIds(), on));
-                       })
-            ->setEnabled(edits);
-    const int row = ids.size() == 1 && edits ? m_model->rowOf(ids.front()) : 0;
+        menu.addAction(on ? tr("Switch on") : tr("Switch off"), this, [this, on] {
+            report(edit::setTreeEditsEnabled(*m_document, m_model->tree(), selectedIds(), on));
+        });
+    const int row = ids.size() == 1 ? m_model->rowOf(ids.front()) : 0;
     const bool hasWhere = row > 0 && std::ranges::count(stepParams(m_model->editAt(row).operation),
                                                         findParam("step.where")) > 0;
     menu.addAction(icon("tool-select"), tr("Act on the selected branches only"), this,
@@ -364,8 +338,7 @@ void RecipePanel::showMenu(const QPoint& at)
     m_copyMenu->setTitle(tr("Copy to"));
     menu.addMenu(m_copyMenu)->setEnabled(m_copy->isEnabled());
     menu.addAction(icon("save"), tr("Keep as a preset of steps"), this,
-                   [this] { emit saveRequested(m_model->tree(), selectedIds()); })
-        ->setEnabled(edits);
+                   [this] { emit saveRequested(m_model->tree(), selectedIds()); });
     menu.addSeparator();
     menu.addAction(icon("delete"), tr("Delete"), this, &RecipePanel::removeSelected);
     menu.exec(m_view->viewport()->mapToGlobal(at));

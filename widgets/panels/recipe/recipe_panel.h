@@ -54,7 +54,6 @@ private:
     void follow();
     void fillCopyMenu();
     void showMenu(const QPoint& at);
-    [[nodiscard]] bool hasBend(const std::vector<std::uint64_t>& ids) const;
     void chooseStep();
     /// Addresses of the axes whose branches are selected in the tree.
     [[nodiscard]] std::vector<std::uint64_t> chosenAxes() const;

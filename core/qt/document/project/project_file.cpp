@@ -2,10 +2,10 @@
 
 #include "core/base/file_writer.h"
 #include "core/qt/base/system_path.h"
+#include "core/qt/document/project/old_branches.h"
 #include "core/qt/document/project/project_bookmarks.h"
 #include "core/qt/document/project/project_json.h"
 #include "core/qt/document/project/project_migrations.h"
-#include "core/qt/document/project/project_places.h"
 #include "core/qt/document/project/project_timeline.h"
 #include "core/scene/growth_spaces.h"
 
@@ -16,6 +16,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <filesystem>
+#include <map>
 
 namespace ramure {
 
@@ -62,7 +63,9 @@ static Expected<QJsonObject> parseJson(const QByteArray& bytes)
     return document.object();
 }
 
-static Expected<std::vector<Node>> readNodes(const QJsonValue& value)
+/// \param old gets the rolls and bends of branches that an older file has beside the recipes
+static Expected<std::vector<Node>> readNodes(const QJsonValue& value,
+                                             std::map<NodeId, json::OldBranches>& old)
 {
     if (!value.isArray())
         return failAt("nodes", ErrorCode::Invalid, RAMURE_NOOP("an array is expected here"));
@@ -73,9 +76,16 @@ static Expected<std::vector<Node>> readNodes(const QJsonValue& value)
         const std::string place = std::string("nodes").append(json::indexPlace(i));
         if (!array[i].isObject())
             return failAt(place, ErrorCode::Invalid, RAMURE_NOOP("an object is expected here"));
-        auto node = json::readNode(array[i].toObject());
+        QJsonObject object = array[i].toObject();
+        const bool isTree = object.value(QLatin1String("kind")) == QLatin1String("tree");
+        auto branches = json::readOldBranches(isTree ? object.take(QLatin1String("branches"))
+                                                     : QJsonValue(QJsonValue::Undefined));
+        if (!branches)
+            return failInside(place, std::move(branches.error()));
+        auto node = json::readNode(object);
         if (!node)
             return failInside(place, std::move(node.error()));
+        old.emplace(node->id, std::move(*branches));
         nodes.push_back(std::move(*node));
     }
     return nodes;
@@ -102,13 +112,10 @@ template <class T, class Read> static Expected<T> readPart(QJsonObject& root, co
 
 static Expected<Project> readParsed(QJsonObject root)
 {
-    const bool knowsPlaces = root.value(QLatin1String("version")).toInteger(0) >= 3;
     RAMURE_TRY(migrateProject(root));
-    auto nodes = readNodes(root.take(QLatin1String("nodes")));
+    std::map<NodeId, json::OldBranches> old;
+    auto nodes = readNodes(root.take(QLatin1String("nodes")), old);
     RAMURE_TRY(nodes);
-    for (Node& node : *nodes)
-        if (!knowsPlaces)
-            json::findOldEdits(node);
     auto scene = Scene::fromNodes(std::move(*nodes));
     if (!scene)
         return failInside("nodes", std::move(scene.error()));
@@ -119,6 +126,8 @@ static Expected<Project> readParsed(QJsonObject root)
     RAMURE_TRY(bookmarks);
     scene->setBookmarks(*bookmarks);
     linkGrowthSpaces(*scene);
+    for (const auto& [id, branches] : old)
+        json::addOldBranches(*scene->find(id), branches);
     root.remove(QLatin1String("format"));
     root.remove(QLatin1String("version"));
     return Project{std::move(*scene), json::extrasText(root)};

@@ -78,7 +78,7 @@ static Expected<void> toVersion2(QJsonObject& root)
     return {};
 }
 
-/// The edits of branches get their places from the tree, once it is read: see readProject.
+/// The values of branches get their places from the tree, once it is read: see old_branches.h.
 static Expected<void> toVersion3(QJsonObject& /*root*/)
 {
     return {};

@@ -5,7 +5,6 @@
 #include "core/qt/document/project/project_arm.h"
 #include "core/qt/document/project/project_edits.h"
 #include "core/qt/document/project/project_mesh.h"
-#include "core/qt/document/project/project_places.h"
 #include "core/qt/document/project/project_tracks.h"
 #include "core/rig/arm/arm_shape.h"
 #include "core/scene/kinds/node_kinds.h"
@@ -28,24 +27,6 @@ static QJsonObject writeParams(const Node& node)
     return params;
 }
 
-static QJsonObject writeBranches(const Node& node)
-{
-    QJsonObject branches;
-    for (const auto& [key, values] : node.params.branches) {
-        QJsonObject branch;
-        const glm::dvec3 bend = values.bendRad + 0.0; // -0 is written as 0
-        if (values.rollRad != 0.0)
-            branch.insert(QStringLiteral("roll"), values.rollRad);
-        if (bend != glm::dvec3(0.0))
-            branch.insert(QStringLiteral("bend"), QJsonArray{bend.x, bend.y, bend.z});
-        if (!branch.isEmpty() && !values.place.way.empty())
-            branch.insert(QStringLiteral("place"), writePlace(values.place));
-        if (!branch.isEmpty())
-            branches.insert(branchKey(key), branch);
-    }
-    return branches;
-}
-
 QJsonObject writeNode(const Node& node)
 {
     QJsonObject object{
@@ -64,8 +45,6 @@ QJsonObject writeNode(const Node& node)
         object.insert(QStringLiteral("locked"), true);
     if (const QJsonObject params = writeParams(node); !params.isEmpty())
         object.insert(QStringLiteral("params"), params);
-    if (const QJsonObject branches = writeBranches(node); !branches.isEmpty())
-        object.insert(QStringLiteral("branches"), branches);
     if (node.kind == NodeKind::Tree && !node.params.edits.empty())
         object.insert(QStringLiteral("edits"), writeEdits(node.params.edits));
     if (node.kind == NodeKind::Arm && node.params.joints != defaultArmJoints())
@@ -90,10 +69,9 @@ public:
 
     Expected<Node> read()
     {
-        for (const auto step :
-             {&NodeReader::readIds, &NodeReader::readKind, &NodeReader::readState, &NodeReader::readParams,
-              &NodeReader::readBranches, &NodeReader::readTreeEdits, &NodeReader::readArm,
-              &NodeReader::readAnimation, &NodeReader::readGeometry})
+        for (const auto step : {&NodeReader::readIds, &NodeReader::readKind, &NodeReader::readState,
+                                &NodeReader::readParams, &NodeReader::readTreeEdits, &NodeReader::readArm,
+                                &NodeReader::readAnimation, &NodeReader::readGeometry})
             RAMURE_TRY((this->*step)());
         m_node.extras = extrasText(m_rest);
         followNames();
@@ -199,54 +177,6 @@ private:
                 m_node.preset = found->name;
         }
     }
-    static Expected<glm::dvec3> readBend(const QJsonValue& value, const std::string& place)
-    {
-        const QJsonArray array = value.toArray();
-        const bool numbers =
-            array.size() == 3 && array[0].isDouble() && array[1].isDouble() && array[2].isDouble();
-        if (!value.isUndefined() && !numbers)
-            return failAt(place + ".bend", ErrorCode::Invalid,
-                          RAMURE_NOOP("three numbers are expected here"));
-        return glm::dvec3(array[0].toDouble(), array[1].toDouble(), array[2].toDouble());
-    }
-    Expected<void> readBranch(const QString& key, const QJsonValue& value, QJsonObject& unknown)
-    {
-        const std::string place = "branches." + key.toStdString();
-        const auto number = branchKeyFromText(key);
-        if (!number)
-            return failInside(place, number.error());
-        if (!value.isObject())
-            return failAt(place, ErrorCode::Invalid, RAMURE_NOOP("an object is expected here"));
-        QJsonObject object = value.toObject();
-        const QJsonValue roll = object.take(QLatin1String("roll"));
-        if (!roll.isDouble() && !roll.isUndefined())
-            return failAt(place + ".roll", ErrorCode::Invalid, RAMURE_NOOP("a number is expected here"));
-        const auto bend = readBend(object.take(QLatin1String("bend")), place);
-        RAMURE_TRY(bend);
-        auto at = readPlace(object.take(QLatin1String("place")));
-        if (!at)
-            return failInside(place + ".place", std::move(at.error()));
-        if (const BranchParams values{roll.toDouble(0.0), *bend, std::move(*at)}; !values.changesNothing())
-            m_node.params.branches.emplace(*number, values);
-        if (!object.isEmpty())
-            unknown.insert(key, object);
-        return {};
-    }
-    Expected<void> readBranches()
-    {
-        if (m_node.kind == NodeKind::Unknown) // it may mean something else there
-            return {};
-        const auto object = takeObject("branches");
-        RAMURE_TRY(object);
-        QJsonObject unknown;
-        for (auto it = object->begin(); it != object->end(); ++it)
-            if (auto done = readBranch(it.key(), it.value(), unknown); !done)
-                return done;
-        if (!unknown.isEmpty())
-            m_rest.insert(QStringLiteral("branches"), unknown);
-        return {};
-    }
-
     Expected<void> readTreeEdits()
     {
         if (m_node.kind != NodeKind::Tree || !m_rest.contains(QLatin1String("edits")))

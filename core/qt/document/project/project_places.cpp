@@ -1,8 +1,6 @@
 #include "core/qt/document/project/project_places.h"
 
-#include "core/pipeline/tree_pipeline.h"
 #include "core/qt/document/project/project_json.h"
-#include "core/skeleton/edit_places.h"
 
 #include <QJsonArray>
 #include <limits>
@@ -123,15 +121,6 @@ Expected<BranchPlace> readPlace(const QJsonValue& value)
         place.way.push_back(*print);
     }
     return place;
-}
-
-void findOldEdits(Node& node)
-{
-    if (node.kind != NodeKind::Tree || node.params.branches.empty())
-        return;
-    TreePipeline pipeline;
-    if (const auto tree = pipeline.evaluate(node.params, Stage::Simplified))
-        rememberPlaces(*tree->skeleton, *tree->simplified, node.params.branches);
 }
 
 } // namespace ramure::json

@@ -13,8 +13,5 @@ namespace ramure::json {
 QJsonObject writePlace(const BranchPlace& place);
 /// Undefined: no place. Errors: Invalid (path inside).
 Expected<BranchPlace> readPlace(const QJsonValue& value);
-/// Files before version 3 knew branches by their keys alone: grows the tree once and takes the places from
-/// there. What has no branch, or no tree that can be grown, keeps its key.
-void findOldEdits(Node& node);
 
 } // namespace ramure::json

@@ -37,7 +37,7 @@ std::optional<Error> SeparationTask::apply(Separation&& result)
 {
     if (!m_document->scene().find(m_tree) || m_document->shapeRevision(m_tree) != m_shape)
         return fail(ErrorCode::Invalid, RAMURE_NOOP("the tree was changed meanwhile")).value();
-    if (const auto pushed = edit::setBranchBends(*m_document, m_tree, result.bendRad); !pushed)
+    if (const auto pushed = edit::putTreeEdits(*m_document, m_tree, result.steps); !pushed)
         return pushed.error();
     m_outcome = std::move(result);
     return std::nullopt;

@@ -70,7 +70,7 @@ void TestRollEditor::oneGestureIsOneUndoStep()
     QCOMPARE(bench.rollOf(3), 0.0);
     QVERIFY(undo->count() <= steps + 1);
     QVERIFY(!bench.part<QToolButton>("rollReset")->isEnabled());
-    QVERIFY(bench.document().scene().find(bench.tree)->params.branches.empty());
+    QVERIFY(bench.document().scene().find(bench.tree)->params.edits.empty());
 }
 
 void TestRollEditor::typedRollTakesWholeTurnsOff()

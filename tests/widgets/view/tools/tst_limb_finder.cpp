@@ -1,7 +1,7 @@
 #include "tests/support/hand_bench.h"
 #include "tests/support/suite.h"
+#include "tests/support/turned_branches.h"
 #include "widgets/view/tools/hand/hand_edit.h"
-#include "widgets/view/tools/hand/turned_limb.h"
 
 namespace tst_limb_finder {
 
@@ -19,7 +19,7 @@ private slots:
     void whatGrowsAboveComesAlong();
     void selectedBranchesAreMeantTogether();
     void skeletonsAloneAnswerWhereBranchesAre();
-    void placesAreThoseOfTheTreeWithoutBends();
+    void placesOfBentTreesAreThoseThatAreSeen();
     void aGestureIsOneStepOrNone();
 };
 
@@ -120,13 +120,14 @@ void TestLimbFinder::skeletonsAloneAnswerWhereBranchesAre()
     }
 }
 
-void TestLimbFinder::placesAreThoseOfTheTreeWithoutBends()
+void TestLimbFinder::placesOfBentTreesAreThoseThatAreSeen()
 {
     HandBench bench(HandTool::None);
-    std::map<std::uint64_t, glm::dvec3> bends;
-    bends[bench.skeleton().name(0)] = {0.3, 0.0, 0.2};
-    bends[bench.skeleton().name(bench.skeleton().size() - 1)] = {-0.4, 0.2, 0.0};
-    QVERIFY(edit::turnBranches(bench.document, 1, bends));
+    const Index last = bench.skeleton().size() - 1;
+    QVERIFY(
+        edit::putTreeEdits(bench.document, 1,
+                           test::bends(bench.document.result(1)->tree, bench.document.scene().find(1)->params,
+                                       {{0, {0.3, 0.0, 0.2}}, {last, {-0.4, 0.2, 0.0}}})));
     bench.grow();
     const auto gesture = HandEdit::begin(bench.document, 1);
     QVERIFY(gesture.has_value());
@@ -134,8 +135,7 @@ void TestLimbFinder::placesAreThoseOfTheTreeWithoutBends()
         const LimbHit limb = bench.limb(b);
         const auto grown = (*gesture)->context().pointOn(limb.address, limb.share);
         QVERIFY(grown.has_value());
-        const glm::dvec3 here = TurnedLimb(bench.document, limb).grown(limb.seen);
-        QVERIFY2(glm::length(here - grown->position) < 1e-6, qPrintable(QString::number(b)));
+        QVERIFY2(glm::length(limb.seen - grown->position) < 1e-6, qPrintable(QString::number(b)));
     }
 }
 

@@ -47,7 +47,7 @@ struct Bench : test::ToolBench
         const Index twig = skeleton().size() - 1;
         return pixelOf(glm::mix(skeleton().p0[twig], skeleton().p1[twig], 0.8));
     }
-    [[nodiscard]] bool isBent() const { return !document.scene().find(1)->params.branches.empty(); }
+    [[nodiscard]] bool isBent() const { return !document.scene().find(1)->params.edits.empty(); }
     /// The button stays down.
     void bend()
     {

@@ -5,7 +5,6 @@
 #include "core/math/hermite.h"
 #include "core/skeleton/sections.h"
 #include "widgets/view/tools/hand/edit_tool.h"
-#include "widgets/view/tools/hand/turned_limb.h"
 #include "widgets/view/tools/motion_tools.h"
 #include "widgets/view/tools/pending_pick.h"
 #include "widgets/view/tools/readout.h"
@@ -71,9 +70,8 @@ private:
     void finish(bool keep);
     void paintParts(QPainter& painter, const PickView& view, const LimbHit& limb);
 
-    std::unique_ptr<HandEdit> m_edit; ///< while it goes on
-    LimbHit m_limb;                   ///< that the hand has
-    TurnedLimb m_turned;
+    std::unique_ptr<HandEdit> m_edit;           ///< while it goes on
+    LimbHit m_limb;                             ///< that the hand has
     std::vector<BowPart> m_parts;               ///< of it; of what is aimed at, while nothing goes on
     std::vector<std::vector<LimbTwin>> m_twins; ///< by part
     glm::dvec3 m_held{0.0}, m_hand{0.0};        ///< world: where it was grabbed, and where it is wanted
@@ -134,7 +132,6 @@ bool BendTool::take(const ToolPoint& point, const std::optional<LimbHit>& limb)
         return false;
     m_edit = std::move(*edit);
     m_limb = *limb;
-    m_turned = TurnedLimb(m_context.document, *limb);
     m_held = m_hand = glm::dvec3(worldOf(limb->node) * glm::dvec4(limb->seen, 1.0));
     m_turn = glm::dvec3(0.0);
     m_moves = false;
@@ -162,7 +159,7 @@ glm::dvec3 BendTool::turnTo(const glm::dvec3& hand) const
     if (!foot || !end)
         return glm::dvec3(0.0);
     const glm::dmat4 inverse = glm::inverse(worldOf(m_limb.node));
-    const glm::dvec3 by = m_turned.direction(glm::dvec3(inverse * glm::dvec4(hand - m_held, 0.0)));
+    const glm::dvec3 by(inverse * glm::dvec4(hand - m_held, 0.0));
     const glm::dvec3 chord = end->position - foot->position;
     const glm::dvec3 about = glm::cross(chord, chord + by);
     const double across = glm::length(about);

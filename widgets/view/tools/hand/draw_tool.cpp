@@ -3,7 +3,6 @@
 #include "core/math/frame.h"
 #include "widgets/view/tools/hand/edit_tool.h"
 #include "widgets/view/tools/hand/stroke.h"
-#include "widgets/view/tools/hand/turned_limb.h"
 #include "widgets/view/tools/motion_tools.h"
 #include "widgets/view/tools/readout.h"
 #include "widgets/view/tools/tool_table.h"
@@ -71,7 +70,6 @@ private:
     LimbHit m_limb;          ///< without an address: the ground
     glm::dvec2 m_aside{0.0}; ///< logical pixels from where the hand is to where it draws
     glm::dmat4 m_world{1.0}, m_inverse{1.0};
-    TurnedLimb m_turned;
     std::vector<LimbTwin> m_twins;    ///< Extend and Redraw: limbs that change with it
     std::vector<StrokePoint> m_drawn; ///< tree space, as it is seen; the hand's share of the radius as radius
     QPointF m_at;
@@ -98,7 +96,6 @@ bool DrawTool::take(const ToolPoint& point, const std::optional<LimbHit>& limb)
     m_limb = *from;
     m_world = worldOf(from->node);
     m_inverse = glm::inverse(m_world);
-    m_turned = limb ? TurnedLimb(m_context.document, m_limb) : TurnedLimb();
     // A tip is also drawn on from afar: it goes as the hand goes.
     const auto begins = point.view.pixel(glm::dvec3(m_world * glm::dvec4(m_limb.seen, 1.0)));
     m_aside = m_kind == HandTool::Extend && begins ? *begins - point.pixel() : glm::dvec2(0.0);
@@ -240,7 +237,7 @@ std::vector<TreeEdit> DrawTool::branches(const glm::dvec3& sight) const
                 if (side == 1 && glm::dot(across, across) > 1e-12)
                     way -= 2.0 * glm::dot(way, across) / glm::dot(across, across) * across;
                 way = glm::angleAxis(angle, m_limb.along) * way;
-                edit.points.push_back({m_turned.grown(middle + way), line[i].radius});
+                edit.points.push_back({middle + way, line[i].radius});
             }
             edits.push_back(std::move(edit));
         }
@@ -262,12 +259,11 @@ TreeEdit DrawTool::newWay(std::uint64_t address, const SymmetryMap& map) const
     }
     const std::vector<StrokePoint> line = stroke();
     // On a limb that is like it the stroke begins at the same share of its length.
-    const glm::dvec3 start = m_turned.grown(m_limb.seen);
+    const glm::dvec3 start = m_limb.seen;
     const auto there = m_edit->context().pointOn(address, m_limb.share);
     const glm::dvec3 begin = there && address != m_limb.address ? there->position : start;
     for (std::size_t i = 1; i < line.size(); ++i)
-        edit.points.push_back(
-            {begin + map.turn * (m_turned.grown(line[i].position) - start), line[i].radius});
+        edit.points.push_back({begin + map.turn * (line[i].position - start), line[i].radius});
     if (line.empty())
         edit.points.clear();
     return edit;

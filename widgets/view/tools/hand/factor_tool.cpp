@@ -3,7 +3,6 @@
 #include "core/math/frame.h"
 #include "widgets/view/tools/hand/limb_handles.h"
 #include "widgets/view/tools/hand/number_tool.h"
-#include "widgets/view/tools/hand/turned_limb.h"
 #include "widgets/view/tools/readout.h"
 #include "widgets/view/tools/tool_table.h"
 #include <QCoreApplication>
@@ -144,7 +143,7 @@ bool FactorTool::take(const ToolPoint& point, const std::optional<LimbHit>& hit)
         return refuse(gesture.error());
     m_limb = *limb;
     const glm::dvec3 eye(glm::inverse(worldOf(limb->node)) * glm::dvec4(point.view.camera.eye(), 1.0));
-    m_sight = TurnedLimb(m_context.document, *limb).direction(glm::normalize(eye - limb->seen));
+    m_sight = glm::normalize(eye - limb->seen);
     m_dragged = m_wheeled = neutral();
     if (report(addAll(**gesture)))
         start(std::move(*gesture), point);

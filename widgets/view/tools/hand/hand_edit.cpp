@@ -1,7 +1,7 @@
 #include "widgets/view/tools/hand/hand_edit.h"
 
 #include "core/generators/grow_tree.h"
-#include "widgets/view/tools/hand/turned_limb.h"
+#include "core/pipeline/tree_context.h"
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -26,21 +26,13 @@ Expected<std::unique_ptr<HandEdit>> HandEdit::begin(Document& document, NodeId t
     return std::unique_ptr<HandEdit>(new HandEdit(document, tree, result->tree, node->params.edits));
 }
 
-/// The edits of a tree are made again only where its result has others than those that lead to the present
-/// ones, as after undo.
-static EditContext contextOf(const TreeResult& tree, const std::vector<TreeEdit>& edits, std::uint64_t seed)
-{
-    auto known = tree.edited ? tree.edited->upTo(edits) : std::nullopt;
-    return known ? std::move(*known) : EditContext(*tree.grown, edits, nullptr, seed);
-}
-
 HandEdit::HandEdit(Document& document, NodeId tree, const TreeResult& result, std::vector<TreeEdit> before)
     : m_document(document)
     , m_node(tree)
     , m_grown(result.grown)
     , m_before(std::move(before))
     , m_seed(treeSeed(document.scene().find(tree)->params))
-    , m_context(contextOf(result, m_before, m_seed))
+    , m_context(contextOf(result, document.scene().find(tree)->params))
 {
 }
 
@@ -133,6 +125,8 @@ Expected<void> HandEdit::show()
     if (!ids)
         return tl::unexpected(ids.error());
     m_shown = std::move(*ids);
+    for (std::size_t i = 0; i < m_shown.size(); ++i)
+        m_edits[i].id = m_shown[i];
     return {};
 }
 
@@ -196,9 +190,8 @@ Expected<void> putAround(Document& document, const LimbHit& limb, TreeEdit edit,
     if (!gesture)
         return tl::unexpected(gesture.error());
     const auto frame = (*gesture)->context().frameOn(limb.address, limb.share);
-    const glm::dvec3 aside = TurnedLimb(document, limb).direction(limb.side);
     const double azimuth =
-        frame ? std::atan2(glm::dot(aside, frame->binormal), glm::dot(aside, frame->normal)) : 0.0;
+        frame ? std::atan2(glm::dot(limb.side, frame->binormal), glm::dot(limb.side, frame->normal)) : 0.0;
     edit.target.address = limb.address;
     edit.at = limb.share;
     std::vector<TreeEdit> edits;

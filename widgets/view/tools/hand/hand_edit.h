@@ -33,7 +33,7 @@ public:
     /// applied to the context. \param inTreeSpace see EditContext::prepared. Errors: why not; then nothing
     /// changes.
     Expected<void> add(const TreeEdit& edit, bool inTreeSpace = true);
-    /// The added edits. Change their numbers, then call show().
+    /// The added edits, with their ids once they were shown. Change their numbers, then call show().
     [[nodiscard]] std::vector<TreeEdit>& edits() { return m_edits; }
     /// In the place of all so far, each of them as if it were the only one: for a stroke that goes on. Not
     /// with add(). Errors: likewise.

@@ -3,12 +3,13 @@
 /// (core/rig/arm/limb.h). What is thicker than twice the grabbed branch stays, and the root, unless the hand
 /// says otherwise. Knows cameras and the document, no window.
 ///
-/// The drag itself changes only bends(), for a view to show as a pose; apply() gives them to the document.
+/// The drag itself changes only bends(), for a view to show as a pose; apply() gives them to the document, as
+/// one Bend step for each branch that turns.
 #pragma once
 
-#include "core/qt/document/commands.h"
 #include "core/rig/arm/limb.h"
 #include "widgets/view/render/pick/pick_scene.h"
+#include "widgets/view/tools/hand/hand_edit.h"
 #include "widgets/view/tools/hand/symmetry.h"
 #include <memory>
 
@@ -29,10 +30,6 @@ public:
     /// Null where the hit is no branch of a tree that may be changed. \p document is not owned.
     /// \param branches follow at most
     static std::unique_ptr<LimbDrag> grab(Document& document, const PickHit& hit, std::size_t branches);
-    ~LimbDrag(); ///< as keep()
-    LimbDrag(const LimbDrag&) = delete;
-    LimbDrag& operator=(const LimbDrag&) = delete;
-
     /// What else turns with the limb, from now on.
     void setTwins(std::vector<BranchTwin> twins) { m_twins = std::move(twins); }
     /// The grabbed place comes under the cursor, as far from the eye as it was.
@@ -44,13 +41,13 @@ public:
 
     /// The document gets the bends; the whole drag is one undo step. \return false where it has them already
     bool apply();
-    void keep(); ///< what was applied becomes a step of undo
+    void keep() { m_edit->keep(); } ///< what was applied becomes a step of undo
     /// Everything as it was, the undo stack too; nothing where the document has ended the gesture.
-    void cancel();
+    void cancel() { m_edit->cancel(); }
 
     [[nodiscard]] NodeId node() const { return m_node; }
     /// By branch of skeleton(): as they were, as the document has them, and as the hand wants them.
-    [[nodiscard]] const std::vector<glm::dvec3>& bendsAtGrab() const { return m_atGrab; }
+    [[nodiscard]] std::vector<glm::dvec3> bendsAtGrab() const;
     [[nodiscard]] std::vector<glm::dvec3> bendsNow() const;
     [[nodiscard]] std::vector<glm::dvec3> bends() const;
     [[nodiscard]] const std::shared_ptr<const SimplifiedSkeleton>& skeleton() const { return m_skeleton; }
@@ -59,25 +56,22 @@ public:
     [[nodiscard]] double shortBy() const { return m_shortBy; }                  ///< m, tree space
 
 private:
-    LimbDrag(Document& document, const PickHit& hit, const Node& node,
-             std::shared_ptr<const SimplifiedSkeleton> skeleton, std::size_t branches);
+    LimbDrag(Document& document, const PickHit& hit, const TreeResult& tree, std::size_t branches,
+             std::unique_ptr<HandEdit> edit);
     [[nodiscard]] Limb limb() const;
-    /// Returns the bends of all that turns.
-    [[nodiscard]] Limb::Bends wanted() const;
     void takeLimb();
     void pull();
 
     Document& m_document;
     NodeId m_node;
     Index m_branch;
-    std::size_t m_wanted;    ///< branches, where nothing stays
-    bool m_whole = false;    ///< nothing stays: while Shift is held
-    bool m_counted = false;  ///< nothing stays: the wheel has said how many follow
-    GestureId m_gesture = 0; ///< 0: nothing was applied yet
-    Limb::Bends m_applied;
+    std::size_t m_wanted;   ///< branches, where nothing stays
+    bool m_whole = false;   ///< nothing stays: while Shift is held
+    bool m_counted = false; ///< nothing stays: the wheel has said how many follow
+    std::unique_ptr<HandEdit> m_edit;
+    std::vector<glm::dvec3> m_applied;                    ///< bends(); empty: nothing was applied yet
     std::shared_ptr<const SimplifiedSkeleton> m_skeleton; ///< when it was grabbed
-    std::vector<glm::dvec3> m_atGrab;                     ///< bends, by branch
-    Limb::Bends m_bends;                                  ///< the same, of those that have one
+    TreeAxes m_axes;                                      ///< axes of what it was made of
     Limb m_limb;
     std::vector<BranchTwin> m_twins;
     glm::dmat4 m_world, m_inverse;
