@@ -104,13 +104,14 @@ private slots:
 
     void everyMeshIsWhole()
     {
-        // RAMURE_RECIPES asks for so many.
+        // RAMURE_RECIPES asks for so many, RAMURE_FIRST_RECIPE for those from one on.
         const int asked = qEnvironmentVariableIntValue("RAMURE_RECIPES");
+        const int first = qEnvironmentVariableIntValue("RAMURE_FIRST_RECIPE");
         const int recipes = asked > 0 ? asked : 150;
         const std::vector<NodeParams> plain = plainTrees();
         constexpr Index most = 6000; // branches of which a mesh is made
         int meshes = 0;
-        for (int recipe = 0; recipe < recipes; ++recipe) {
+        for (int recipe = first; recipe < first + recipes; ++recipe) {
             Random random(20431, RandomStream::Test, std::uint64_t(recipe));
             NodeParams params = plain[random.below(std::uint32_t(plain.size()))];
             const auto count = 1 + random.below(9);
