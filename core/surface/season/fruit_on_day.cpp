@@ -1,5 +1,6 @@
 #include "core/surface/season/fruit_on_day.h"
 
+#include "core/math/angle.h"
 #include "core/math/reproducible.h"
 #include "core/surface/season/crown_place.h"
 #include <algorithm>
@@ -62,7 +63,7 @@ void bloom(const Foliage& placed, const Skeleton& skeleton, double since, double
             continue;
         const auto size = static_cast<float>(std::min(0.3 + 0.7 * open / opening, 1.0));
         for (int i = 0; i < heads; ++i) {
-            const double around = 6.283 * (double(lots[3]) + i / double(heads));
+            const double around = fullTurn * (double(lots[3]) + i / double(heads));
             const auto [sine, cosine] = maths::sincos(around);
             FoliageItem flower = leaf;
             flower.tone = 1.0F;
