@@ -100,7 +100,7 @@ public:
 
     Expected<void> plan(const std::vector<bool>& axes)
     {
-        for (Index a = 0; a < axes.size(); ++a) {
+        for (const Index a : m_tree.axesInOrder()) {
             if (!axes[a])
                 continue;
             if (m_tree.cancelled())
