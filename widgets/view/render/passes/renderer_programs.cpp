@@ -28,7 +28,7 @@ std::vector<std::pair<RendererPrograms::Program, ShaderSources>> RendererProgram
         {&RendererPrograms::line, {{"states.glsl", "skin.glsl", "line.vert"}, nullptr, {"line.frag"}}},
         {&RendererPrograms::point, {{"states.glsl", "skin.glsl", "point.vert"}, nullptr, {"point.frag"}}},
         {&RendererPrograms::smooth, {{"world.vert"}, nullptr, {"smooth.frag"}}},
-        {&RendererPrograms::shrink, {{"world.vert"}, nullptr, {"shrink.frag"}}},
+        {&RendererPrograms::shrink, {{"world.vert"}, nullptr, {"colour.glsl", "shrink.frag"}}},
         {&RendererPrograms::lensAdd, {{"world.vert"}, nullptr, {"colour.glsl", "lens_add.frag"}}},
         {&RendererPrograms::lensShow, {{"world.vert"}, nullptr, {"colour.glsl", "lens_show.frag"}}},
         {&RendererPrograms::ghost, {{"ghost.vert"}, nullptr, {"ghost.frag"}}},
