@@ -2,6 +2,7 @@
 /// The measures behind the table of signs, some at a time. Internal to the signs.
 #pragma once
 
+#include "core/pipeline/tree_pipeline.h"
 #include "core/signs/tree_signs.h"
 #include "core/skeleton/skeleton.h"
 #include "core/surface/mesher/branch_mesh.h"
@@ -24,5 +25,10 @@ Expected<void> addSag(Rows& rows, const Skeleton& tree, const NodeParams& params
 /// trees that do not grow by years all are not modelled.
 Expected<void> addGrowth(Rows& rows, const NodeParams& params, std::string_view latin,
                          const Progress& progress);
+
+/// The spread of the blades of a shoot, how leaves differ in lightness and hue, and how much of the sky the
+/// crown leaves free for its leaf area. Absent of trees without leaves of a plant.
+Expected<void> addFoliage(Rows& rows, const NodeParams& params, TreePipeline& pipeline,
+                          const Progress& progress);
 
 } // namespace ramure::signs

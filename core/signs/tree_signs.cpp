@@ -116,7 +116,8 @@ Expected<std::vector<TreeSign>> treeSigns(const NodeParams& params, const Preset
     signs::addHorton(rows, *tree->skeleton);
     RAMURE_TRY(signs::addSlenderness(rows, params, species, pipeline));
     RAMURE_TRY(signs::addSag(rows, *tree->skeleton, params, progress.part(0.3, 0.5)));
-    RAMURE_TRY(signs::addGrowth(rows, params, species ? species->latin : "", progress.part(0.5, 1.0)));
+    RAMURE_TRY(signs::addGrowth(rows, params, species ? species->latin : "", progress.part(0.5, 0.9)));
+    RAMURE_TRY(signs::addFoliage(rows, params, pipeline, progress.part(0.9, 1.0)));
     signs::addDeadTwigs(rows, *tree->skeleton);
     rows.push_back({"scars", "scars of shed limbs", "", {}, 0.0, 0.9, 1.1, "scars over limbs shed"});
     rows.push_back(

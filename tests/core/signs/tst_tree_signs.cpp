@@ -72,6 +72,20 @@ private slots:
         QCOMPARE(names.size(), std::size_t(5));
     }
 
+    /// The foliage of a species has its signs; what wears no leaves of a plant has none.
+    void leavesHaveSigns()
+    {
+        NodeParams oak = presetNamed("EnglishOak").params;
+        oak.growth.age = 25.0;
+        const auto signs = signsOf(oak);
+        for (const char* key : {"leafNormals", "leafLightness", "leafHue", "crownGaps"})
+            QVERIFY2(signNamed(signs, key).state == SignState::Inside,
+                     qPrintable(QString("%1 %2").arg(key).arg(signNamed(signs, key).value)));
+        oak.foliage.leavesCutoff = 0.0;
+        for (const char* key : {"leafNormals", "leafLightness", "leafHue", "crownGaps"})
+            QCOMPARE(signNamed(signsOf(oak), key).state, SignState::Absent);
+    }
+
     /// What the program does not make is not measured.
     void nothingIsFaked()
     {
