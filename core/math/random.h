@@ -24,6 +24,8 @@ enum class RandomStream : std::uint64_t {
     LeafSwing = 10,
     LeafFall = 11,
     Venation = 12,
+    Ripening = 13,
+    LeafDamage = 14,
     ArmStart = 20,
     Terrain = 21,
     Stems = 30,

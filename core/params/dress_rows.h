@@ -64,6 +64,14 @@ inline constexpr std::array dressRows{
         {"season.purple", foliageGroup, RAMURE_NOOP("Purple leaves"),
          RAMURE_NOOP("On a day of the year: leaves are dark red all summer, as those of a copper beech.")},
         ParamUnit::None, {}, Stage::Season, paramNone, treeOnly, isOfPlant),
+    row<&NodeParams::leaf, &LeafParams::shade>(
+        {"foliage.shadeLeaves", foliageGroup, RAMURE_NOOP("Shade leaves"),
+         RAMURE_NOOP("Area of a leaf inside the crown, where it is dark, relative to one in full sun: 1 the same, in nature 1.3 to 1.8. Shade leaves are darker, too.")},
+        ParamUnit::Factor, {1, 4, 1, 2, 0.05, 3}, Stage::Foliage, paramNone, treeOnly, isOfPlant),
+    row<&NodeParams::leaf, &LeafParams::damage>(
+        {"foliage.leafDamage", foliageGroup, RAMURE_NOOP("Damaged leaves"),
+         RAMURE_NOOP("Share of the leaves that insects, fungi or drought have marked: they are smaller and have withered in part.")},
+        ParamUnit::Share, {0, 1, 0, 0.3, 0.01, 3}, Stage::Foliage, paramAnimatable, treeOnly, isOfPlant),
     row<&NodeParams::leaf, &LeafParams::season>(
         {"foliage.season", foliageGroup, RAMURE_NOOP("Season"),
          RAMURE_NOOP("Where there is no day of the year. 0 is summer. Then leaves take the colour of their plant's autumn, the upper ones "
@@ -126,14 +134,26 @@ inline constexpr std::array dressRows{
         {"foliage.fruit", foliageGroup, RAMURE_NOOP("Fruit"),
          RAMURE_NOOP("Fruit or flowers on the twigs: fruit hang on their stalks, blossom faces the light. Faithful: a sphere about the twig, a cube in the rough model.")},
         ParamUnit::None, {}, Stage::Foliage),
+    row<&NodeParams::fruit, &FruitParams::diameter>(
+        {"foliage.fruitDiameter", foliageGroup, RAMURE_NOOP("Fruit diameter"),
+         RAMURE_NOOP("Diameter of a fruit or flower of the mean size, at its widest. 0: fruit grow with the radius of the trunk.")},
+        ParamUnit::Metre, {0, 10, 0, 0.3, 0.005, 4}, Stage::Foliage, paramAnimatable, treeOnly, isHung),
     row<&NodeParams::fruit, &FruitParams::size>(
         {"foliage.fruitSize", foliageGroup, RAMURE_NOOP("Fruit size"),
-         RAMURE_NOOP("1 as the plant has it on a tree with such a trunk; 0 leaves the tree without.")},
+         RAMURE_NOOP("Multiplies the diameter of all fruit; 0 leaves the tree without.")},
         ParamUnit::Factor, {0, 100, 0.2, 4, 0.05, 3}, Stage::Foliage, paramAnimatable, treeOnly, isHung),
     row<&NodeParams::fruit, &FruitParams::stalk>(
         {"foliage.fruitStalk", foliageGroup, RAMURE_NOOP("Fruit stalk"),
          RAMURE_NOOP("Length of the stalk: 1 as the plant has it, 0 none.")},
         ParamUnit::Factor, {0, 20, 0, 4, 0.05, 3}, Stage::Foliage, paramNone, treeOnly, isHung),
+    row<&NodeParams::fruit, &FruitParams::cluster>(
+        {"foliage.fruitCluster", foliageGroup, RAMURE_NOOP("Fruit per cluster"),
+         RAMURE_NOOP("How many fruit or flowers hang from one place: 0 as the plant has it.")},
+        ParamUnit::Count, {0, 60, 0, 30, 1, 0}, Stage::Foliage, paramNone, treeOnly, isHung),
+    row<&NodeParams::fruit, &FruitParams::ripeness>(
+        {"foliage.fruitRipeness", foliageGroup, RAMURE_NOOP("Ripe fruit"),
+         RAMURE_NOOP("At 100 % all fruit have their last colour; below, some are still green, each as far as its place and chance let it.")},
+        ParamUnit::Share, {0, 1, 0, 1, 0.01, 3}, Stage::Foliage, paramAnimatable, treeOnly, isHung),
     row<&NodeParams::foliage, &FoliageParams::seed>(
         {"foliage.seed", foliageGroup, RAMURE_NOOP("Seed of the leaves"),
          RAMURE_NOOP("Another seed arranges leaves and apples anew; the branches stay as they are.")},

@@ -29,8 +29,11 @@ inline constexpr int fruitKindCount = 14;
 struct FruitParams
 {
     FruitKind kind = FruitKind::Faithful;
-    double size = 1.0;  ///< relative to the plant's natural size
-    double stalk = 1.0; ///< length, relative to the plant's natural stalk
+    double size = 1.0;        ///< relative to the diameter
+    double stalk = 1.0;       ///< length, relative to the plant's natural stalk
+    double diameter = 0.0;    ///< m, at the widest; 0: in proportion to the tree's trunk
+    std::int64_t cluster = 0; ///< how many hang from one place; 0: as the plant has it
+    double ripeness = 1.0;    ///< share of the fruit that are ripe; flowers know none
     bool operator==(const FruitParams&) const = default;
 };
 

@@ -86,6 +86,8 @@ struct LeafParams
     double angle = 0.9;     ///< rad, between petiole and twig
     double droop = 0.25;
     double light = 0.6;
+    double shade = 1.0;     ///< area of a leaf inside the crown, relative to one in full sun
+    double damage = 0.0;    ///< share of the leaves that are smaller and have withered in part
     double season = 0.0;    ///< 0 summer .. 1 bare
     double stiffness = 1.0; ///< of the petioles, relative to the usual
     double flutter = 1.0;   ///< relative to the usual

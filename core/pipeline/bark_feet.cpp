@@ -50,7 +50,7 @@ void standOnBark(Foliage& foliage, const BranchMesh& branches, std::size_t branc
     if (foliage.form.shape != LeafShape::Faithful)
         move(foliage.leaves, 0.0, branches.mesh, tubes, progress);
     if (foliage.fruit.kind != FruitKind::Faithful)
-        move(foliage.apples, alpha * fruitRadius(foliage.fruit) * fruitReach(foliage.fruit), branches.mesh,
+        move(foliage.apples, fruitRadius(foliage.fruit, alpha) * fruitReach(foliage.fruit), branches.mesh,
              tubes, progress);
 }
 

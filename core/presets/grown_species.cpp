@@ -239,9 +239,8 @@ NodeParams grownParams(const GrownSpecies& species, const NodeParams& dress)
         return params;
     }
     params.growth.axil *= oneDegree;
-    // Leaves stand on the shoots of the last years; fruit is as large as on the other tree of the species.
+    // Leaves stand on the shoots of the last years.
     setLeaves(params, species.leaves);
-    params.fruit.size *= trunkRadius(dress) / trunkRadius(params);
     const double leafyTips = species.conifer ? 3.0 : 2.0; // needles stay for years
     params.foliage.leavesCutoff = leafyTips * params.growth.tipRadius / trunkRadius(params);
     return params;

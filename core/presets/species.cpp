@@ -50,7 +50,7 @@ const std::array mixedSpecies{
                     {.length = 0.8, .lengthV = 0.1, .segSplits = 0.2, .splitAngle = 10, .splitAngleV = 10, .curveRes = 10, .curve = 40, .curveBack = -70, .curveV = 150, .downAngle = 30, .downAngleV = -30, .rotate = 80, .branches = 40},
                     {.length = 0.2, .lengthV = 0.05, .segSplits = 0.1, .splitAngle = 10, .splitAngleV = 10, .curveRes = 3, .curve = -40, .curveV = -30, .downAngle = 45, .downAngleV = 10, .rotate = 140, .branches = 120},
                     {.length = 0.4, .curveRes = 1, .downAngle = 45, .downAngleV = 10, .rotate = 140, .branches = 0}}}},
-        {L::RedOak, 1.1, 0.8, 0.12, B::Furrowed, -0.2, F::Acorn, 0.02}},
+        {L::RedOak, 1.1, 0.8, 0.12, B::Furrowed, -0.2, F::Acorn, 0.02, 0.018}},
     Species{"SilverBirch1995", "Betula pendula", RAMURE_NOOP("A white trunk, and fine twigs that hang from rising limbs"), false,
         {.shape = S::TendFlame, .baseSize = 0.2, .scale = 16.4, .scaleV = 2, .levels = 3, .ratio = 0.0149, .ratioPower = 1.5, .lobes = 0, .flare = 0.4, .attractionUp = -1.6,
          .level = {{{.curveRes = 8, .curveV = 30},
@@ -71,7 +71,7 @@ const std::array mixedSpecies{
                     {.length = 0.566, .lengthV = 0.08, .segSplits = 0.1, .splitAngle = 30, .splitAngleV = 10, .curveRes = 8, .curve = -10, .curveV = 130, .downAngle = 70, .downAngleV = -20, .rotate = 137, .rotateV = 20, .branches = 36},
                     {.length = 0.36, .lengthV = 0.08, .curveRes = 4, .curve = -10, .curveV = 120, .downAngle = 50, .downAngleV = 12, .rotate = 137, .rotateV = 20, .branches = 75},
                     {.length = 0.3, .curveRes = 1}}}},
-        {L::Oak, 1.15, 0.6, 0.13, B::Furrowed, 0.0, F::Acorn, 0.02, 0.45}},
+        {L::Oak, 1.15, 0.6, 0.13, B::Furrowed, 0.0, F::Acorn, 0.02, 0.016}},
     Species{"NorwaySpruce1995", "Picea abies", RAMURE_NOOP("A dark spire of limbs that droop and rise again"), true,
         {.shape = S::Envelope, .baseSize = 0.04, .scale = 17.9, .scaleV = 1.6, .levels = 3, .ratio = 0.015, .ratioPower = 1.4, .lobes = 0, .flare = 0.5, .attractionUp = -0.2,
          .pruneWidthPeak = 0.05, .prunePowerLow = 0.05, .prunePowerHigh = 0.85,
@@ -79,14 +79,14 @@ const std::array mixedSpecies{
                     {.length = 0.274, .lengthV = 0.02, .curveRes = 6, .curve = 25, .curveBack = -45, .curveV = 20, .downAngle = 80, .downAngleV = -32, .rotate = 137, .rotateV = 10, .branches = 95},
                     {.length = 0.36, .lengthV = 0.05, .curveRes = 2, .curve = 25, .curveV = 20, .downAngle = 55, .downAngleV = 8, .rotate = -95, .rotateV = 12, .branches = 40},
                     {.length = 0.3, .curveRes = 1}}}},
-        {L::Spruce, 3.6, 1.4, 0.2, B::Scaly, -0.1, F::Cone, 0.005}},
+        {L::Spruce, 3.6, 1.4, 0.2, B::Scaly, -0.1, F::Cone, 0.005, 0.035}},
     Species{"ScotsPine1995", "Pinus sylvestris", RAMURE_NOOP("A tall bare trunk below an open crown of tufts"), true,
         {.shape = S::Hemispherical, .baseSize = 0.5, .scale = 12.9, .scaleV = 1.4, .levels = 3, .ratio = 0.0258, .ratioPower = 1.4, .lobes = 0, .flare = 0.5, .attractionUp = 1,
          .level = {{{.curveRes = 8, .curveV = 45},
                     {.length = 0.339, .lengthV = 0.06, .curveRes = 8, .curve = -30, .curveV = 110, .downAngle = 75, .downAngleV = -25, .rotate = 137, .rotateV = 25, .branches = 34},
                     {.length = 0.45, .lengthV = 0.1, .curveRes = 4, .curve = -40, .curveV = 70, .downAngle = 50, .downAngleV = 12, .rotate = 137, .rotateV = 20, .branches = 36},
                     {.length = 0.3, .curveRes = 1}}}},
-        {L::ScotsPine, 1.25, 0.62, 0.1, B::Plated, 0.15, F::Cone, 0.01, 0.32}},
+        {L::ScotsPine, 1.25, 0.62, 0.1, B::Plated, 0.15, F::Cone, 0.01, 0.03}},
 };
 // clang-format on
 
@@ -169,7 +169,9 @@ NodeParams speciesParams(const Species& species)
     params.bark.light = dress.light;
     params.texture.tileSize = dress.tile;
     params.fruit.kind = dress.fruit;
-    params.fruit.size = dress.fruitSize;
+    params.fruit.diameter = dress.fruitDiameter;
+    params.fruit.cluster = dress.fruit == FruitKind::Berries ? 20 : 0; // a corymb
+    params.leaf.shade = species.conifer ? 1.2 : 1.5;
     params.foliage.applesProbability = dress.fruitful;
     params.sections = {3, 6};
     params.mesh.targetTriangles = 300'000; // which makes trunks round; twigs do with less than the sections

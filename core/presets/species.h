@@ -20,9 +20,8 @@ struct SpeciesDress
     double light = 0.0;
     FruitKind fruit = FruitKind::Faithful;
     double fruitful = 0.0;
-    /// Relative to the plant's natural size, for this trunk: a cone of a Scots pine is 5 cm long.
-    double fruitSize = 1.0;
-    double tile = 0.0; ///< m, of the bark; 0: as grownBarkTile says
+    double fruitDiameter = 0.0; ///< m, at the widest; from floras
+    double tile = 0.0;          ///< m, of the bark; 0: as grownBarkTile says
 };
 
 struct Species

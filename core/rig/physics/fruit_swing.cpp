@@ -36,7 +36,7 @@ FruitSwing::FruitSwing(const Foliage& foliage, double alpha)
 {
     if (foliage.fruit.kind == FruitKind::Faithful || !hangs(foliage.fruit.kind))
         return;
-    const double length = alpha * fruitRadius(foliage.fruit) * fruitReach(foliage.fruit);
+    const double length = fruitRadius(foliage.fruit, alpha) * fruitReach(foliage.fruit);
     for (const FoliageItem& fruit : foliage.apples) {
         const double own = length * double(fruit.size);
         m_feet.push_back(fruit.position + fruit.orientation * glm::dvec3(0.0, own, 0.0));

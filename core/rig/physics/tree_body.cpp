@@ -108,7 +108,7 @@ std::shared_ptr<const TreeBody> makeTreeBody(const Skeleton& skeleton, const Fol
     takeLimbs(skeleton.loose, *body);
     if (foliage)
         takeApples(*foliage, *body);
-    body->appleRadius = alpha * fruitRadius(foliage ? foliage->fruit : FruitForm());
+    body->appleRadius = fruitRadius(foliage ? foliage->fruit : FruitForm(), alpha);
     if (!skeleton.empty())
         body->firstTerminal = body->slotOf[firstTerminal(skeleton)];
     body->key = keyOf(*body);

@@ -3,6 +3,7 @@
 #include "core/math/random.h"
 #include "core/math/reproducible.h"
 #include "core/surface/foliage/twig_line.h"
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -15,7 +16,7 @@ public:
     FruitGrower(const Placing& placing, const FruitForm& form)
         : m_placing(placing)
         , m_form(form)
-        , m_reach(placing.alpha * fruitRadius(form) * fruitReach(form))
+        , m_reach(fruitRadius(form, placing.alpha) * fruitReach(form))
     {
     }
 
@@ -24,7 +25,7 @@ public:
         const TwigLine line(m_placing.skeleton, twig);
         const double first = std::min(firstNode(m_placing.skeleton, twig), line.length());
         const TwigLine::Place place = line.at(first + random.unit() * (line.length() - first));
-        for (int i = fruitCluster(m_form.kind); i > 0; --i)
+        for (int i = m_form.cluster; i > 0; --i)
             fruit.push_back(fruitAt(twig, place, random));
     }
 
@@ -62,7 +63,7 @@ Expected<std::vector<FoliageItem>> placeFruit(const Placing& placing, const Frui
                                               double probability)
 {
     std::vector<FoliageItem> fruit;
-    if (!(fruitRadius(form) > 0.0))
+    if (!(fruitRadius(form, placing.alpha) > 0.0))
         return fruit;
     const FruitGrower grower(placing, form);
     for (const Index twig : placing.twigs) {
@@ -75,6 +76,20 @@ Expected<std::vector<FoliageItem>> placeFruit(const Placing& placing, const Frui
                                   "foliage.applesProbability");
     }
     return fruit;
+}
+
+void ripen(const Skeleton& skeleton, double ripeness, Foliage& foliage)
+{
+    constexpr double takes = 0.35; // of the time from the first that is ripe to the last
+    Index branch = noIndex;
+    std::uint32_t number = 0;
+    for (FoliageItem& fruit : foliage.apples) {
+        number = fruit.branch == branch ? number + 1 : 0;
+        branch = fruit.branch;
+        Random random(skeleton.key[branch], RandomStream::Ripening, number);
+        const double share = std::clamp((ripeness * (1.0 + takes) - random.unit()) / takes, 0.0, 1.0);
+        fruit.tint = ripenedTint(foliage.fruit.kind, share);
+    }
 }
 
 } // namespace ramure

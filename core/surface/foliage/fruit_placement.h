@@ -14,4 +14,8 @@ namespace ramure {
 Expected<std::vector<FoliageItem>> placeFruit(const Placing& placing, const FruitForm& form,
                                               double probability);
 
+/// Gives each fruit the colour of its ripeness. \param ripeness the share of them that are ripe
+/// \pre the fruit's form ripens
+void ripen(const Skeleton& skeleton, double ripeness, Foliage& foliage);
+
 } // namespace ramure

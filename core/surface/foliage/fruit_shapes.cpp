@@ -215,14 +215,38 @@ double stalkOf(const FruitForm& form)
 
 } // namespace
 
-FruitForm fruitForm(const FruitParams& params)
+/// Of the body. Where fruit ripen it is nowhere darker than any of their colours.
+static glm::u8vec3 bodyColour(const FruitForm& form)
 {
-    return {params.kind, params.size, params.stalk};
+    const FruitRow& row = fruitRow(form.kind);
+    const glm::vec3 ripe(row.colour);
+    return form.ripens ? glm::u8vec3(glm::max(ripe, unripe))
+                       : glm::u8vec3(glm::mix(unripe, ripe, static_cast<float>(form.ripe)) + 0.5F);
 }
 
-double fruitRadius(const FruitForm& form)
+glm::vec3 ripenedTint(FruitKind kind, double ripe)
 {
-    return form.kind == FruitKind::Faithful ? 0.5 : form.size * fruitRow(form.kind).radius;
+    const FruitRow& row = fruitRow(kind);
+    const glm::vec3 last(row.colour);
+    return glm::min(glm::mix(unripe, last, float(ripe)) / glm::max(last, unripe), 1.0F);
+}
+
+FruitForm fruitForm(const FruitParams& params)
+{
+    return {.kind = params.kind,
+            .size = params.size,
+            .stalk = params.stalk,
+            .diameter = params.diameter,
+            .cluster = params.cluster > 0 ? static_cast<int>(params.cluster) : fruitCluster(params.kind),
+            .ripens = params.ripeness < 1.0 && hangs(params.kind)};
+}
+
+double fruitRadius(const FruitForm& form, double alpha)
+{
+    if (form.kind == FruitKind::Faithful)
+        return 0.5 * alpha;
+    return form.diameter > 0.0 ? 0.5 * form.diameter * form.size
+                               : alpha * (form.size * fruitRow(form.kind).radius);
 }
 
 double fruitReach(const FruitForm& form)
@@ -230,13 +254,13 @@ double fruitReach(const FruitForm& form)
     return form.kind == FruitKind::Faithful ? 0.0 : fruitRow(form.kind).height + stalkOf(form);
 }
 
-TriangleMesh fruitCube(FruitKind kind)
+TriangleMesh fruitCube(const FruitForm& form)
 {
     TriangleMesh cube = unitCube();
     for (glm::vec3& corner : cube.positions)
         corner *= 2.0f;
-    if (kind != FruitKind::Faithful)
-        cube.colours.assign(cube.triangles.size(), fruitRow(kind).colour);
+    if (form.kind != FruitKind::Faithful)
+        cube.colours.assign(cube.triangles.size(), bodyColour(form));
     return cube;
 }
 
@@ -255,7 +279,7 @@ TriangleMesh fruitMesh(const FruitForm& form)
     if (form.kind == FruitKind::Faithful)
         return unitSphere();
     FruitRow row = fruitRow(form.kind);
-    row.colour = glm::u8vec3(glm::mix(unripe, glm::vec3(row.colour), static_cast<float>(form.ripe)) + 0.5F);
+    row.colour = bodyColour(form);
     return Turned(row, stalkOf(form)).build();
 }
 

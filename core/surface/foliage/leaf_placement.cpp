@@ -92,7 +92,7 @@ private:
         leaf.orientation = orientation(drooped(ahead * place.frame.tangent + away * out, out), out,
                                        place.frame.tangent, twist);
         leaf.size = static_cast<float>(m_params.size * size * (1.0 + m_params.variation * other));
-        leaf.tone = static_cast<float>(1.0 - 0.32 * tone);
+        leaf.tone = static_cast<float>(1.0 - 0.28 * tone);
         leaf.tint = tintOf(tone);
         return leaf;
     }

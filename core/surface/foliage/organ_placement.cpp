@@ -88,7 +88,7 @@ Expected<void> placeOrgans(const Skeleton& skeleton, const LeafParams& leaf, dou
 {
     const bool faithful = foliage.form.shape == LeafShape::Faithful;
     const double length = leafLength(foliage.form, alpha);
-    const double radius = alpha * fruitRadius(foliage.fruit), reach = radius * fruitReach(foliage.fruit);
+    const double radius = fruitRadius(foliage.fruit, alpha), reach = radius * fruitReach(foliage.fruit);
     std::uint32_t number = 1u << 20; // after all that grow by themselves
     for (const Organ& organ : skeleton.organs) {
         const bool isLeaf = organ.kind == OrganKind::Leaf;

@@ -5,6 +5,8 @@
 #include "core/math/random.h"
 #include "core/surface/foliage/foliage_shapes.h"
 #include "core/surface/foliage/fruit_placement.h"
+#include "core/surface/foliage/leaf_damage.h"
+#include "core/surface/foliage/leaf_light.h"
 #include "core/surface/foliage/leaf_placement.h"
 #include "core/surface/foliage/leaf_season.h"
 #include "core/surface/foliage/leaf_table.h"
@@ -219,6 +221,12 @@ Expected<Foliage> placeFoliage(const Skeleton& skeleton, const FoliageParams& pa
     RAMURE_TRY(apples);
     Foliage made{std::move(*leaves), std::move(*apples), leafForm(leaf), hung};
     RAMURE_TRY(placeOrgans(skeleton, leaf, alpha, made));
+    if (leaf.shape != LeafShape::Faithful) {
+        growByLight(leaf.shade, made);
+        damageLeaves(skeleton, leaf.damage, made);
+    }
+    if (hung.ripens)
+        ripen(skeleton, fruit.ripeness, made);
     if (made.form.turns && made.form.shape != LeafShape::Faithful)
         turnLeaves(skeleton, leaf.season, made);
     if (leaf.shape != LeafShape::Faithful)
@@ -246,8 +254,7 @@ TriangleMesh oneLeaf(const LeafForm& form, double alpha, FoliageModel model)
 
 TriangleMesh oneApple(const FruitForm& form, double alpha, FoliageModel model)
 {
-    return scaled(model == FoliageModel::Fine ? fruitMesh(form) : fruitCube(form.kind),
-                  alpha * fruitRadius(form));
+    return scaled(model == FoliageModel::Fine ? fruitMesh(form) : fruitCube(form), fruitRadius(form, alpha));
 }
 
 TriangleMesh buildLeaves(const Skeleton& skeleton, const Foliage& foliage, double alpha, FoliageModel model,

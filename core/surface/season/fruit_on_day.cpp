@@ -37,7 +37,7 @@ bool isOfFlowers(FruitKind kind)
 void resize(FoliageItem& fruit, float share, const FruitForm& form, double alpha)
 {
     const glm::dvec3 stalk = fruit.orientation * glm::dvec3(0.0, 1.0, 0.0);
-    const double reach = alpha * fruitRadius(form) * fruitReach(form) * double(fruit.size);
+    const double reach = fruitRadius(form, alpha) * fruitReach(form) * double(fruit.size);
     fruit.position += (1.0 - double(share)) * reach * stalk;
     fruit.size *= share;
 }
@@ -48,14 +48,12 @@ void bloom(const Foliage& placed, const Skeleton& skeleton, double since, double
     const FruitKind kind = placed.fruit.kind;
     if (placed.leaves.empty() || placed.apples.empty() || !(alpha > 0.0))
         return;
-    out.fruit.kind = FruitKind::Blossom;
-    out.fruit.size = out.fruit.stalk = 1.0;
-    out.fruit.size =
-        (kind == FruitKind::Berries ? headRadius : flowerRadius) / (alpha * fruitRadius(out.fruit));
+    out.fruit = {.kind = FruitKind::Blossom,
+                 .diameter = 2.0 * (kind == FruitKind::Berries ? headRadius : flowerRadius)};
     const int heads = fruitCluster(FruitKind::Blossom);
     const double most = double(mostFlowers) / double(heads) / double(placed.leaves.size());
     const auto share = static_cast<float>(std::min(0.6, most));
-    const double reach = alpha * fruitRadius(out.fruit) * fruitReach(out.fruit);
+    const double reach = fruitRadius(out.fruit, alpha) * fruitReach(out.fruit);
     for (const FoliageItem& leaf : placed.leaves) {
         const Lots lots = CrownPlace::lotsOf(skeleton, leaf);
         const double open = since - 6.0 * double(lots[1]);

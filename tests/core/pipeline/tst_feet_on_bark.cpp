@@ -79,7 +79,7 @@ private slots:
         const auto tree = TreePipeline().evaluate(params);
         QVERIFY2(tree, test::why(tree));
         const FruitForm& fruit = tree->foliage->fruit;
-        const double reach = params.turtle.alpha * fruitRadius(fruit) * fruitReach(fruit);
+        const double reach = fruitRadius(fruit, params.turtle.alpha) * fruitReach(fruit);
         double most = 0.0;
         for (const FoliageItem& leaf : tree->foliage->leaves)
             most = std::max(most, distance(*tree, leaf, leaf.position));

@@ -90,7 +90,7 @@ private slots:
                 QVERIFY2(std::abs(widest - 1.0) < 0.15, qPrintable(QString::number(i)));
                 if (form.kind != FruitKind::Faithful && stalk >= 1.0)
                     QVERIFY(std::abs(highest - fruitReach(form)) < 0.15);
-                for (const glm::vec3& corner : fruitCube(kindOf(i)).positions)
+                for (const glm::vec3& corner : fruitCube({kindOf(i)}).positions)
                     QCOMPARE(glm::abs(corner), glm::vec3(1.0f));
             }
     }
@@ -104,7 +104,7 @@ private slots:
                 QCOMPARE(foliage.apples.size(), 2 * std::size_t(fruitCluster(kindOf(i))));
                 for (const FoliageItem& fruit : foliage.apples) {
                     const glm::dvec3 up = fruit.orientation * glm::dvec3(0, 1, 0);
-                    const double reach = alpha * fruitRadius(foliage.fruit) * fruitReach(foliage.fruit);
+                    const double reach = fruitRadius(foliage.fruit, alpha) * fruitReach(foliage.fruit);
                     const glm::dvec3 foot = fruit.position + fruit.size * reach * up;
                     const BranchCurve curve = branchCurve(skeleton, fruit.branch);
                     double nearest = 1e9, radius = 0.0;
@@ -130,8 +130,71 @@ private slots:
         const Skeleton skeleton = bough();
         const Foliage foliage = hung(skeleton, {FruitKind::Apple, 1.5});
         QCOMPARE(makeTreeBody(skeleton, &foliage, alpha)->appleRadius,
-                 0.2 * 1.5 * fruitRadius({FruitKind::Apple}));
+                 1.5 * fruitRadius({FruitKind::Apple}, 0.2));
         QCOMPARE(makeTreeBody(skeleton, nullptr, alpha)->appleRadius, 0.1);
+    }
+    /// A diameter in metres is that of the fruit, however thick the trunk is.
+    void diametersAreMetres()
+    {
+        const Skeleton skeleton = bough();
+        FruitParams apple{FruitKind::Apple};
+        apple.diameter = 0.07;
+        for (const double trunk : {0.001, 0.2, 30.0}) {
+            QCOMPARE(fruitRadius(fruitForm(apple), trunk), 0.035);
+            const auto foliage = placeFoliage(skeleton, {0.1, 0, 1.0, 1}, {}, apple, trunk);
+            QVERIFY(foliage);
+            const TriangleMesh one = oneApple(foliage->fruit, trunk, FoliageModel::Fine);
+            double widest = 0.0;
+            for (const glm::vec3& at : one.positions)
+                widest = std::max(widest, std::hypot(double(at.x), double(at.z)));
+            QVERIFY(std::abs(widest - 0.035) < 0.005);
+        }
+    }
+    void clustersHaveAsManyAsTheySay()
+    {
+        const Skeleton skeleton = bough();
+        for (const std::int64_t count : {1, 5, 60}) {
+            FruitParams berries{FruitKind::Berries};
+            berries.cluster = count;
+            const auto foliage = placeFoliage(skeleton, {0.1, 0, 1.0, 1}, {}, berries, alpha);
+            QVERIFY(foliage);
+            QCOMPARE(foliage->apples.size(), 2 * std::size_t(count));
+        }
+    }
+    /// None is ripe at 0, all at 1, as many as said between; who is ripe stays ripe. Flowers do not ripen.
+    void fruitRipenOneAfterTheOther()
+    {
+        Skeleton many;
+        for (int i = 0; i < 600; ++i)
+            many.add(noIndex, {0.1 * i, 0, 0}, {0.1 * i, 0.05, 0}, 0.01, 0.01);
+        const auto ripe = [&](FruitKind kind, double share) {
+            FruitParams fruit{kind};
+            fruit.ripeness = share;
+            const auto foliage = placeFoliage(many, {0.1, 0, 1.0, 1}, {}, fruit, alpha);
+            std::vector<bool> out;
+            for (const FoliageItem& item : foliage->apples)
+                out.push_back(!foliage->fruit.ripens || item.tint == ripenedTint(kind, 1.0));
+            return out;
+        };
+        std::size_t before = 0;
+        std::vector<bool> last(600, false);
+        for (const double share : {0.0, 0.3, 0.6, 0.9, 1.0}) {
+            const std::vector<bool> now = ripe(FruitKind::Apple, share);
+            QCOMPARE(now.size(), std::size_t(600));
+            for (std::size_t i = 0; i < now.size(); ++i)
+                QVERIFY(now[i] || !last[i]);
+            const auto count = std::size_t(std::ranges::count(now, true));
+            QVERIFY(count >= before && (share > 0.0 || count == 0) && (share < 1.0 || count == 600));
+            before = count;
+            last = now;
+        }
+        QCOMPARE(std::ranges::count(ripe(FruitKind::Blossom, 0.2), false), 0);
+        for (int i = 1; i < fruitKindCount; ++i)
+            for (const double share : {0.0, 0.5, 1.0}) {
+                const glm::vec3 tint = ripenedTint(kindOf(i), share);
+                QVERIFY(glm::all(glm::greaterThanEqual(tint, glm::vec3(0.0f))) &&
+                        glm::all(glm::lessThanEqual(tint, glm::vec3(1.0f))));
+            }
     }
     void texturesCoverThem()
     {
