@@ -3,6 +3,7 @@
 #include "core/base/file_writer.h"
 #include "core/io/kept_maps.h"
 #include "core/io/picture_file.h"
+#include "core/lod/spray_picture.h"
 #include "core/math/stage_hash.h"
 #include "core/params/param_def.h"
 #include "core/pipeline/stage_hashes.h"
@@ -10,10 +11,13 @@
 #include "core/surface/foliage/leaf_maps.h"
 #include "core/surface/foliage/leaf_season.h"
 #include "core/surface/foliage/leaf_table.h"
+#include <algorithm>
+#include <bit>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <tuple>
 
 namespace ramure {
 namespace {
@@ -237,6 +241,67 @@ Expected<std::vector<std::string>> writeMaps(const std::string& folder, LeafShap
             return encoded(MapsKey(leaf, number, size, missing), missing,
                            [&] { return seasonMaps(leaf, size, number); });
         });
+}
+
+static int sizeOfSprays(int size)
+{
+    return static_cast<int>(
+        std::bit_floor(static_cast<unsigned>(std::clamp(size, leastSpraySize, mostSpraySize))));
+}
+
+Expected<MadeSprays> makeMaps(const SprayAtlas& sprays, int size, const Progress& progress)
+{
+    const auto maps = sprayMaps(sprays, sizeOfSprays(size), progress);
+    RAMURE_TRY(maps);
+    std::vector<glm::u8vec3> colour;
+    std::vector<std::uint8_t> opacity;
+    for (const glm::u8vec4& pixel : maps->colour) {
+        colour.emplace_back(pixel);
+        opacity.push_back(pixel.a);
+    }
+    MadeSprays out;
+    out.cutoff = maps->cutoff;
+    const int side = maps->size;
+    const std::span<const std::uint8_t> cut{&maps->colour.front().x, 4 * maps->colour.size()};
+    const std::tuple<std::string*, PictureBytes> files[] = {
+        {&out.cut, {side, side, 4, true, cut}},
+        {&out.colour, {side, side, 3, true, bytesOf(colour)}},
+        {&out.opacity, {side, side, 1, false, bytesOf(opacity)}},
+        {&out.normal, {side, side, 3, false, bytesOf(maps->normal)}}};
+    for (const auto& [to, picture] : files) {
+        auto png = pngOf(picture);
+        RAMURE_TRY(png);
+        *to = std::move(*png);
+    }
+    return out;
+}
+
+std::string sprayFileName(const SprayAtlas& sprays, int size, const char* map)
+{
+    return std::string("sprays_")
+        .append(findParam("foliage.leaf")->items[static_cast<std::size_t>(sprays.form.shape)].name)
+        .append("_")
+        .append(eightDigits(sprays.hash))
+        .append("_")
+        .append(std::to_string(sizeOfSprays(size)))
+        .append("_")
+        .append(map)
+        .append(".png");
+}
+
+Expected<std::vector<std::string>> writeMaps(const std::string& folder, const SprayAtlas& sprays, int size,
+                                             const Progress& progress)
+{
+    const auto maps = makeMaps(sprays, size, progress);
+    RAMURE_TRY(maps);
+    std::vector<std::string> written;
+    for (const auto& [map, png] : {std::pair("colour", &maps->colour), std::pair("opacity", &maps->opacity),
+                                   std::pair("normal", &maps->normal)}) {
+        const std::string name = sprayFileName(sprays, size, map);
+        RAMURE_TRY(writeFile((std::filesystem::path(folder) / name).string(), *png));
+        written.push_back(name);
+    }
+    return written;
 }
 
 } // namespace ramure

@@ -1,5 +1,6 @@
 #include "core/lod/level_leaves.h"
 
+#include "core/lod/leaf_sprays.h"
 #include "core/math/box.h"
 #include "core/surface/foliage/leaf_table.h"
 #include "core/surface/foliage/place_foliage.h"
@@ -115,7 +116,7 @@ FoliageModel simplestLeaf(const PictureParams& pictures)
 }
 
 std::vector<LeafShapeOfLevel> leafShapesOfLevels(const LeafForm& form, const PictureParams& pictures,
-                                                 double alpha)
+                                                 double alpha, bool cards)
 {
     std::vector<LeafShapeOfLevel> out;
     const auto add = [&](const LeafForm& simpler, FoliageModel model) {
@@ -131,6 +132,12 @@ std::vector<LeafShapeOfLevel> leafShapesOfLevels(const LeafForm& form, const Pic
     while (--simpler.detail >= 1)
         add(simpler, FoliageModel::Fine);
     simpler = form;
+    if (cards && pictures.isEmpty()) {
+        out.push_back(out.front());
+        out.back().mesh = sprayCards(sprayFrame(out.front().mesh), 0);
+        out.back().isSpray = true;
+        return out;
+    }
     for (add(simpler, simplestLeaf(pictures)); simpler.perShoot > 1; add(simpler, simplestLeaf(pictures)))
         simpler.perShoot = (simpler.perShoot + 1) / 2;
     return out;
@@ -138,7 +145,7 @@ std::vector<LeafShapeOfLevel> leafShapesOfLevels(const LeafForm& form, const Pic
 
 LeafShapeOfLevel broadened(const LeafShapeOfLevel& shape, double growth, double alpha)
 {
-    if (shape.form.shape == LeafShape::Faithful)
+    if (shape.form.shape == LeafShape::Faithful || shape.isSpray)
         return shape;
     const double most = broadest / leafRow(shape.form.shape).width;
     LeafForm form = shape.form;

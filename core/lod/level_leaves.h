@@ -19,12 +19,14 @@ struct LeafShapeOfLevel
     double area = 0.0;      ///< m², of all its triangles
     glm::dvec3 middle{0.0}; ///< middle of its surface
     glm::dmat3 spread{0.0}; ///< m²: mean outer product of the ways from the middle to its surface
+    bool isSpray = false;   ///< of leaves that pictures show: all but the mesh are those of the whole leaf
 };
 /// The simplest: a card where a picture cuts the leaf out of it, or a rhomb.
 FoliageModel simplestLeaf(const PictureParams& pictures);
-/// From the one that the tree has to the simplest. \param alpha the tree's length.
+/// From the one that the tree has to the simplest. \param alpha the tree's length. \param cards the simplest
+/// of a plant's are sprays (leaf_sprays.h), which stand here with the triangles that one has
 std::vector<LeafShapeOfLevel> leafShapesOfLevels(const LeafForm& form, const PictureParams& pictures,
-                                                 double alpha);
+                                                 double alpha, bool cards = false);
 
 /// Widens a leaf so that it covers \p growth times the area, but leaves it longer than wide. Leaves that
 /// stand for others grow broad first, so that they end where the others did.

@@ -81,7 +81,7 @@ std::optional<Switch> switchIn(std::string_view text)
 
 LevelOptions gameLevels()
 {
-    return {4, {80'000, 20'000, 5'000, 1'250}};
+    return {.count = 4, .budgets = {80'000, 20'000, 5'000, 1'250}, .cards = true};
 }
 
 Expected<void> checkLevels(const LevelOptions& options)

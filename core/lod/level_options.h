@@ -38,6 +38,7 @@ struct LevelOptions
     /// and with neither it is the usual shares. Metres in the scene, from the eye to the tree, rising; or
     /// shares of the picture's height that the tree has, falling.
     std::vector<double> distances{}, shares{};
+    bool cards = false; ///< leaves of plants are cards with pictures of twigs, where they are not all there
     bool operator==(const LevelOptions&) const = default;
 
     [[nodiscard]] bool isWanted() const { return count > 0; }
@@ -46,11 +47,11 @@ struct LevelOptions
     /// Their meshes are the same, whenever they are shown.
     [[nodiscard]] bool makesLike(const LevelOptions& other) const
     {
-        return count == other.count && budgets == other.budgets;
+        return count == other.count && budgets == other.budgets && cards == other.cards;
     }
 };
 
-/// Returns the usual levels of one tree in a game: 80,000, 20,000, 5,000 and 1,250 triangles.
+/// Returns the usual levels of one tree in a game: 80,000, 20,000, 5,000 and 1,250 triangles, with cards.
 LevelOptions gameLevels();
 
 /// Errors: Invalid (a count out of range, as many budgets as levels, a budget below leastBudget or over

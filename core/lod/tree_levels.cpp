@@ -45,7 +45,8 @@ tl::unexpected<Error> cancelled()
 class LevelMaker
 {
 public:
-    LevelMaker(const TreeResult& tree, const NodeParams& params, const LevelParts& parts, bool beginsWhole)
+    LevelMaker(const TreeResult& tree, const NodeParams& params, const LevelParts& parts,
+               const LevelOptions& options)
         : m_tree(tree)
         , m_params(params)
         , m_parts(parts)
@@ -53,7 +54,8 @@ public:
         , m_order(*tree.skeleton, *tree.simplified)
         , m_alpha(trunkRadius(params))
         , m_axes(m_order.axes())
-        , m_stood(beginsWhole)
+        , m_stood(options.beginsWhole())
+        , m_cards(options.cards)
     {
     }
 
@@ -85,6 +87,7 @@ private:
     [[nodiscard]] std::vector<double> rolls(const PrunedTree& pruned) const;
     void addFoliage(TreeLevel& level, const Split& split);
     void addLeaves(TreeLevel& level, const Split& split, Foliage& foliage);
+    void addSprays(TreeLevel& level, Foliage& foliage);
     void addApples(TreeLevel& level, const Split& split, Foliage& foliage);
     void stand(const TreeLevel& level);
     Expected<void> addBark(TreeLevel& level, const Progress& progress);
@@ -96,10 +99,10 @@ private:
     const Skeleton& m_skeleton;
     TwigOrder m_order;
     double m_alpha;
-    Index m_axes;                        ///< of the level before
-    bool m_stood = false;                ///< leaves and fruit stand on the bark that they are seen on
-    Foliage m_foliage;                   ///< all of the tree's
-    std::vector<LeafCluster> m_clusters; ///< of the level before
+    Index m_axes;                          ///< of the level before
+    bool m_stood = false, m_cards = false; ///< leaves and fruit stand on the bark that they are seen on
+    Foliage m_foliage;                     ///< all of the tree's
+    std::vector<LeafCluster> m_clusters;   ///< of the level before
     std::vector<double> m_appleChance;
     std::vector<Index> m_leaves, m_apples; ///< of the level before
     std::vector<LeafShapeOfLevel> m_shapes;
@@ -135,7 +138,7 @@ Expected<void> LevelMaker::prepare(const Progress& progress)
     m_clusters = singleClusters(m_leaves);
     m_appleChance = itemChances(m_foliage.apples);
     if (!m_leaves.empty())
-        m_shapes = leafShapesOfLevels(m_foliage.form, m_params.leafPictures, m_alpha);
+        m_shapes = leafShapesOfLevels(m_foliage.form, m_params.leafPictures, m_alpha, m_cards);
     if (m_shapes.empty())
         m_leaves.clear(); // without width they are nothing
     if (!m_apples.empty())
@@ -344,11 +347,12 @@ void LevelMaker::addLeaves(TreeLevel& level, const Split& split, Foliage& foliag
     m_clusters = joinedClusters(m_foliage.leaves, std::move(m_clusters), level.wood.branchOf, whole.middle,
                                 split.leaves);
     m_leaves.clear();
-    for (const LeafCluster& cluster : m_clusters) {
-        m_leaves.push_back(cluster.leaf);
-        foliage.leaves.push_back(leafOfCluster(m_foliage.leaves, cluster, whole, shape, m_crown));
-    }
+    std::ranges::transform(m_clusters, std::back_inserter(m_leaves), &LeafCluster::leaf);
     level.leafOf = m_leaves;
+    if (own.isSpray)
+        return addSprays(level, foliage);
+    for (const LeafCluster& cluster : m_clusters)
+        foliage.leaves.push_back(leafOfCluster(m_foliage.leaves, cluster, whole, shape, m_crown));
     level.leafScale =
         std::sqrt(double(m_foliage.leaves.size()) / double(m_leaves.size()) * whole.area / shape.area);
     foliage.form = shape.form;
@@ -363,6 +367,15 @@ void LevelMaker::addLeaves(TreeLevel& level, const Split& split, Foliage& foliag
                 leaves.uv.push_back(uv[v % uv.size()]);
     }
     level.leaves = std::make_shared<const TriangleMesh>(std::move(leaves));
+}
+
+void LevelMaker::addSprays(TreeLevel& level, Foliage& foliage)
+{
+    LeafSprays sprays = leafSprays(m_foliage, m_clusters, m_shapes.front());
+    level.leaves = std::make_shared<const TriangleMesh>(buildSprays(m_skeleton, sprays));
+    level.leafArea = sprays.area;
+    level.sprays = std::move(sprays.atlas);
+    foliage.leaves = std::move(sprays.items);
 }
 
 void LevelMaker::addApples(TreeLevel& level, const Split& split, Foliage& foliage)
@@ -493,7 +506,7 @@ Expected<std::vector<TreeLevel>> treeLevels(const TreeResult& tree, const NodePa
                                             const Progress& progress)
 {
     RAMURE_TRY(checkLevels(options));
-    LevelMaker maker(tree, params, parts, options.beginsWhole());
+    LevelMaker maker(tree, params, parts, options);
     RAMURE_TRY(maker.prepare(progress.part(0.0, 0.2)));
     std::vector<TreeLevel> out;
     for (std::int64_t i = 0; i < options.count; ++i) {

@@ -4,6 +4,7 @@
 /// coordinates are in the same tiles and on the same pictures.
 #pragma once
 
+#include "core/lod/leaf_sprays.h"
 #include "core/lod/level_options.h"
 #include "core/lod/level_twigs.h"
 #include "core/pipeline/tree_pipeline.h"
@@ -29,10 +30,11 @@ struct TreeLevel
     /// budget.
     std::shared_ptr<const TriangleMesh> cuts;
     PrunedTree wood;
-    std::shared_ptr<const Foliage> foliage; ///< what is left of it, enlarged
-    std::vector<Index> leafOf, appleOf;     ///< of each of these its number in the tree's foliage
-    double leafScale = 1.0;                 ///< by how much the leaves have grown
-    double leafArea = 0.0;                  ///< m²
+    std::shared_ptr<const Foliage> foliage;   ///< what is left of it, enlarged
+    std::shared_ptr<const SprayAtlas> sprays; ///< whose pictures the leaves show; null: they are leaves
+    std::vector<Index> leafOf, appleOf;       ///< of each of these its number in the tree's foliage
+    double leafScale = 1.0;                   ///< by how much the leaves have grown
+    double leafArea = 0.0;                    ///< m²
     /// m: how large the details are in which it differs from the level before, such as a leaf or the cluster
     /// that it stands for; where that is a pixel, one may take its place. 0: the first level. How alike the
     /// two are there: each pixel is covered by a share of 0..1, as antialiasing shows it; the sum of the

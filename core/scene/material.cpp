@@ -63,6 +63,15 @@ Material leavesMaterial(const Foliage& foliage, const PictureParams& pictures)
     return leaves;
 }
 
+Material spraysMaterial(Material leaves, std::shared_ptr<const SprayAtlas> sprays)
+{
+    leaves.name.append("_sprays");
+    leaves.leaf = LeafShape::Faithful;
+    leaves.colour = glm::u8vec3(255);
+    leaves.sprays = std::move(sprays);
+    return leaves;
+}
+
 Material applesMaterial(FruitKind kind, const PictureParams& pictures)
 {
     Material fruit{"fruit", {0x5F, 0x0B, 0x0B}, true, false};

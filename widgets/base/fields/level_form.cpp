@@ -1,6 +1,7 @@
 #include "widgets/base/fields/level_form.h"
 
 #include "widgets/base/named.h"
+#include <QCheckBox>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -27,6 +28,7 @@ LevelForm::LevelForm(QWidget* parent)
     , m_fromLabel(new QLabel(tr("From"), this))
     , m_budgets(named(new QLineEdit(this), "exportBudgets"))
     , m_from(named(new QLineEdit(this), "exportSwitches"))
+    , m_cards(named(new QCheckBox(tr("Twigs as pictures on cards"), this), "exportCards"))
 {
     m_count->setRange(1, static_cast<int>(mostLevels));
     m_label->setBuddy(m_budgets);
@@ -38,9 +40,11 @@ LevelForm::LevelForm(QWidget* parent)
     rows->addWidget(m_budgets, 0, 2);
     rows->addWidget(m_fromLabel, 1, 1);
     rows->addWidget(m_from, 1, 2);
+    rows->addWidget(m_cards, 2, 1, 1, 2);
     connect(m_count, &QSpinBox::valueChanged, this, &LevelForm::takeCount);
     connect(m_budgets, &QLineEdit::textChanged, this, &LevelForm::changed);
     connect(m_from, &QLineEdit::textChanged, this, &LevelForm::changed);
+    connect(m_cards, &QCheckBox::toggled, this, &LevelForm::changed);
     setFocusProxy(m_count);
     m_count->setToolTip(
         tr("Meshes of each tree, 1 to 8, for less and less triangles. A GLB holds them all; of other "
@@ -60,6 +64,11 @@ LevelForm::LevelForm(QWidget* parent)
            "tree has, falling, such as 60 %; 30 %, as engines have them: they suit a tree of any size. "
            "Nothing here: 60 %, then half of it each."));
     m_from->setAccessibleName(tr("When each level is shown"));
+    m_cards->setToolTip(
+        tr("Where not all leaves are there, crossed cards show pictures of this tree's own twigs in the "
+           "place of "
+           "fewer and larger leaves: outlines stay, and the picture needs its opacity. For GLB and OBJ with "
+           "pictures, and leaves without pictures of their own."));
 }
 
 LevelOptions LevelForm::options() const
@@ -72,6 +81,7 @@ LevelOptions LevelForm::options() const
             options.budgets.push_back(budget.toLongLong());
     if (m_count->value() > 1 || !options.budgets.empty())
         options.count = m_count->value();
+    options.cards = m_cards->isChecked();
     (void)readSwitches(m_from->text().toStdString(), options); // check() tells
     return options;
 }
@@ -111,6 +121,7 @@ void LevelForm::setOptions(const LevelOptions& options)
     m_count->setValue(std::max(1, static_cast<int>(options.count)));
     m_budgets->setText(budgetsText(options));
     m_from->setText(QString::fromStdString(switchesText(options)));
+    m_cards->setChecked(options.cards);
 }
 
 QVariantMap LevelForm::settingsOf(const LevelOptions& options)
@@ -120,7 +131,8 @@ QVariantMap LevelForm::settingsOf(const LevelOptions& options)
         budgets += qlonglong(budget);
     return {{"levels", qlonglong(options.count)},
             {"budgets", budgets},
-            {"switches", QString::fromStdString(switchesText(options))}};
+            {"switches", QString::fromStdString(switchesText(options))},
+            {"cards", options.cards}};
 }
 
 LevelOptions LevelForm::optionsIn(const QVariantMap& settings)
@@ -129,6 +141,7 @@ LevelOptions LevelForm::optionsIn(const QVariantMap& settings)
     options.count = settings.value(QStringLiteral("levels")).toLongLong();
     for (const QVariant& budget : settings.value(QStringLiteral("budgets")).toList())
         options.budgets.push_back(budget.toLongLong());
+    options.cards = settings.value(QStringLiteral("cards")).toBool();
     (void)readSwitches(settings.value(QStringLiteral("switches")).toString().toStdString(), options);
     return options;
 }

@@ -6,6 +6,7 @@
 #include <QVariantMap>
 #include <QWidget>
 
+class QCheckBox;
 class QLabel;
 class QLineEdit;
 class QSpinBox;
@@ -41,6 +42,7 @@ private:
     QSpinBox* m_count;
     QLabel *m_label, *m_fromLabel;
     QLineEdit *m_budgets, *m_from;
+    QCheckBox* m_cards;
 };
 
 } // namespace ramure

@@ -32,6 +32,18 @@ TreeResult resultOf(const TreeLevels& of, const TreeLevel& level)
     return tree;
 }
 
+/// Cards in place of leaves: the builder knows leaves alone.
+void drawSprays(RenderScene& scene, const TreeLevel& level)
+{
+    for (MeshItem& item : scene.meshes)
+        if (item.copies && item.mesh == level.leaves) {
+            item.copies = nullptr;
+            item.leaf = nullptr;
+            item.material = spraysMaterial(std::move(item.material), level.sprays);
+            item.images = std::make_shared<const SurfaceImages>(surfaceImages(item.material));
+        }
+}
+
 /// The simplest in place of leaves: the builder knows leaves alone.
 void drawSimplest(RenderScene& scene, const TreeResult& tree, double alpha, FoliageModel simplest)
 {
@@ -66,7 +78,10 @@ RenderScene levelScene(SceneBuilder& builder, const TreeLevels& of, std::optiona
     view.waitsForBark = level && of.levels[*level].branches != of.whole.branches;
     RenderScene built = builder.build(
         *scene, [&](NodeId) { return &tree; }, view);
-    drawSimplest(built, tree, trunkRadius(of.params), simplestLeaf(of.params.leafPictures));
+    if (level && of.levels[*level].sprays)
+        drawSprays(built, of.levels[*level]);
+    else
+        drawSimplest(built, tree, trunkRadius(of.params), simplestLeaf(of.params.leafPictures));
     return built;
 }
 

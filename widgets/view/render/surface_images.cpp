@@ -1,5 +1,6 @@
 #include "widgets/view/render/surface_images.h"
 
+#include "core/lod/spray_picture.h"
 #include "core/math/stage_hash.h"
 #include "core/surface/bark/bark_maps.h"
 #include "core/surface/foliage/leaf_maps.h"
@@ -213,8 +214,27 @@ std::vector<Error> pictureProblems(const PictureParams& pictures)
     return out;
 }
 
+/// Twigs cut out of cards. What draws them cuts at a half.
+static SurfaceImages imagesOfSprays(const SprayAtlas& sprays)
+{
+    constexpr int side = 1024;
+    const SprayMaps maps = sprayMaps(sprays, side).value();
+    SurfaceImages out;
+    out.size = side;
+    out.isCut = true;
+    for (std::size_t at = 0; at < maps.colour.size(); ++at) {
+        const glm::u8vec4 pixel = maps.colour[at];
+        const float open = std::min(1.0F, float(pixel.a) / 255.0F * 0.5F / maps.cutoff);
+        out.colour.emplace_back(glm::u8vec3(pixel), std::uint8_t(255.0F * open + 0.5F));
+        out.normal.emplace_back(maps.normal[at], 128);
+    }
+    return out;
+}
+
 SurfaceImages surfaceImages(const Material& material)
 {
+    if (material.sprays)
+        return imagesOfSprays(*material.sprays);
     Loaded loaded = load(material.pictures);
     const bool isBark = material.name.starts_with("bark");
     if (!loaded.problems.empty()) {

@@ -35,7 +35,7 @@ struct SurfaceImages
     std::vector<Error> problems;     ///< there are magenta checks then, in place of all pictures
 };
 
-/// \pre the material has pictures.
+/// \pre the material has pictures, or sprays.
 SurfaceImages surfaceImages(const Material& material);
 
 /// Returns the picture at half the size, a quarter and so on, down to one pixel. Each level has the same

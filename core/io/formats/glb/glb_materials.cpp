@@ -15,7 +15,8 @@ Json linearColour(const glm::u8vec3& colour)
 
 bool isMade(const Material& material)
 {
-    return material.leaf != LeafShape::Faithful || material.bark.family != BarkFamily::Plain;
+    return material.leaf != LeafShape::Faithful || material.bark.family != BarkFamily::Plain ||
+           material.sprays;
 }
 
 /// The picture of a leaf has the colour of summer; at other times the leaves have colours without one.
@@ -99,6 +100,8 @@ Expected<void> Materials::addPictures(Json& out, const Material& material, const
     constexpr std::array leafKinds{MaterialMap::Colour, MaterialMap::Normal};
     Json& pbr = out["pbrMetallicRoughness"];
     const bool isLeaf = material.leaf != LeafShape::Faithful;
+    if (material.sprays)
+        return addSprays(out, *material.sprays, progress);
     if (isMade(material)) {
         const auto maps = isLeaf ? makeMaps(material.leaf, m_mapSize, leafKinds)
                                  : makeMaps(material.bark, m_mapSize, barkKinds, progress);
@@ -120,6 +123,19 @@ Expected<void> Materials::addPictures(Json& out, const Material& material, const
             pbr["roughnessFactor"] = 1.0;
     }
     return addOwnPictures(out, material);
+}
+
+/// Twigs cut out of cards.
+Expected<void> Materials::addSprays(Json& out, const SprayAtlas& sprays, const Progress& progress)
+{
+    const auto maps = makeMaps(sprays, m_mapSize, progress);
+    RAMURE_TRY(maps);
+    const std::string name = sprayFileName(sprays, m_mapSize, "cut");
+    out["pbrMetallicRoughness"]["baseColorTexture"] = texture(name, maps->cut, "image/png");
+    out["normalTexture"] = texture(sprayFileName(sprays, m_mapSize, "normal"), maps->normal, "image/png");
+    out["alphaMode"] = "MASK";
+    out["alphaCutoff"] = maps->cutoff;
+    return {};
 }
 
 /// Each in the place of what the program has made. Heights have no place in a GLB.

@@ -146,6 +146,7 @@ public:
 
 private:
     Expected<void> addPictures(Json& out, const Material& material, const Progress& progress);
+    Expected<void> addSprays(Json& out, const SprayAtlas& sprays, const Progress& progress);
     Expected<void> addOwnPictures(Json& out, const Material& material);
     Expected<void> addOwn(Json& place, const std::string& path);
     [[nodiscard]] Json texture(const std::string& name, std::string_view bytes, const char* type);

@@ -211,6 +211,10 @@ void writeMaterial(FileWriter& out, const Material& material, int mapSize)
     out.append(material.phong ? "\nKs 0.2 0.2 0.2\nNs 30\nillum 2\n" : "\nKs 0 0 0\nillum 1\n");
     if (mapSize <= 0)
         return;
+    if (material.sprays)
+        for (const auto& [word, map] : {std::pair("map_Kd", "colour"), std::pair("map_Bump", "normal"),
+                                        std::pair("norm", "normal"), std::pair("map_d", "opacity")})
+            out.append(std::string(word) + " " + sprayFileName(*material.sprays, mapSize, map) + "\n");
     const PictureParams& own = material.pictures;
     mapLine("map_Kd", own.colour, MaterialMap::Colour);
     // The program's normals belong to its height: a picture of the height is there in their place.
@@ -227,7 +231,8 @@ void writeMaterial(FileWriter& out, const Material& material, int mapSize)
 bool hasMaps(const MeshPart& part, const WriteOptions& options)
 {
     const bool isPictured = part.material.bark.family != BarkFamily::Plain ||
-                            part.material.leaf != LeafShape::Faithful || !part.material.pictures.isEmpty();
+                            part.material.leaf != LeafShape::Faithful || part.material.sprays ||
+                            !part.material.pictures.isEmpty();
     return options.mapSize > 0 && isPictured && writing::hasTexture(*part.mesh);
 }
 
@@ -235,6 +240,8 @@ bool hasMaps(const MeshPart& part, const WriteOptions& options)
 Expected<std::vector<std::string>> writeMade(const std::string& folder, const Material& material, int size,
                                              const Progress& progress)
 {
+    if (material.sprays)
+        return writeMaps(folder, *material.sprays, size, progress);
     if (material.leaf != LeafShape::Faithful)
         return writeMaps(folder, material.leaf, size);
     if (material.bark.family != BarkFamily::Plain)

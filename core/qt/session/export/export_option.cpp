@@ -229,6 +229,11 @@ const ExportOption table[] = {
      .flags = ofExport | ofBatch | ofTrees,
      .read = [](ExportOptions& o, const std::string& t) { return readSwitches(t, o.levels); },
      .text = [](const ExportOptions& o) { return switchesText(o.levels); }, .hashed = "%1"},
+    {.name = "leaf-cards",
+     .help = "Of levels, where not all leaves are there: cards with pictures of the tree's own twigs in the place of enlarged "
+             "leaves, cut out by their opacity. For formats with pictures, and leaves without pictures of their own.",
+     .flags = ofExport | ofBatch | ofTrees | ofFormats, .place = at([](auto& o) -> auto& { return o.levels.cards; }),
+     .hashed = "leaf-cards", .holds = holdsTexture | holdsObjects},
     {.name = "up", .values = "y|z", .help = "The axis of the mesh file that points up; in the program it is y.",
      .flags = ofExport | ofImport,
      .place = at([](auto& o) -> auto& { return o.space.up; }), .items = upItems,

@@ -161,9 +161,10 @@ Expected<void> addTexture(TreeMeshes& meshes, const TextureStage& texture, const
     return {};
 }
 
-/// \param motion whose skins the meshes have; none: they are as they stand.
+/// \param motion whose skins the meshes have; none: they are as they stand. \param sprays that stand for the
+/// leaves; null: none
 void addMeshes(ExportScene& out, const Candidate& tree, const TreeMeshes& meshes, const NodeParams& params,
-               const NodeMotion& motion)
+               const NodeMotion& motion, const std::shared_ptr<const SprayAtlas>& sprays = {})
 {
     const auto add = [&](const char* name, const std::shared_ptr<const TriangleMesh>& mesh,
                          const std::shared_ptr<const Skin>& skin, const Material& material,
@@ -180,7 +181,8 @@ void addMeshes(ExportScene& out, const Candidate& tree, const TreeMeshes& meshes
         add("cuts", meshes.cuts,
             motion.bones ? std::make_shared<const Skin>(bindRigidly(*meshes.cuts)) : nullptr, woodMaterial(),
             0);
-    add("leaves", meshes.leaves, motion.leaves, leavesMaterial(foliage, params.leafPictures),
+    const Material leaves = leavesMaterial(foliage, params.leafPictures);
+    add("leaves", meshes.leaves, motion.leaves, sprays ? spraysMaterial(leaves, sprays) : leaves,
         foliage.leaves.size());
     add("fruit", meshes.apples, motion.apples, applesMaterial(foliage.fruit.kind, params.fruitPictures),
         foliage.apples.size());
@@ -391,8 +393,9 @@ Expected<void> addLevels(ExportScene& out, const Candidate& tree, EvaluatedScene
         motion.apples = made->skins[k].apples;
         const TreeLevel& level = made->levels[k];
         foliage.push_back({level.foliage.get(), level.leafOf});
-        addMeshes(out, tree, {level.bark, level.leaves, level.apples, level.foliage, level.cuts},
-                  scene.params(*tree.node), motion);
+        const NodeParams& params = scene.params(*tree.node);
+        addMeshes(out, tree, {level.bark, level.leaves, level.apples, level.foliage, level.cuts}, params,
+                  motion, level.sprays);
         for (std::size_t i = from; i < out.meshes.size(); ++i) {
             ExportMesh& mesh = out.meshes[i];
             const auto first = finest.try_emplace(mesh.name, static_cast<Index>(i));
@@ -559,7 +562,10 @@ Expected<void> exportScene(EvaluatedScene scene, const ExportOptions& options, c
         return fine;
     if (auto fine = checkWindExport(options, **format); !fine)
         return fine;
-    const auto collected = collectExport(std::move(scene), options, progress.part(0.0, 0.5));
+    ExportOptions wanted = options;
+    constexpr int pictured = holdsTexture | holdsObjects;
+    wanted.levels.cards = wanted.levels.cards && ((*format)->holds & pictured) == pictured;
+    const auto collected = collectExport(std::move(scene), wanted, progress.part(0.0, 0.5));
     RAMURE_TRY(collected);
     return writeExport(*collected, options, path, progress.part(0.5, 1.0));
 }

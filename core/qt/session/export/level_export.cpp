@@ -24,7 +24,9 @@ Expected<LevelledTree> levelsOf(const Node& node, EvaluatedScene& scene, const E
     const auto has = [&](ExportPart part) { return (options.parts & part) != 0; };
     const LevelParts parts{has(exportBranches), has(exportLeaves), has(exportApples), options.texture};
     const NodeParams& params = scene.params(node);
-    auto levels = treeLevels(out.tree.rest, params, options.levels, parts, progress.part(0.4, 1.0));
+    LevelOptions wanted = options.levels;
+    wanted.cards = wanted.cards && options.texture && options.write.mapSize > 0; // they are pictures
+    auto levels = treeLevels(out.tree.rest, params, wanted, parts, progress.part(0.4, 1.0));
     RAMURE_TRY(levels);
     out.levels = std::move(*levels);
     out.switches = switchesOf(out.levels, options.levels, nodeScale(scene, node.id));
