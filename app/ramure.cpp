@@ -17,7 +17,7 @@
 #include "widgets/base/theme/theme.h"
 #include "widgets/dialogs/recovery.h"
 #include "widgets/help/tour.h"
-#include "widgets/view/render/gl_setup.h"
+#include "widgets/view/render/passes/gl_setup.h"
 #include "widgets/view/render/passes/picture_file.h"
 #include "widgets/view/viewport.h"
 #include "widgets/view/viewport_host.h"

@@ -1231,6 +1231,14 @@
         <source>Click or drag from one place to another: how far they are from each other, in metres. Over a branch: its diameter</source>
         <translation>Cliquez ou glissez d’un endroit à un autre : leur distance en mètres. Sur une branche : son diamètre</translation>
     </message>
+    <message>
+        <source>Grass and &amp;fallen leaves</source>
+        <translation>Herbe et &amp;feuilles mortes</translation>
+    </message>
+    <message>
+        <source>Grass and fallen leaves on the ground around trees that stand on roots. They are not exported</source>
+        <translation>L’herbe et les feuilles mortes au sol, autour des arbres qui ont des racines. Elles ne sont pas exportées</translation>
+    </message>
 </context>
 <context>
     <name>ArmOverlay</name>
@@ -5388,10 +5396,6 @@
         <translation>Taille des fruits</translation>
     </message>
     <message>
-        <source>1 as the plant has it on a tree with such a trunk; 0 leaves the tree without.</source>
-        <translation>1 : comme la plante les porte sur un arbre de ce tronc ; 0 : aucun.</translation>
-    </message>
-    <message>
         <source>Fruit stalk</source>
         <translation>Queue des fruits</translation>
     </message>
@@ -9055,6 +9059,54 @@
         <source>there is nothing above the roll</source>
         <translation>il n’y a rien au-dessus du roulis</translation>
     </message>
+    <message>
+        <source>the picture of twigs has %1 to %2 pixels a side, a power of two, not %3</source>
+        <translation>l’image de rameaux a de %1 à %2 pixels de côté, une puissance de deux, pas %3</translation>
+    </message>
+    <message>
+        <source>Shade leaves</source>
+        <translation>Feuilles d’ombre</translation>
+    </message>
+    <message>
+        <source>Area of a leaf inside the crown, where it is dark, relative to one in full sun: 1 the same, in nature 1.3 to 1.8. Shade leaves are darker, too.</source>
+        <translation>Surface d’une feuille à l’intérieur du houppier, où il fait sombre, par rapport à une feuille en plein soleil : 1 la même, dans la nature 1,3 à 1,8. Les feuilles d’ombre sont aussi plus foncées.</translation>
+    </message>
+    <message>
+        <source>Damaged leaves</source>
+        <translation>Feuilles abîmées</translation>
+    </message>
+    <message>
+        <source>Share of the leaves that insects, fungi or drought have marked: they are smaller and have withered in part.</source>
+        <translation>Part des feuilles que des insectes, des champignons ou la sécheresse ont marquées : elles sont plus petites et en partie flétries.</translation>
+    </message>
+    <message>
+        <source>Fruit diameter</source>
+        <translation>Diamètre des fruits</translation>
+    </message>
+    <message>
+        <source>Diameter of a fruit or flower of the mean size, at its widest. 0: fruit grow with the radius of the trunk.</source>
+        <translation>Diamètre d’un fruit ou d’une fleur de taille moyenne, au plus large. 0 : les fruits suivent le rayon du tronc.</translation>
+    </message>
+    <message>
+        <source>Multiplies the diameter of all fruit; 0 leaves the tree without.</source>
+        <translation>Multiplie le diamètre de tous les fruits ; 0 n’en laisse aucun à l’arbre.</translation>
+    </message>
+    <message>
+        <source>Fruit per cluster</source>
+        <translation>Fruits par grappe</translation>
+    </message>
+    <message>
+        <source>How many fruit or flowers hang from one place: 0 as the plant has it.</source>
+        <translation>Nombre de fruits ou de fleurs pendus au même endroit : 0 comme la plante le veut.</translation>
+    </message>
+    <message>
+        <source>Ripe fruit</source>
+        <translation>Fruits mûrs</translation>
+    </message>
+    <message>
+        <source>At 100 % all fruit have their last colour; below, some are still green, each as far as its place and chance let it.</source>
+        <translation>À 100 %, tous les fruits ont leur dernière couleur ; en dessous, certains sont encore verts, chacun selon sa place et le hasard.</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>
@@ -12033,6 +12085,14 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
     <message>
         <source>Triangles of each level, with commas between them, such as 10000, 2500: bark, leaves and fruit together, kept within 2 %. Nothing here: the first level is the tree as it is, each further one has a quarter of the one before; less, often an eighth, where its bark would keep more than half of its triangles, as in a tree full of leaves.</source>
         <translation>Triangles de chaque niveau, séparés par des virgules, par exemple 10000, 2500 : écorce, feuilles et fruits ensemble, à 2 % près. Rien ici : le premier niveau est l’arbre tel quel, chaque niveau suivant a un quart du précédent ; moins, souvent un huitième, là où son écorce garderait plus de la moitié de ses triangles, comme dans un arbre plein de feuilles.</translation>
+    </message>
+    <message>
+        <source>Twigs as pictures on cards</source>
+        <translation>Rameaux en images sur des cartes</translation>
+    </message>
+    <message>
+        <source>Where not all leaves are there, crossed cards show pictures of this tree&apos;s own twigs in the place of fewer and larger leaves: outlines stay, and the picture needs its opacity. For GLB and OBJ with pictures, and leaves without pictures of their own.</source>
+        <translation>Là où il n’y a pas toutes les feuilles, des cartes croisées montrent des images des rameaux de cet arbre à la place de feuilles moins nombreuses et plus grandes : les contours restent, et l’image a besoin de son opacité. Pour les GLB et OBJ avec images, et les feuilles sans images à elles.</translation>
     </message>
 </context>
 <context>

@@ -31,7 +31,7 @@ Expected<SurfacePictures> Painter::drawSurfaces(const RenderScene& scene, const 
     return m_renderer->drawSurfaces(scene, camera, size, reach, sparing);
 }
 
-Expected<RenderScene> renderSceneOf(EvaluatedScene& now, DisplayMode mode, bool figure)
+Expected<RenderScene> renderSceneOf(EvaluatedScene& now, const SceneView& view)
 {
     const Scene& scene = now.scene();
     const auto nodes = treesOrShapes(scene);
@@ -40,13 +40,10 @@ Expected<RenderScene> renderSceneOf(EvaluatedScene& now, DisplayMode mode, bool 
     for (const Node* node : *nodes) {
         if (!scene.isShown(node->id))
             continue;
-        auto result = evaluateTree(now, *node, nodes->size() > 1, rowOf(mode).stage);
+        auto result = evaluateTree(now, *node, nodes->size() > 1, rowOf(view.mode).stage);
         RAMURE_TRY(result);
         results.emplace(node->id, std::move(*result));
     }
-    SceneView view;
-    view.mode = mode;
-    view.figure = figure;
     const auto resultOf = [&](NodeId id) {
         const auto found = results.find(id);
         return found == results.end() ? nullptr : &found->second;

@@ -34,9 +34,9 @@ private:
     std::optional<OffscreenRenderer> m_renderer;
 };
 
-/// Builds the visible scene at its time. \param figure whether a person stands beside the first tree. Errors:
-/// those of its trees; Invalid (nothing in it).
-Expected<RenderScene> renderSceneOf(EvaluatedScene& now, DisplayMode mode, bool figure = false);
+/// Builds the visible scene at its time. \param view what is shown of it. Errors: those of its trees; Invalid
+/// (nothing in it).
+Expected<RenderScene> renderSceneOf(EvaluatedScene& now, const SceneView& view = SceneView());
 /// From the front, all that is visible.
 Camera cameraFor(const RenderScene& scene, QSize size);
 

@@ -217,6 +217,8 @@ void addPictureOptions(CommandLine& line)
     addSkyOptions(line);
     line.add({QStringLiteral("figure")},
              QStringLiteral("A person of 1.8 m stands beside the first tree, to show how large it is."));
+    line.add({QStringLiteral("bare-ground")},
+             QStringLiteral("Neither grass nor fallen leaves lie around the feet of trees."));
     line.addDefault(
         {QStringLiteral("quality")},
         QStringLiteral("draft (sun and sky light alone), good (crowns that are darker inside, the "

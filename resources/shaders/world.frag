@@ -114,6 +114,14 @@ vec3 littered(vec3 albedo, vec2 at, float broad)
     return mix(albedo, litter, 0.9 * smoothstep(0.1, 1.0, bare + 0.8 * (tufts - 0.5) + 0.5 * (leaves - 0.5)));
 }
 
+// What a meadow's colour is multiplied by, 1 on average: dry and lush patches, and tufts as far as they are seen.
+vec3 grass(vec2 at, float broad)
+{
+    float dry = patches(at, 2.6, broad) + 0.6 * patches(at.yx + 31.0, 0.83, broad) - 0.8;
+    float tufts = patches(at, 0.16, broad) + 0.8 * patches(at.yx, 0.045, broad) - 0.9;
+    return (1.0 + 0.55 * tufts) * (1.0 + dry * vec3(0.38, 0.14, -0.04));
+}
+
 vec3 ground(vec3 relative, vec2 at, vec2 width)
 {
     const vec3 up = vec3(0.0, 1.0, 0.0);
@@ -127,6 +135,8 @@ vec3 ground(vec3 relative, vec2 at, vec2 width)
     float fine = uMottle * 0.11;
     mottle += 0.7 * (noise(at / fine) - 0.5) * (1.0 - smoothstep(0.2, 0.7, broad / fine));
     vec3 albedo = toLinear(groundGreen) * (1.0 + 0.14 * mottle);
+    if (uFeetCount > 0)
+        albedo *= grass(at, 0.35 * broad + 0.65 * min(width.x, width.y));
     albedo = littered(albedo, at, broad);
     float sun = sunlight(relative, up, up);
     return albedo * (skyReaching() * ambient(up) + uSunLight * uSun.y * sun);

@@ -7,7 +7,7 @@
 #include "tests/support/cannot_run.h"
 #include "tests/widgets/base/fixture.h"
 #include "widgets/base/theme/preferences.h"
-#include "widgets/view/render/gl_setup.h"
+#include "widgets/view/render/passes/gl_setup.h"
 #include "widgets/view/viewport.h"
 #include "widgets/view/viewport_host.h"
 #include "widgets/window/main_window.h"

@@ -7,7 +7,7 @@
 #include "widgets/base/action_set.h"
 #include "widgets/base/theme/preferences.h"
 #include "widgets/dialogs/export/billboard_dialog.h"
-#include "widgets/view/render/gl_setup.h"
+#include "widgets/view/render/passes/gl_setup.h"
 #include "widgets/view/viewport_host.h"
 #include <QAction>
 #include <QCheckBox>

@@ -4,7 +4,7 @@
 #include "tests/support/view_window.h"
 #include "widgets/actions/bookmark_actions.h"
 #include "widgets/base/action_set.h"
-#include "widgets/view/render/gl_setup.h"
+#include "widgets/view/render/passes/gl_setup.h"
 #include <QApplication>
 #include <QMenu>
 

@@ -6,7 +6,7 @@
 #include "widgets/actions/camera_actions.h"
 #include "widgets/base/action_set.h"
 #include "widgets/view/render/camera_items.h"
-#include "widgets/view/render/gl_setup.h"
+#include "widgets/view/render/passes/gl_setup.h"
 #include <QApplication>
 #include <QMenu>
 #include <utility>

@@ -3,7 +3,7 @@
 #include "core/qt/document/document.h"
 #include "tests/support/cannot_run.h"
 #include "tests/support/suite.h"
-#include "widgets/view/render/gl_setup.h"
+#include "widgets/view/render/passes/gl_setup.h"
 #include "widgets/view/viewport.h"
 #include "widgets/view/viewport_host.h"
 #include <QApplication>

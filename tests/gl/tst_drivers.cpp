@@ -1,6 +1,6 @@
 #include "tests/support/cannot_run.h"
 #include "tests/support/suite.h"
-#include "widgets/view/render/gl_setup.h"
+#include "widgets/view/render/passes/gl_setup.h"
 #include "widgets/view/render/passes/renderer.h"
 #include <QGuiApplication>
 #include <QImage>

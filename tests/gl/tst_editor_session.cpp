@@ -7,7 +7,7 @@
 #include "widgets/actions/file_actions.h"
 #include "widgets/base/action_set.h"
 #include "widgets/base/theme/preferences.h"
-#include "widgets/view/render/gl_setup.h"
+#include "widgets/view/render/passes/gl_setup.h"
 #include "widgets/view/viewport.h"
 #include "widgets/view/viewport_host.h"
 #include "widgets/window/main_window.h"

@@ -7,7 +7,7 @@
 #include "tests/support/suite.h"
 #include "tests/support/view_window.h"
 #include "widgets/view/moving_scene.h"
-#include "widgets/view/render/gl_setup.h"
+#include "widgets/view/render/passes/gl_setup.h"
 #include "widgets/view/render/scene_builder.h"
 #include "widgets/view/tools/hand_settings.h"
 #include "widgets/view/view_settings.h"

@@ -6,7 +6,7 @@
 #include "tests/support/view_window.h"
 #include "tests/support/wind_preview.h"
 #include "widgets/view/moving_scene.h"
-#include "widgets/view/render/gl_setup.h"
+#include "widgets/view/render/passes/gl_setup.h"
 #include "widgets/view/render/passes/offscreen_renderer.h"
 #include "widgets/view/render/scene_builder.h"
 #include "widgets/view/screenshot.h"

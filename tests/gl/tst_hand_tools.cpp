@@ -11,7 +11,7 @@
 #include "widgets/base/theme/theme.h"
 #include "widgets/panels/recipe/recipe_model.h"
 #include "widgets/panels/recipe/recipe_panel.h"
-#include "widgets/view/render/gl_setup.h"
+#include "widgets/view/render/passes/gl_setup.h"
 #include "widgets/view/tools/hand/hand_edit.h"
 #include "widgets/view/tools/hand_settings.h"
 #include "widgets/view/viewport.h"

@@ -12,7 +12,7 @@
 #include "widgets/base/theme/theme.h"
 #include "widgets/dialogs/palette/palette.h"
 #include "widgets/panels/animation/key_model.h"
-#include "widgets/view/render/gl_setup.h"
+#include "widgets/view/render/passes/gl_setup.h"
 #include "widgets/view/viewport.h"
 #include "widgets/view/viewport_host.h"
 #include "widgets/window/main_window.h"

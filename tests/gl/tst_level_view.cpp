@@ -3,7 +3,7 @@
 #include "tests/support/suite.h"
 #include "tests/widgets/tree_document.h"
 #include "widgets/panels/levels/level_view.h"
-#include "widgets/view/render/gl_setup.h"
+#include "widgets/view/render/passes/gl_setup.h"
 #include <QApplication>
 
 namespace tst_level_view {

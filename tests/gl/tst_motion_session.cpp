@@ -16,7 +16,7 @@
 #include "widgets/dialogs/export/export_dialog.h"
 #include "widgets/dialogs/export/moment_form.h"
 #include "widgets/panels/timeline/timeline_panel.h"
-#include "widgets/view/render/gl_setup.h"
+#include "widgets/view/render/passes/gl_setup.h"
 #include "widgets/view/viewport.h"
 #include "widgets/view/viewport_host.h"
 #include "widgets/window/main_window.h"

@@ -5,7 +5,7 @@
 #include "tests/support/preset_trees.h"
 #include "tests/support/solids.h"
 #include "tests/support/suite.h"
-#include "widgets/view/render/gl_setup.h"
+#include "widgets/view/render/passes/gl_setup.h"
 #include "widgets/view/render/passes/offscreen_renderer.h"
 #include "widgets/view/render/passes/renderer.h"
 #include "widgets/view/render/stream/gpu_cache.h"

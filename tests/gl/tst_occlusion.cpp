@@ -2,7 +2,7 @@
 
 #include "tests/support/cannot_run.h"
 #include "tests/support/suite.h"
-#include "widgets/view/render/gl_setup.h"
+#include "widgets/view/render/passes/gl_setup.h"
 #include "widgets/view/render/passes/offscreen_renderer.h"
 #include <QApplication>
 

@@ -7,7 +7,7 @@
 #include "widgets/dialogs/lens_form.h"
 #include "widgets/dialogs/picture_dialog.h"
 #include "widgets/dialogs/picture_form.h"
-#include "widgets/view/render/gl_setup.h"
+#include "widgets/view/render/passes/gl_setup.h"
 #include "widgets/view/viewport.h"
 #include "widgets/view/viewport_host.h"
 #include <QClipboard>

@@ -3,7 +3,7 @@
 #include "tests/support/preset_trees.h"
 #include "tests/support/sample_tree.h"
 #include "tests/support/suite.h"
-#include "widgets/view/render/gl_setup.h"
+#include "widgets/view/render/passes/gl_setup.h"
 #include "widgets/view/render/passes/offscreen_renderer.h"
 #include "widgets/view/render/passes/picture_light.h"
 #include <QApplication>

@@ -8,7 +8,7 @@
 #include "tests/support/sample_tree.h"
 #include "tests/support/suite.h"
 #include "tests/support/view_window.h"
-#include "widgets/view/render/gl_setup.h"
+#include "widgets/view/render/passes/gl_setup.h"
 #include "widgets/view/render/passes/renderer.h"
 #include <QDialog>
 #include <QOffscreenSurface>

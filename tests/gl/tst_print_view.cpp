@@ -3,7 +3,7 @@
 #include "tests/support/cannot_run.h"
 #include "tests/support/suite.h"
 #include "widgets/dialogs/export/print_view.h"
-#include "widgets/view/render/gl_setup.h"
+#include "widgets/view/render/passes/gl_setup.h"
 #include <QApplication>
 
 namespace tst_print_view {

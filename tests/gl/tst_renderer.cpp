@@ -1,8 +1,8 @@
 #include "tests/support/cannot_run.h"
 #include "tests/support/sample_tree.h"
 #include "tests/support/suite.h"
-#include "widgets/view/render/gl_setup.h"
 #include "widgets/view/render/outline.h"
+#include "widgets/view/render/passes/gl_setup.h"
 #include "widgets/view/render/passes/offscreen_renderer.h"
 #include "widgets/view/render/passes/renderer.h"
 #include <QApplication>

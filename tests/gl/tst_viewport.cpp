@@ -7,7 +7,7 @@
 #include "tests/support/view_window.h"
 #include "tests/support/waits.h"
 #include "widgets/base/defect_place.h"
-#include "widgets/view/render/gl_setup.h"
+#include "widgets/view/render/passes/gl_setup.h"
 #include "widgets/view/render/scene_builder.h"
 #include "widgets/view/screenshot.h"
 #include "widgets/view/tools/limb_finder.h"

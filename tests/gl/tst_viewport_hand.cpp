@@ -5,7 +5,7 @@
 #include "tests/support/suite.h"
 #include "tests/support/view_window.h"
 #include "widgets/base/hint_source.h"
-#include "widgets/view/render/gl_setup.h"
+#include "widgets/view/render/passes/gl_setup.h"
 #include "widgets/view/tools/limb_finder.h"
 #include <QContextMenuEvent>
 

@@ -179,6 +179,9 @@ void ViewActions::addSwitches()
     add("view.grid", Actions::tr("&Grid"), "grid", Qt::SHIFT | Qt::Key_G, s->gridVisible);
     add("view.ground", Actions::tr("G&round"), nullptr, noKeys, s->groundVisible,
         Actions::tr("Hide the ground to see objects below it"));
+    add("view.meadow", Actions::tr("Grass and &fallen leaves"), nullptr, noKeys, s->meadowVisible,
+        Actions::tr("Grass and fallen leaves on the ground around trees that stand on roots. They are not "
+                    "exported"));
     add("view.figure", Actions::tr("&Person of 1.8 m"), nullptr, noKeys, s->figureVisible,
         Actions::tr("A person beside the first tree, to see how large it is"));
     add("view.outline", Actions::tr("O&utline of the selection"), nullptr, Qt::SHIFT | Qt::Key_E,
@@ -304,8 +307,8 @@ void ViewActions::fillMenu(QMenu* menu, const QList<QAction*>& panels)
     drawAs->addSeparator();
     drawAs->addActions(m_shading->actions());
     m_set->fill(menu->addMenu(tr("&Show")),
-                {"view.leaves", "view.apples", nullptr, "view.grid", "view.ground", "view.figure", nullptr,
-                 "view.outline", "view.crowns", "view.path", "view.ghosts"});
+                {"view.leaves", "view.apples", nullptr, "view.grid", "view.ground", "view.meadow",
+                 "view.figure", nullptr, "view.outline", "view.crowns", "view.path", "view.ghosts"});
     menu->addMenu(tr("&Quality"))->addActions(m_qualities->actions());
     QMenu* gameWind = menu->addMenu(tr("Wind of a ga&me"));
     gameWind->addActions(m_gameWinds->actions());

@@ -2,7 +2,7 @@
 
 #include "core/base/version.h"
 #include "widgets/base/named.h"
-#include "widgets/view/render/gl_setup.h"
+#include "widgets/view/render/passes/gl_setup.h"
 #include <QClipboard>
 #include <QDialogButtonBox>
 #include <QGuiApplication>

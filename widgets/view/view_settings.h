@@ -39,6 +39,7 @@ public:
     Option<bool> gridVisible{this, true};
     Option<bool> groundVisible{this, true};
     Option<bool> figureVisible{this, false}; ///< a person of 1.8 m
+    Option<bool> meadowVisible{this, true};  ///< grass and fallen leaves around trees
     Option<bool> orthographic{this, false};
     Option<bool> windVisible{this, false};
     Option<bool> outlineVisible{this, true}; ///< around the selection

@@ -4,7 +4,7 @@
 #include "widgets/base/texts/core_text.h"
 #include "widgets/base/theme/theme.h"
 #include "widgets/view/render/framing_points.h"
-#include "widgets/view/render/gl_setup.h"
+#include "widgets/view/render/passes/gl_setup.h"
 
 #include "widgets/view/texture_legend.h"
 #include "widgets/view/viewport_private.h"

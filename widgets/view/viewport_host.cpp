@@ -1,7 +1,7 @@
 #include "widgets/view/viewport_host.h"
 
 #include "widgets/base/named.h"
-#include "widgets/view/render/gl_setup.h"
+#include "widgets/view/render/passes/gl_setup.h"
 #include "widgets/view/viewport.h"
 #include <QLabel>
 #include <QVBoxLayout>

@@ -69,6 +69,7 @@ SceneView Viewport::Private::sceneView() const
     view.selectedNodes = selection.nodes;
     view.crowns = settings->crownsVisible();
     view.figure = settings->figureVisible();
+    view.meadow = settings->meadowVisible();
     view.cameras = true;
     view.wind = settings->gameWind();
     view.seenThrough = through;

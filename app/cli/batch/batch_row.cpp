@@ -341,7 +341,7 @@ Expected<void> RowMaker::draw(EvaluatedScene& now, const QString& path)
     if (!m_painter->hasBegun())
         if (auto begun = m_painter->begin(); !begun)
             return begun;
-    const auto scene = renderSceneOf(now, DisplayMode::Mesh);
+    const auto scene = renderSceneOf(now);
     RAMURE_TRY(scene);
     const auto image = m_painter->draw(*scene, cameraFor(*scene, m_plan.picture), m_plan.picture, {});
     RAMURE_TRY(image);

@@ -115,7 +115,7 @@ Expected<RenderScene> sceneOf(const Input& input, const Moments& moments, const 
     Evaluator evaluator(pipelineSource(pipeline), moments.timeline);
     EvaluatedScene now = evaluator.at(*input.scene(), moments.timeSeconds);
     RAMURE_TRY(now.poseArms(progress));
-    return renderSceneOf(now, DisplayMode::Mesh);
+    return renderSceneOf(now);
 }
 
 /// How alike the tree and the atlas are, of as many pixels as a view has.

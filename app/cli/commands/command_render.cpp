@@ -109,7 +109,11 @@ Expected<Sight> sceneOf(const Input& input, const CommandLine& line, const Rende
     if (input.scene()) {
         EvaluatedScene now = evaluator.at(*input.scene(), timeSeconds);
         RAMURE_TRY(now.poseArms(progress));
-        auto scene = renderSceneOf(now, request.mode, line.has("figure"));
+        SceneView view;
+        view.mode = request.mode;
+        view.figure = line.has("figure");
+        view.meadow = !line.has("bare-ground");
+        auto scene = renderSceneOf(now, view);
         RAMURE_TRY(scene);
         return Sight{std::move(*scene), viewThrough(now, camera)};
     }

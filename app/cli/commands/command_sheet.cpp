@@ -103,7 +103,7 @@ private:
         TreePipeline pipeline;
         Evaluator evaluator(pipelineSource(pipeline), input->scene()->timeline());
         EvaluatedScene now = evaluator.at(*input->scene());
-        const auto scene = renderSceneOf(now, DisplayMode::Mesh);
+        const auto scene = renderSceneOf(now);
         if (!scene)
             return {};
         const QSize size(m_side, m_side);

@@ -4,7 +4,7 @@
 #include "core/presets/presets.h"
 #include "tests/bench/interaction/editor_bench.h"
 #include "widgets/panels/presets/preset_gallery.h"
-#include "widgets/view/render/gl_setup.h"
+#include "widgets/view/render/passes/gl_setup.h"
 #include <QCommandLineParser>
 #include <QElapsedTimer>
 #include <QProcess>

@@ -522,7 +522,7 @@ RenderScene SceneBuilder::build(EvaluatedScene& now, const ResultOf& resultOf, c
     RenderScene built;
     std::vector<Foot> trunks;
     ObjectItems objects{*m_cache, built};
-    TreeGrounds grounds(*m_cache, built);
+    TreeGrounds grounds(*m_cache, built, view.meadow && view.mode == DisplayMode::Mesh);
     for (std::size_t i = 0; i < scene.nodes().size(); ++i) {
         const Node& node = scene.nodes()[i];
         if (node.kind == NodeKind::Group || !scene.isShown(node.id))

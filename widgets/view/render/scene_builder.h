@@ -32,6 +32,7 @@ struct SceneView
     std::vector<NodeId> selectedNodes; ///< shown with an outline, with all below them
     bool crowns = false;               ///< shows the space that selected trees grow to fill
     bool figure = false;               ///< a person of 1.8 m beside the first tree
+    bool meadow = true;                ///< grass and fallen leaves around the feet of trees, of meshes alone
     bool cameras = false;              ///< cameras as things that stand there; pictures have none
     NodeId seenThrough = noNode;       ///< the camera that is not shown, as the picture is its own
     NodeId branchNode = noNode;        ///< the tree whose branches are selected

@@ -44,6 +44,8 @@ enum class ScenePart : std::uint8_t {
     Wind,
     WindOfItem,
     Hillside,
+    Grass,
+    FallenLeaves,
 };
 
 /// What a part was made from: two blocks and some numbers.

@@ -4,6 +4,7 @@
 #include "core/math/random.h"
 #include "core/math/reproducible.h"
 #include "core/surface/mesh/normals.h"
+#include "widgets/view/render/meadow.h"
 #include <algorithm>
 #include <cmath>
 
@@ -16,8 +17,7 @@ constexpr double leastRun = 2.0;    ///< the same: from there out to the level g
 constexpr double runOfHeight = 3.0; ///< of the hill's height, at least: the same
 constexpr double dip = 0.03;        ///< of the roots' reach: how far its rim is under the level ground
 constexpr double litterFrom = 0.9, litterTo = 1.9; ///< of the roots' reach: where litter thins out
-// As bright as the level ground is: surfaces are exposed, that is not.
-constexpr glm::dvec3 grassTone(74, 109, 60), litterTone(97, 78, 54);
+constexpr glm::dvec3 grassTone(86, 125, 70), litterTone(97, 78, 54); ///< sRGB, of the level ground
 
 double smoothStep(double x)
 {
@@ -36,6 +36,15 @@ public:
         , m_run(std::max(leastRun * reach, runOfHeight * 2.0 * m_plane * glm::length(ground.grade)))
         , m_base(hillsideBase(ground, foot, reach))
     {
+    }
+    /// At a distance from the foot in a direction (x, z).
+    [[nodiscard]] double height(double away, const glm::dvec2& way) const
+    {
+        const double fade = smoothStep((away - m_plane) / m_run);
+        const double onPlane = std::min(away, m_plane) + std::max(away - m_plane, 0.0) * (1.0 - fade);
+        const double plane =
+            -m_ground.above({m_foot.x, 0.0, m_foot.z}) + onPlane * glm::dot(m_ground.grade, way);
+        return plane + fade * (m_base - dip * m_reach - plane);
     }
     TriangleMesh make() &&
     {
@@ -67,12 +76,8 @@ private:
     [[nodiscard]] glm::dvec3 at(double away, Index side) const
     {
         const auto [sine, cosine] = maths::sincos(fullTurn * double(side) / hillSides);
-        const double fade = smoothStep((away - m_plane) / m_run);
-        const double onPlane = std::min(away, m_plane) + std::max(away - m_plane, 0.0) * (1.0 - fade);
-        const double rises = m_ground.grade.x * cosine - m_ground.grade.y * sine;
-        const double plane = -m_ground.above({m_foot.x, 0.0, m_foot.z}) + onPlane * rises;
-        return {m_foot.x + away * cosine, plane + fade * (m_base - dip * m_reach - plane),
-                m_foot.z - away * sine};
+        const glm::dvec2 way(cosine, -sine);
+        return {m_foot.x + away * way.x, height(away, way), m_foot.z + away * way.y};
     }
     /// Litter gives way to grass by chance, more and more; far out the grass is that of the level ground.
     void add(const glm::uvec3& triangle, double away)
@@ -100,6 +105,13 @@ double hillsideBase(const GroundPlane& ground, const glm::dvec3& foot, double re
     return -ground.above({foot.x, 0.0, foot.z}) - planeReach * reach * glm::length(ground.grade);
 }
 
+double hillsideHeight(const GroundPlane& ground, const glm::dvec3& foot, double reach, const glm::dvec2& at)
+{
+    const glm::dvec2 way = at - glm::dvec2(foot.x, foot.z);
+    const double away = glm::length(way);
+    return Hillside(ground, foot, reach).height(away, away > 0.0 ? way / away : way);
+}
+
 TriangleMesh hillsideUnder(const GroundPlane& ground, const glm::dvec3& foot, double reach)
 {
     return Hillside(ground, foot, reach).make();
@@ -124,6 +136,8 @@ void TreeGrounds::add(const Node& node, const NodeParams& params, const TreeResu
             m_foot = skeleton.p0[i];
         }
     }
+    if (tree.foliage && m_hasMeadow)
+        m_shedding.push_back({tree.foliage, trunkRadius(params), world, {m_foot, m_reach}});
     m_node = node.id;
     m_world = world;
     m_ground = params.ground ? std::nullopt : groundOf(params);
@@ -132,10 +146,65 @@ void TreeGrounds::add(const Node& node, const NodeParams& params, const TreeResu
 void TreeGrounds::finish(double level)
 {
     m_built.ground = level;
-    if (m_trees == 1 && m_ground && m_reach > 0.0)
+    const bool isHill = m_trees == 1 && m_ground && m_reach > 0.0;
+    if (isHill)
         addHillside();
-    std::erase_if(m_built.feet,
-                  [this](const Foot& foot) { return foot.place.y - m_built.ground > foot.reach; });
+    else
+        std::erase_if(m_built.feet,
+                      [this](const Foot& foot) { return foot.place.y - m_built.ground > foot.reach; });
+    if (m_hasMeadow && !m_built.feet.empty())
+        addMeadow(isHill);
+    if (isHill)
+        m_built.feet.clear(); // its own litter lies on it
+}
+
+/// On a hillside in the tree's space, else in the world.
+void TreeGrounds::addMeadow(bool isHill)
+{
+    const double level = m_built.ground;
+    const HeightOfGround height = [&](const glm::dvec2& at) {
+        return isHill ? hillsideHeight(*m_ground, m_foot, m_reach, at) : level;
+    };
+    std::vector<Foot> feet = m_built.feet;
+    if (isHill)
+        feet = {{m_foot, m_reach}};
+    std::vector<double> numbers{level, double(isHill)};
+    for (const Foot& foot : feet)
+        numbers.insert(numbers.end(), {foot.place.x, foot.place.y, foot.place.z, foot.reach});
+    if (isHill)
+        numbers.insert(numbers.end(), {m_ground->height, m_ground->grade.x, m_ground->grade.y});
+    const std::shared_ptr<const void> anybody;
+    addCopies(m_cache.get<MeshCopies>(ScenePart::Grass, anybody, anybody, numbers,
+                                      [&] { return grassAround(feet, height); }),
+              grassMaterial(), isHill ? m_world : glm::dmat4(1.0));
+    for (const Shedding& tree : m_shedding) {
+        const glm::dvec3 foot(tree.world * glm::dvec4(tree.foot.place, 1.0));
+        const double below = (glm::inverse(tree.world) * glm::dvec4(foot.x, level, foot.z, 1.0)).y;
+        const auto levelThere = [&](const glm::dvec2& at) { return isHill ? height(at) : below; };
+        addCopies(m_cache.get<MeshCopies>(
+                      ScenePart::FallenLeaves, tree.foliage, tree.foliage, numbers,
+                      [&] { return fallenLeaves(*tree.foliage, tree.alpha, tree.foot, levelThere); }),
+                  fallenMaterial(), tree.world);
+    }
+}
+
+void TreeGrounds::addCopies(std::shared_ptr<const MeshCopies> copies, Material material,
+                            const glm::dmat4& world)
+{
+    if (copies->copies.empty())
+        return;
+    MeshItem item;
+    item.mesh = {copies, &copies->shape};
+    for (const MeshCopy& copy : copies->copies)
+        item.box.add(glm::dvec3(copy.position));
+    item.box = item.box.grown(copies->reach);
+    item.copies = std::move(copies);
+    item.material = std::move(material);
+    item.world = world;
+    item.closed = !item.material.twoSided;
+    item.isMark = item.isGround = true;
+    item.pickable = item.framed = item.castsShadow = false;
+    m_built.meshes.push_back(std::move(item));
 }
 
 void TreeGrounds::addHillside()
@@ -154,7 +223,6 @@ void TreeGrounds::addHillside()
     item.pickable = item.framed = false;
     const glm::dvec4 base(m_foot.x, hillsideBase(*m_ground, m_foot, m_reach), m_foot.z, 1.0);
     m_built.ground = std::min(m_built.ground, (m_world * base).y);
-    m_built.feet.clear(); // its own litter lies on it
     m_built.meshes.push_back(std::move(item));
 }
 

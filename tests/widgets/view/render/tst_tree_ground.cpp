@@ -26,7 +26,7 @@ Node oakOn(NodeId id, double slope)
     return node;
 }
 
-RenderScene built(std::vector<Node> nodes)
+RenderScene built(std::vector<Node> nodes, const SceneView& view = {})
 {
     Scene scene = *Scene::fromNodes(std::move(nodes));
     linkGrowthSpaces(scene);
@@ -34,7 +34,7 @@ RenderScene built(std::vector<Node> nodes)
     std::map<NodeId, TreeResult> results;
     for (const Node& node : scene.nodes())
         if (node.kind == NodeKind::Tree)
-            results[node.id] = *pipeline.evaluate(node.params, Stage::Mesh);
+            results[node.id] = *pipeline.evaluate(node.params, Stage::Foliage);
     SceneBuilder builder;
     return builder.build(
         scene,
@@ -42,12 +42,13 @@ RenderScene built(std::vector<Node> nodes)
             const auto at = results.find(id);
             return at == results.end() ? nullptr : &at->second;
         },
-        SceneView());
+        view);
 }
 
-const MeshItem* hillsideIn(const RenderScene& scene)
+const MeshItem* itemIn(const RenderScene& scene, std::string_view name)
 {
-    const auto found = std::ranges::find_if(scene.meshes, &MeshItem::isGround);
+    const auto found =
+        std::ranges::find_if(scene.meshes, [&](const MeshItem& item) { return item.material.name == name; });
     return found == scene.meshes.end() ? nullptr : &*found;
 }
 
@@ -62,7 +63,7 @@ private slots:
     void levelGroundHasNoHill()
     {
         const RenderScene scene = built({oakOn(1, 0.0)});
-        QVERIFY(!hillsideIn(scene));
+        QVERIFY(!itemIn(scene, "hillside"));
         QCOMPARE(scene.ground, 0.0);
         QCOMPARE(scene.feet.size(), std::size_t(1));
     }
@@ -71,7 +72,7 @@ private slots:
     void slopesAreSeen()
     {
         const RenderScene scene = built({oakOn(1, 0.5)});
-        const MeshItem* hill = hillsideIn(scene);
+        const MeshItem* hill = itemIn(scene, "hillside");
         QVERIFY(hill && !hill->pickable && !hill->framed && hill->isMark);
         QVERIFY(scene.ground < -0.1);
         QVERIFY(scene.feet.empty()); // its litter lies on it
@@ -80,12 +81,33 @@ private slots:
         QCOMPARE(hill->mesh->colours.size(), hill->mesh->triangles.size());
     }
 
+    /// Grass stands around trees on roots, on their slope too; a switch hides it, and lines have none.
+    void treesOnRootsStandInGrass()
+    {
+        for (const double slope : {0.0, 0.5}) {
+            const RenderScene scene = built({oakOn(1, slope)});
+            const MeshItem* grass = itemIn(scene, "grass");
+            QVERIFY(grass && grass->isGround && grass->isMark && !grass->pickable && !grass->framed);
+            QVERIFY(itemIn(scene, "fallen leaves"));
+            QVERIFY(!scene.box.empty());
+            SceneView bare;
+            bare.meadow = false;
+            QVERIFY(!itemIn(built({oakOn(1, slope)}, bare), "grass"));
+            SceneView lines;
+            lines.mode = DisplayMode::Skeleton;
+            QVERIFY(!itemIn(built({oakOn(1, slope)}, lines), "grass"));
+        }
+        Node rootless = oakOn(1, 0.0);
+        rootless.params.mesh.roots = 0;
+        QVERIFY(!itemIn(built({rootless}), "grass"));
+    }
+
     void twoTreesAndTerrainsHaveNone()
     {
         Node other = oakOn(2, 0.3);
         other.params.tree.translation.x = 20.0;
         const RenderScene two = built({oakOn(1, 0.5), other});
-        QVERIFY(!hillsideIn(two));
+        QVERIFY(!itemIn(two, "hillside"));
         QCOMPARE(two.ground, 0.0);
         Node terrain;
         terrain.id = 2;
@@ -93,7 +115,7 @@ private slots:
         terrain.name = "Hills";
         terrain.params.terrain.depth = 0.5;
         const RenderScene standing = built({oakOn(1, 0.5), terrain});
-        QVERIFY(!hillsideIn(standing));
+        QVERIFY(!itemIn(standing, "hillside"));
         QVERIFY(standing.ground < -0.4); // under the block
     }
 

@@ -1,6 +1,6 @@
 #include "widgets/view/render/passes/offscreen_renderer.h"
 
-#include "widgets/view/render/gl_setup.h"
+#include "widgets/view/render/passes/gl_setup.h"
 #include "widgets/view/render/passes/renderer.h"
 #include <QGuiApplication>
 #include <QOffscreenSurface>

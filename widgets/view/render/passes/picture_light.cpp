@@ -120,7 +120,7 @@ void PictureLight::set(ShaderProgram& program) const
         program.set(ambientNames[i], ambient[i]);
     program.set("uSunSpread",
                 isNatural() ? 0.0093f : 0.035f); // as wide as it is seen; elsewhere as of a hazy day
-    program.set("uStanding", isNatural() ? 1.0f : 1.2f);
+    program.set("uStanding", standing());
     program.set("uAround", isNatural() ? 1.0f : 0.0f);
     program.set("uGain", gain);
     program.set("uStudio", studio);

@@ -27,6 +27,8 @@ struct PictureLight
     [[nodiscard]] bool isNatural() const { return sky || around; }
     /// Linear, as the picture shows it before exposure; of Backdrop::Sky alone.
     [[nodiscard]] glm::dvec3 radiance(const glm::dvec3& direction) const;
+    /// How much more light falls on what stands than on the ground, so that it looks as bright.
+    [[nodiscard]] float standing() const { return isNatural() ? 1.0f : 1.2f; }
     void set(ShaderProgram& program) const;
 };
 

@@ -2,7 +2,7 @@
 
 #include "core/base/stopwatch.h"
 #include "core/surface/season/leaf_pigments.h"
-#include "widgets/view/render/gl_setup.h"
+#include "widgets/view/render/passes/gl_setup.h"
 #include "widgets/view/render/passes/renderer_picture.h"
 #include <QOpenGLContext>
 #include <QOpenGLDebugLogger>
@@ -458,6 +458,10 @@ void Renderer::drawMesh(ShaderProgram& program, const Picture& picture, const Me
     if (hasCrown)
         program.set("uCrownPlace", glm::mat4(item.crown->place * glm::inverse(relative)));
     setStates(program, picture.scene, item.node, !item.mesh->branch.empty());
+    // What lies on the level ground is as bright as that is, whose colour a landscape shows as it is.
+    const bool isPlain = item.isGround && !picture.light.isNatural();
+    program.set("uExposure", isPlain || picture.options.quality == Quality::Draft ? 0.0f : exposure);
+    program.set("uStanding", isPlain ? 1.0f : picture.light.standing());
     program.set("uClip", glm::mat4(picture.projectedView * relative));
     program.set("uRelative", glm::mat4(relative));
     program.set("uNormal", glm::mat3(glm::inverseTranspose(glm::dmat3(item.world))));

@@ -1,4 +1,4 @@
-#include "widgets/view/render/gl_setup.h"
+#include "widgets/view/render/passes/gl_setup.h"
 
 #include <QCoreApplication>
 #include <QGuiApplication>
