@@ -80,7 +80,6 @@ void EditTree::takeAxis(Index axis, std::span<const Index> nodes)
 void EditTree::become(const Skeleton& tree, const TreeAxes& axes, std::uint64_t maker)
 {
     takePieces(tree);
-    m_became.clear();
     // What axes that are gone begin with.
     const auto none = static_cast<Index>(m_pieces.size());
     m_pieces.push_back({});
@@ -98,20 +97,20 @@ void EditTree::become(const Skeleton& tree, const TreeAxes& axes, std::uint64_t 
             m_made.emplace(address, found->second);
         }
         takeAxis(found->second, axes.nodesOf(a));
-        m_became.push_back(found->second);
     }
     m_meant.clear();
 }
 
 std::vector<Index> PieceTree::axesInOrder() const
 {
-    std::vector<Index> order = m_became;
-    std::vector<bool> has(m_axes.size(), false);
-    for (const Index a : order)
-        has[a] = true;
-    for (Index a = 0; a < m_axes.size(); ++a)
-        if (!has[a])
-            order.push_back(a);
+    std::unordered_map<std::uint64_t, Index> known;
+    for (Index a = 0; a < axisCount(); ++a)
+        if (!isGone(a))
+            known.emplace(m_axes[a].address, a);
+    std::vector<Index> order;
+    for (const Axis& axis : axesOf(skeleton()).axes)
+        if (const auto found = known.find(axis.address); found != known.end())
+            order.push_back(found->second);
     return order;
 }
 

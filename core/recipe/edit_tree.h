@@ -78,7 +78,8 @@ public:
     [[nodiscard]] const EditAxis& axis(Index i) const { return m_axes[i]; }
     [[nodiscard]] Index grownAxes() const { return m_grownAxes; }
     [[nodiscard]] Index axisCount() const { return static_cast<Index>(m_axes.size()); } ///< gone ones too
-    /// All axes as the tree has them, whatever it was before: a frozen tree has its axes in the same order.
+    /// The axes that are there, in the order in which the tree has them (axesOf), whatever steps have made of
+    /// it: a frozen tree has its axes in the same order.
     [[nodiscard]] std::vector<Index> axesInOrder() const;
     [[nodiscard]] Index firstPiece() const { return m_head; }
     [[nodiscard]] Index size() const { return m_size; } ///< pieces that are there
@@ -124,7 +125,6 @@ protected:
     std::unordered_map<std::uint64_t, Index> m_made; ///< axes that edits made, by address
     std::vector<LivedEdit> m_lived;
     std::vector<bool> m_meant;
-    std::vector<Index> m_became; ///< axes of the tree that it last became, in the order of that tree
     Index m_grownAxes = 0;
     bool m_hasOwnAddresses = false;
     std::uint64_t m_seed = 0;
