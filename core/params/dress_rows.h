@@ -67,7 +67,7 @@ inline constexpr std::array dressRows{
     row<&NodeParams::leaf, &LeafParams::shade>(
         {"foliage.shadeLeaves", foliageGroup, RAMURE_NOOP("Shade leaves"),
          RAMURE_NOOP("Area of a leaf inside the crown, where it is dark, relative to one in full sun: 1 the same, in nature 1.3 to 1.8. Shade leaves are darker, too.")},
-        ParamUnit::Factor, {1, 4, 1, 2, 0.05, 3}, Stage::Foliage, paramNone, treeOnly, isOfPlant),
+        ParamUnit::Factor, {0.25, 4, 1, 2, 0.05, 3}, Stage::Foliage, paramNone, treeOnly, isOfPlant),
     row<&NodeParams::leaf, &LeafParams::damage>(
         {"foliage.leafDamage", foliageGroup, RAMURE_NOOP("Damaged leaves"),
          RAMURE_NOOP("Share of the leaves that insects, fungi or drought have marked: they are smaller and have withered in part.")},

@@ -377,15 +377,13 @@ private slots:
     void inspectedSectionAndDefectAreMarked()
     {
         Window window;
-        window.waitForPicture();
-        const QImage plain = window.view->grabFramebuffer();
+        const QImage plain = window.pictureAtRest();
         window.view->marks()->inspect(window.tree(0), 0, 1);
         window.waitForPicture();
         QVERIFY(window.view->grabFramebuffer() != plain);
         window.view->marks()->inspect(window.tree(0), 9999, 1);
         window.view->marks()->inspect(noNode, 0, 0);
-        window.waitForPicture();
-        QCOMPARE(window.view->grabFramebuffer(), plain);
+        QCOMPARE(window.pictureAtRest(), plain);
 
         DefectPlace place;
         place.points = {middle(window.skeleton(), 0)};
@@ -563,7 +561,7 @@ private slots:
     void draftsAreShown()
     {
         Window window;
-        const QImage full = window.view->grabFramebuffer();
+        const QImage full = window.pictureAtRest();
         NodeResult draft;
         draft.draft = true;
         draft.tree = *TreePipeline().evaluateDraft(window.document.scene().nodes().front().params);
@@ -573,8 +571,7 @@ private slots:
         const QImage tubes = window.view->grabFramebuffer();
         QVERIFY(tubes != full);
         compute(window.document);
-        window.waitForPicture();
-        QCOMPARE(window.view->grabFramebuffer(), full);
+        QCOMPARE(window.pictureAtRest(), full);
     }
     void resetFramesAgain()
     {

@@ -35,6 +35,14 @@ struct ViewWindow
         if (!QTest::qWaitFor([&] { return !drawn.isEmpty() && !view->work().picture; }, 120'000))
             qWarning("no picture of now comes");
     }
+    /// Of the document as it is now, as good as was chosen.
+    [[nodiscard]] QImage pictureAtRest() const
+    {
+        waitForPicture();
+        if (!QTest::qWaitFor([&] { return !view->work().settling && !view->work().parts; }, 120'000))
+            qWarning("the picture does not come to rest");
+        return view->grabFramebuffer();
+    }
     /// Where a point of the world is on the widget.
     [[nodiscard]] QPoint pixelOf(const glm::dvec3& world) const
     {

@@ -45,13 +45,13 @@ std::vector<float> leafLight(const std::vector<FoliageItem>& leaves)
 
 void growByLight(double ratio, Foliage& foliage)
 {
-    if (!(ratio > 1.0) || foliage.leaves.empty())
+    if (!(ratio > 0.0) || ratio == 1.0 || foliage.leaves.empty())
         return;
     constexpr double usual = 1.6; // at which shade leaves are as dark as they get
     constexpr glm::vec3 shadeTint(0.90F, 0.95F, 0.93F);
     const std::vector<float> light = leafLight(foliage.leaves);
     const double mean = std::accumulate(light.begin(), light.end(), 0.0) / double(light.size());
-    const float darkens = static_cast<float>(std::min(1.0, (ratio - 1.0) / (usual - 1.0)));
+    const float darkens = static_cast<float>(std::clamp((ratio - 1.0) / (usual - 1.0), 0.0, 1.0));
     for (std::size_t i = 0; i < light.size(); ++i) {
         FoliageItem& leaf = foliage.leaves[i];
         leaf.size *= static_cast<float>(maths::pow(ratio, 0.5 * (mean - double(light[i]))));

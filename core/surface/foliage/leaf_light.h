@@ -11,8 +11,9 @@ namespace ramure {
 /// and outside. The crown is taken as the ellipsoid whose spread is that of the leaves.
 std::vector<float> leafLight(const std::vector<FoliageItem>& leaves);
 
-/// Makes the leaves in the shade larger and darker, those in the sun smaller; the geometric mean of their
-/// sizes stays. \param ratio area of a leaf in the deepest shade over one in full sun; 1 changes nothing
+/// Makes the leaves in the shade larger and darker, those in the sun smaller (below 1 the other way round);
+/// the geometric mean of their sizes stays. \param ratio area of a leaf in the deepest shade over one in full
+/// sun; 1 changes nothing
 void growByLight(double ratio, Foliage& foliage);
 
 } // namespace ramure

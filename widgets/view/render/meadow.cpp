@@ -125,7 +125,7 @@ MeshCopies grassAround(const std::vector<Foot>& feet, const HeightOfGround& heig
     const std::size_t most = standing.empty() ? 0 : mostTufts / standing.size();
     for (std::size_t f = 0; f < standing.size(); ++f) {
         const Foot& foot = standing[f];
-        const double radius = std::min(ofReach * foot.reach + more, std::max(widest, 1.5 * foot.reach));
+        const double radius = std::min(ofReach * foot.reach + more, std::max(widest, 3.0 * foot.reach));
         const auto count = std::min(most, std::size_t(tuftsOfArea * pi * radius * radius));
         Random random(1, RandomStream::Terrain, f);
         for (std::size_t i = 0; i < count; ++i) {

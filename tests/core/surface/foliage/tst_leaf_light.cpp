@@ -36,7 +36,7 @@ private slots:
     void ratiosOutsideAreRefused()
     {
         NodeParams params;
-        for (const double ratio : {0.99, 4.01, std::nan("")})
+        for (const double ratio : {0.24, 4.01, std::nan("")})
             QVERIFY(!setParam(params, *findParam("foliage.shadeLeaves"), ratio));
     }
 

@@ -159,7 +159,7 @@ private slots:
         bench.setBudgets({}, 3);
         QTRY_VERIFY_WITH_TIMEOUT(bench.isDone() && bench.rows() == 3, patienceMs);
         QVERIFY(bench.problem().isEmpty());
-        QVERIFY((bench.panel->watch()->options() == LevelOptions{3, {}}));
+        QVERIFY((bench.panel->watch()->options() == LevelOptions{.count = 3, .cards = true}));
     }
     void whatTheTreeCannotKeepIsTold()
     {
@@ -180,9 +180,10 @@ private slots:
         bench.setBudgets(QStringLiteral("900, 300"), 2);
         QTRY_VERIFY_WITH_TIMEOUT(bench.isDone() && bench.rows() == 2, patienceMs);
         const TreeResult& tree = bench.trees.document().result(bench.tree)->tree;
-        const auto levels = treeLevels(tree, *presetParams("TinyTree"), {2, {900, 300}});
+        const LevelOptions wanted{.count = 2, .budgets = {900, 300}, .cards = true};
+        const auto levels = treeLevels(tree, *presetParams("TinyTree"), wanted);
         QVERIFY2(levels, test::why(levels));
-        const auto [distances, shares, coverage, unseen] = switchesOf(*levels, {2, {900, 300}}, 1.0);
+        const auto [distances, shares, coverage, unseen] = switchesOf(*levels, wanted, 1.0);
         for (int row = 0; row < 2; ++row) {
             const TreeLevel& level = (*levels)[std::size_t(row)];
             const qint64 bark = level.bark->faceCount(), leaves = level.triangles() - bark;
@@ -485,7 +486,7 @@ private slots:
         Bench bench;
         bench.setBudgets(QStringLiteral("900, 300"), 2);
         QTRY_VERIFY_WITH_TIMEOUT(bench.isDone() && bench.rows() == 2, patienceMs);
-        const LevelOptions wanted{2, {900, 300}};
+        const LevelOptions wanted{.count = 2, .budgets = {900, 300}, .cards = true};
         LevelsPanel again(&bench.trees.document(), &bench.preferences);
         QVERIFY(again.watch()->options() == wanted && again.form()->options() == wanted);
         std::vector<LevelOptions> asked;
