@@ -316,7 +316,8 @@ private slots:
         const auto [least, most] = std::ranges::minmax(phases);
         QVERIFY(least >= 0.0F && most <= 1.0F && most - least > 0.4F);
         // Who turns first is redder on the day when half of them have turned.
-        const auto now = byAddress(on(dates(LeafShape::Maple).turned, LeafShape::Maple));
+        const Foliage turned = on(dates(LeafShape::Maple).turned, LeafShape::Maple);
+        const auto now = byAddress(turned);
         double early = 0.0, late = 0.0;
         int earlies = 0, lates = 0;
         for (std::size_t i = 0; i < phases.size(); ++i) {
