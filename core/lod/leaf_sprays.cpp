@@ -146,8 +146,8 @@ TriangleMesh sprayCards(const SprayFrame& frame, int twig)
     constexpr float cell = 1.0F / SprayAtlas::across;
     TriangleMesh out;
     for (const int across : {2, 0}) { // Z, then X
-        const glm::vec2 corner(cell * (float(twig % SprayAtlas::across) + (across == 0 ? 0.5F : 0.0F)),
-                               cell * float(twig / SprayAtlas::across));
+        const int column = twig % SprayAtlas::across, row = twig / SprayAtlas::across;
+        const glm::vec2 corner(cell * (float(column) + (across == 0 ? 0.5F : 0.0F)), cell * float(row));
         const int right = 2 - across;
         const auto first = out.vertexCount();
         for (const glm::vec2& at : {glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(1, 1), glm::vec2(0, 1)}) {

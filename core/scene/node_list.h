@@ -76,4 +76,5 @@ private:
 } // namespace ramure
 
 /// Iterators outlive the view.
+// The name is that of the library. NOLINTNEXTLINE(readability-identifier-naming)
 template <> inline constexpr bool std::ranges::enable_borrowed_range<ramure::NodeList> = true;
