@@ -45,7 +45,8 @@ void addTuft(MeshCopies& made, int blades, int pieces, double wider, LeafDetail 
             shape.positions.emplace_back(at(share) + side * half * across);
             // Light on grass is the light on the ground below it, and a little its own.
             shape.normals.push_back(glm::normalize(glm::vec3(0.0f, 1.0f, 0.0f) + 0.22f * glm::vec3(out)));
-            const double bright = 0.5 + 0.5 * std::min(1.0, 1.25 * share);
+            const double dark = pieces == 1 ? 0.15 : 0.5; // from afar no foot is seen
+            const double bright = 1.0 - dark * (1.0 - std::min(1.0, 1.25 * share));
             made.colours.emplace_back(glm::u8vec3(glm::dvec3(0.94, 1.0, 0.86) * bright * 255.0), 255);
             return shape.vertexCount() - 1;
         };
