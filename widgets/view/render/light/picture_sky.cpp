@@ -79,14 +79,15 @@ struct Searched
 
     [[nodiscard]] glm::dvec3 direction(std::size_t i) const
     {
-        const double x = double(i % std::size_t(width)) + 0.5, y = double(i / std::size_t(width)) + 0.5;
-        return directionInPicture({x / width, 2.0 * y / width});
+        const std::size_t column = i % std::size_t(width), row = i / std::size_t(width);
+        return directionInPicture({(double(column) + 0.5) / width, 2.0 * (double(row) + 0.5) / width});
     }
     /// How much of the whole sphere a pixel is, sr.
     [[nodiscard]] double angle(std::size_t i) const
     {
-        const double y = double(i / std::size_t(width)) + 0.5, side = fullTurn / width;
-        return side * side * std::sin(y * side);
+        const std::size_t row = i / std::size_t(width);
+        const double side = fullTurn / width;
+        return side * side * std::sin((double(row) + 0.5) * side);
     }
 };
 
