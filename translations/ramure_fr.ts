@@ -8208,10 +8208,6 @@
         <translation>rien n’y pousse</translation>
     </message>
     <message>
-        <source>Five recipes</source>
-        <translation>Cinq recettes</translation>
-    </message>
-    <message>
         <source>A condition for the axes on which the step acts, as &quot;order = 1 and share &gt; 0.4&quot;. Names: order (0 is the trunk), share and s (where the axis starts on its parent), length, radius, azimuth, angle, height, forks. Empty: every axis. &quot;axes&quot; and addresses: those alone.</source>
         <translation>Une condition sur les axes où l’étape agit, comme « order = 1 and share &gt; 0.4 ». Noms : order (0 est le tronc), share et s (où l’axe part de son parent), length (longueur), radius (rayon), azimuth, angle, height (hauteur), forks (fourches). Vide : tous les axes. « axes » et des adresses : ceux-là seuls.</translation>
     </message>
@@ -9106,6 +9102,10 @@
     <message>
         <source>At 100 % all fruit have their last colour; below, some are still green, each as far as its place and chance let it.</source>
         <translation>À 100 %, tous les fruits ont leur dernière couleur ; en dessous, certains sont encore verts, chacun selon sa place et le hasard.</translation>
+    </message>
+    <message>
+        <source>Six recipes</source>
+        <translation>Six recettes</translation>
     </message>
 </context>
 <context>
@@ -13759,10 +13759,6 @@ restantes</translation>
     <message>
         <source>Add a &amp;step</source>
         <translation>Ajouter une &amp;étape</translation>
-    </message>
-    <message>
-        <source>Step: %1</source>
-        <translation>Étape : %1</translation>
     </message>
     <message>
         <source>Modifiers</source>

@@ -159,7 +159,7 @@ constexpr std::array demos{
     DemoScene{"MovingCylinder", RAMURE_NOOP("Moving cylinder"), movingCylinder},
     DemoScene{"MovingTree", RAMURE_NOOP("Moving tree"), movingTree},
     DemoScene{"Arm", RAMURE_NOOP("Articulated arm"), armDemo},
-    DemoScene{"Recipes", RAMURE_NOOP("Five recipes"), recipeDemo},
+    DemoScene{"Recipes", RAMURE_NOOP("Six recipes"), recipeDemo},
 };
 
 } // namespace

@@ -1,7 +1,10 @@
 #include "core/scene/recipe_demo.h"
 
+#include "core/generators/sources.h"
 #include "core/params/tree_edit_table.h"
 #include "core/presets/presets.h"
+#include "core/recipe/edit_context.h"
+#include <algorithm>
 
 namespace ramure {
 namespace {
@@ -40,7 +43,7 @@ void growOnce(GrammarParams& grammar, const char* axiom)
 NodeParams drawnTrunk()
 {
     NodeParams params = presetOf("EnglishOak1995");
-    params.generator.kind = TreeGenerator::Drawn;
+    params.generator.kind = EditOperation::Draw;
     TreeEdit trunk = newStep(EditOperation::Draw);
     // In the frame of the ground: x, then against z, then up.
     trunk.points = {{{0.0, 0.0, 0.0}, 0.26},     {{0.25, -0.05, 1.0}, 0.22}, {{0.1, -0.3, 2.2}, 0.19},
@@ -114,6 +117,35 @@ NodeParams twoStems()
     return params;
 }
 
+/// The skeleton of a source alone.
+Skeleton grownBy(const NodeParams& params)
+{
+    return *growSkeleton(*growSymbols(params), params);
+}
+
+/// A cherry that bears two limbs of an apple tree.
+NodeParams grafted()
+{
+    NodeParams params = presetOf("WildCherry1995");
+    const Skeleton donor = grownBy(presetOf("OrchardApple1995"));
+    const TreeAxes limbs = axesOf(donor);
+    const Axis& longest = *std::ranges::max_element(
+        limbs.axes, {}, [](const Axis& axis) { return axis.order == 1 ? axis.length : 0.0; });
+    const Skeleton stock = grownBy(params);
+    EditContext context(stock, {}, nullptr, treeSeed(params));
+    for (const double at : {0.35, 0.5}) {
+        TreeEdit graft;
+        graft.operation = EditOperation::Graft;
+        graft.target.address = axesOf(stock).axes.front().address;
+        graft.at = at;
+        graft.azimuthRad = 4.0 * at;
+        graft.limb = EditContext(donor, {}).limb(longest.address);
+        graft.id = newEditId(params.edits, graft);
+        params.edits.push_back(*context.prepared(std::move(graft), false));
+    }
+    return params;
+}
+
 } // namespace
 
 Scene recipeDemo()
@@ -124,7 +156,8 @@ Scene recipeDemo()
         {"Twigs on colonised limbs", colonisedWithTwigs},
         {"Two sources on one parent", twoOnOneParent},
         {"Old oak", oldOak},
-        {"Two stems", twoStems}};
+        {"Two stems", twoStems},
+        {"Grafted cherry", grafted}};
     std::vector<Node> nodes;
     for (const auto& [name, make] : trees) {
         Node node;
@@ -132,7 +165,7 @@ Scene recipeDemo()
         node.kind = NodeKind::Tree;
         node.name = name;
         node.params = make();
-        node.params.tree.translation.x = apart * (static_cast<double>(nodes.size()) - 2.0);
+        node.params.tree.translation.x = apart * (static_cast<double>(nodes.size()) - 2.5);
         nodes.push_back(std::move(node));
     }
     return *Scene::fromNodes(std::move(nodes));
