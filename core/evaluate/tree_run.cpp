@@ -1,5 +1,6 @@
 #include "core/evaluate/tree_run.h"
 
+#include "core/params/source_facts.h"
 #include "core/rig/physics/animated_physics.h"
 #include "core/rig/physics/pose_blend.h"
 #include "core/rig/physics/tree_body.h"

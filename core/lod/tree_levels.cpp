@@ -2,6 +2,7 @@
 
 #include "core/lod/leaf_clusters.h"
 #include "core/lod/level_leaves.h"
+#include "core/params/source_facts.h"
 #include "core/pipeline/bark_feet.h"
 #include "core/surface/check/verdict.h"
 #include "core/surface/foliage/foliage_texture.h"

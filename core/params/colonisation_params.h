@@ -47,8 +47,8 @@ struct ColonisationParams
 /// m, tree space.
 inline double crownTop(const ColonisationParams& params)
 {
-    const bool fillsSolid = params.envelope == CrownEnvelope::Solid && params.space.top > 0.0;
-    return fillsSolid ? params.space.top : params.crownBase + params.crownHeight;
+    const bool fillsSolid = params.envelope == CrownEnvelope::Solid && params.space.top() > 0.0;
+    return fillsSolid ? params.space.top() : params.crownBase + params.crownHeight;
 }
 
 } // namespace ramure

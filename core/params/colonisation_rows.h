@@ -3,8 +3,21 @@
 #pragma once
 
 #include "core/params/param_rows.h"
+#include "core/params/source_facts.h"
 
 namespace ramure::rows {
+
+inline constexpr Condition* colonises = [](const NodeParams& p) {
+    return p.generator.kind == EditOperation::Colonisation;
+};
+
+inline constexpr SourceFacts colonisationFacts{
+    EditOperation::Colonisation, "colonisation.points",
+    [](const NodeParams& p) { return 0.015 * crownTop(p.colonisation); },
+    [](const NodeParams& p) { return p.colonisation.crownRadius; },
+    [](const NodeParams& p) {
+        return p.colonisation.envelope == CrownEnvelope::Solid ? SolidUse::Needs : SolidUse::Around;
+    }};
 
 inline constexpr const char* crownGroup = RAMURE_NOOP("Crown");
 inline constexpr const char* colonisationGroup = RAMURE_NOOP("Space colonisation");

@@ -8,10 +8,10 @@ namespace ramure {
 
 std::optional<GroundPlane> groundOf(const NodeParams& params)
 {
-    if (params.ground)
-        return params.ground;
+    if (auto ground = params.ground.nearby())
+        return ground;
     const GrowthParams& growth = params.growth;
-    if (params.generator.kind != TreeGenerator::Growth || !(growth.slope > 0.0))
+    if (params.generator.kind != EditOperation::Growth || !(growth.slope > 0.0))
         return std::nullopt;
     const auto [sine, cosine] = maths::sincos(growth.slopeDirection);
     const double falls = maths::tan(growth.slope);

@@ -2,8 +2,11 @@
 /// The ground that a tree stands on, as the plane that it is near the tree's foot.
 #pragma once
 
+#include "core/base/lazy.h"
+#include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <optional>
 
 namespace ramure {
@@ -24,6 +27,20 @@ struct GroundPlane
     /// The same seen from another place.
     [[nodiscard]] GroundPlane from(const glm::dvec3& place) const { return {-above(place), grade}; }
     bool operator==(const GroundPlane&) const = default;
+};
+
+using LazyGround = Lazy<std::optional<GroundPlane>>;
+/// The ground that the scene has under a tree: derived from it (core/scene/standing_ground.h) and in no file.
+/// The plane is looked for when it is first needed. Two are equal where the same surfaces lie at the same
+/// places.
+struct StandingGround
+{
+    std::uint64_t hash = 0;
+    std::shared_ptr<const LazyGround> plane; ///< null: the scene has no ground
+
+    /// Nothing: none is near.
+    [[nodiscard]] std::optional<GroundPlane> nearby() const { return plane ? **plane : std::nullopt; }
+    bool operator==(const StandingGround& other) const { return hash == other.hash; }
 };
 
 /// Returns the ground that a tree stands on: what the scene says, else the slope that it grows on; nothing

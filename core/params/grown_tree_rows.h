@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/params/param_rows.h"
+#include "core/params/source_facts.h"
 
 namespace ramure::rows {
 
@@ -16,7 +17,7 @@ inline constexpr const char* woodGroup = RAMURE_NOOP("Wood");
 inline constexpr const char* palmGroup = RAMURE_NOOP("Palm");
 
 inline constexpr Condition* growsByYears = [](const NodeParams& p) {
-    return p.generator.kind == TreeGenerator::Growth;
+    return p.generator.kind == EditOperation::Growth;
 };
 inline constexpr Condition* branches = [](const NodeParams& p) {
     return growsByYears(p) && p.growth.habit == GrowthHabit::Branching;
@@ -30,6 +31,16 @@ inline constexpr Condition* hasSpiral = [](const NodeParams& p) {
 inline constexpr Condition* hasNoWhorl = [](const NodeParams& p) {
     return branches(p) && p.growth.whorl == 0;
 };
+
+inline constexpr SourceFacts growthFacts{
+    EditOperation::Growth, "growth.age",
+    [](const NodeParams& p) { // whatever its age: leaves do not grow with the trunk
+        return p.growth.habit == GrowthHabit::Palm ? p.growth.stemRadius : 0.018 * p.growth.height;
+    },
+    [](const NodeParams& p) { return 0.5 * p.growth.crownWidth; },
+    [](const NodeParams& p) {
+        return p.growth.sees == GrowthLight::Space ? SolidUse::Fills : SolidUse::Around;
+    }};
 
 // Every text stands in one line per clause; the columns of a table read better than those of the formatter.
 // clang-format off

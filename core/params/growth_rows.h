@@ -3,8 +3,24 @@
 #pragma once
 
 #include "core/params/param_rows.h"
+#include "core/params/source_facts.h"
 
 namespace ramure::rows {
+
+inline constexpr SourceFacts grammarFacts{EditOperation::Grammar, "grammar.iterations",
+                                          [](const NodeParams& p) { return p.turtle.alpha; },
+                                          [](const NodeParams& p) { return 10.0 * p.turtle.alpha; }};
+
+inline constexpr SourceFacts drawnFacts{EditOperation::Draw, "generator.kind",
+                                        [](const NodeParams& p) {
+                                            for (const TreeEdit& step : p.edits)
+                                                if (step.operation == EditOperation::Draw &&
+                                                    step.target.address == 0 && !step.points.empty() &&
+                                                    step.points.front().radius > 0.0)
+                                                    return step.points.front().radius;
+                                            return p.turtle.alpha;
+                                        },
+                                        grammarFacts.reach};
 
 // Every text stands in one line per clause; the columns of a table read better than those of the formatter.
 // clang-format off

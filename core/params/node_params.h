@@ -33,6 +33,13 @@ namespace ramure {
 /// (core/generators/parametric/parametric_grammar.h).
 enum class GrammarDialect : std::uint8_t { Classic, Parametric };
 
+/// The source that a recipe begins with. Draw: none; steps of the recipe draw all there is.
+struct GeneratorParams
+{
+    EditOperation kind = EditOperation::Grammar;
+    bool operator==(const GeneratorParams&) const = default;
+};
+
 struct GrammarParams
 {
     std::string axiom = "BBBBBA";
@@ -162,42 +169,15 @@ struct NodeParams
     StepParams step;                                   ///< only in a step of a recipe (StepValues)
     std::vector<ArmJoint> joints = defaultArmJoints(); ///< joints of an arm, from the foot on
     std::vector<TreeEdit> edits;                       ///< steps of a tree, in the order in which they act
-    std::optional<GroundPlane>
-        ground; ///< no parameter: filled in from the scene, where the tree stands on something
+    StandingGround ground; ///< no parameter: filled in from the scene, where the tree stands on something
     bool operator==(const NodeParams&) const = default;
 };
 
 /// Returns the seed of the tree's generator; 0 if nothing in it is random.
 inline std::uint64_t treeSeed(const NodeParams& params)
 {
-    const bool hasChance = params.grammar.stochastic || params.generator.kind != TreeGenerator::Grammar;
+    const bool hasChance = params.grammar.stochastic || params.generator.kind != EditOperation::Grammar;
     return hasChance ? static_cast<std::uint64_t>(params.grammar.seed) : 0;
-}
-
-/// Returns the radius of a tree's trunk at the ground in m, before random variation. The sizes of leaves,
-/// fruit and motion refer to it. For a grammar it is the turtle's step (SPEC A1). If the trunk's radius
-/// follows from the points that it serves, it is known only after growth; then the usual share of the height
-/// is returned.
-inline double trunkRadius(const NodeParams& params)
-{
-    const WeberPennParams& own = params.weberPenn;
-    switch (params.generator.kind) {
-    case TreeGenerator::Grammar:
-        return params.turtle.alpha;
-    case TreeGenerator::WeberPenn:
-        return own.scale * own.level[0].length * own.ratio;
-    case TreeGenerator::Colonisation:
-        return 0.015 * crownTop(params.colonisation);
-    case TreeGenerator::Growth: // whatever its age: leaves do not grow with the trunk
-        return params.growth.habit == GrowthHabit::Palm ? params.growth.stemRadius
-                                                        : 0.018 * params.growth.height;
-    case TreeGenerator::Drawn:
-        for (const TreeEdit& step : params.edits)
-            if (step.operation == EditOperation::Draw && step.target.address == 0 && !step.points.empty())
-                return step.points.front().radius > 0.0 ? step.points.front().radius : params.turtle.alpha;
-        return params.turtle.alpha;
-    }
-    return params.turtle.alpha;
 }
 
 } // namespace ramure

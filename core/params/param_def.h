@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/params/enum_item.h"
 #include "core/params/node_kind.h"
 #include "core/params/node_params.h"
 #include "core/params/stage.h"
@@ -21,11 +22,6 @@ struct EnumValue
 {
     std::string name;
     bool operator==(const EnumValue&) const = default;
-};
-struct EnumItem
-{
-    const char* name;  ///< "faithful"
-    const char* label; ///< English, context "core"
 };
 
 /// Alternatives stand in the order of ParamType.

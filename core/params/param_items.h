@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/params/param_def.h"
+#include <algorithm>
 #include <array>
 
 namespace ramure {
@@ -12,11 +13,25 @@ template <class T> inline constexpr std::array<EnumItem, 0> itemsOf{};
 template <>
 inline constexpr std::array itemsOf<GrammarDialect>{
     EnumItem{"classic", RAMURE_NOOP("Letters")}, EnumItem{"parametric", RAMURE_NOOP("Modules with numbers")}};
+
+/// Kinds of steps that a recipe can begin with: sources, and last the drawn axes.
+inline constexpr auto firstSources = [] {
+    constexpr auto isFirst = [](const EditOperationInfo& kind) { return *kind.first.name != '\0'; };
+    std::array<EditOperation, std::ranges::count_if(stepKinds, isFirst)> sources{};
+    std::size_t count = 0;
+    for (const bool grows : {true, false})
+        for (const EditOperationInfo& kind : stepKinds)
+            if (isFirst(kind) && grows == (kind.group == StepGroup::Source))
+                sources[count++] = kind.operation;
+    return sources;
+}();
 template <>
-inline constexpr std::array itemsOf<TreeGenerator>{
-    EnumItem{"grammar", RAMURE_NOOP("Grammar")}, EnumItem{"weber_penn", RAMURE_NOOP("Weber and Penn")},
-    EnumItem{"colonisation", RAMURE_NOOP("Space colonisation")},
-    EnumItem{"drawn", RAMURE_NOOP("Drawn by hand")}, EnumItem{"growth", RAMURE_NOOP("Growth")}};
+inline constexpr auto itemsOf<EditOperation> = [] {
+    std::array<EnumItem, firstSources.size()> items{};
+    for (std::size_t i = 0; i < items.size(); ++i)
+        items[i] = stepKinds[static_cast<std::size_t>(firstSources[i])].first;
+    return items;
+}();
 template <>
 inline constexpr std::array itemsOf<GrowthHabit>{EnumItem{"branching", RAMURE_NOOP("Branching")},
                                                  EnumItem{"palm", RAMURE_NOOP("Palm")}};

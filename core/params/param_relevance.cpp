@@ -1,8 +1,10 @@
 #include "core/params/param_relevance.h"
 
 #include "core/params/param_items.h"
+#include "core/params/tree_edit_table.h"
 #include <algorithm>
 #include <string_view>
+#include <vector>
 
 namespace ramure {
 namespace {
@@ -16,9 +18,6 @@ constexpr std::array pictured{"smooth", "plated",    "furrowed", "scaly", "peeli
 constexpr std::array classic{"classic"};
 constexpr std::array parametricOnly{"parametric"};
 constexpr std::array robust{"robust"};
-constexpr std::array grammarOnly{"grammar"};
-constexpr std::array weberPenn{"weber_penn"};
-constexpr std::array colonisation{"colonisation"};
 constexpr std::array growth{"growth"};
 constexpr std::array spiral{"spiral"};
 constexpr std::array branching{"branching"};
@@ -118,13 +117,21 @@ constexpr std::array relevances{
     Relevance{"foliage.fruitStalk", "foliage.fruit", realFruit},
     Relevance{"ik.gain", "ik.solver", transpose},
     // All whose key begins so and that have no row above.
-    Relevance{"grammar.", "generator.kind", grammarOnly},
-    Relevance{"turtle.", "generator.kind", grammarOnly},
-    Relevance{"variation.", "generator.kind", grammarOnly},
-    Relevance{"weberPenn.", "generator.kind", weberPenn},
-    Relevance{"colonisation.", "generator.kind", colonisation},
     Relevance{"growth.", "growth.habit", branching},
 };
+
+/// Parameters of a source matter to a tree that begins with it.
+std::vector<Relevance> ofSources()
+{
+    std::vector<Relevance> all;
+    for (const EditOperation source : firstSources) {
+        const EditOperationInfo& kind = infoOf(source);
+        for (const ParamDef* def : stepParams(source))
+            if (hasParam(NodeKind::Tree, *def))
+                all.push_back({def->key, "generator.kind", {&kind.first.name, 1}});
+    }
+    return all;
+}
 
 } // namespace
 
@@ -133,11 +140,15 @@ const Relevance* relevanceOf(const ParamDef& def)
     const std::string_view key = def.key;
     if (key == "grammar.seed") // one seed, whatever grows
         return nullptr;
-    const auto* found = std::ranges::find_if(relevances, [&](const Relevance& each) {
+    const auto isOf = [key](const Relevance& each) {
         const std::string_view own = each.key;
         return own.ends_with('.') ? key.starts_with(own) : key == own;
-    });
-    return found == relevances.end() ? nullptr : found;
+    };
+    if (const auto* found = std::ranges::find_if(relevances, isOf); found != relevances.end())
+        return found;
+    static const std::vector<Relevance> sources = ofSources();
+    const auto found = std::ranges::find_if(sources, isOf);
+    return found == sources.end() ? nullptr : &*found;
 }
 
 bool isRelevant(const NodeParams& params, const ParamDef& def)

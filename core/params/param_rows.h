@@ -87,6 +87,23 @@ template <auto... Path> struct Field
     }
 };
 
+/// The source of a recipe: not every operation can be one.
+template <> struct Field<&NodeParams::generator, &GeneratorParams::kind>
+{
+    using Value = EditOperation;
+    static ParamValue get(const NodeParams& params)
+    {
+        return EnumValue{stepKinds[static_cast<std::size_t>(params.generator.kind)].first.name};
+    }
+    static void assign(NodeParams& params, const ParamValue& value)
+    {
+        const auto* name = std::get_if<EnumValue>(&value);
+        for (const EditOperation source : firstSources)
+            if (name && name->name == stepKinds[static_cast<std::size_t>(source)].first.name)
+                params.generator.kind = source;
+    }
+};
+
 inline constexpr KindBits treeOnly = kindBit(NodeKind::Tree);
 inline constexpr KindBits primitiveOnly = kindBit(NodeKind::Primitive);
 inline constexpr KindBits objectKinds = kindBit(NodeKind::Primitive) | kindBit(NodeKind::Mesh);
@@ -103,28 +120,8 @@ inline constexpr Condition* growsByChance = [](const NodeParams& p) { return p.g
 inline constexpr Condition* isParametric = [](const NodeParams& p) {
     return p.grammar.dialect == GrammarDialect::Parametric;
 };
-inline constexpr Condition* isWeberPenn = [](const NodeParams& p) {
-    return p.generator.kind == TreeGenerator::WeberPenn;
-};
-/// A tree of Weber and Penn that grows stems of level \p n.
-template <std::size_t n>
-inline constexpr Condition* hasLevel =
-    [](const NodeParams& p) { return isWeberPenn(p) && p.weberPenn.levels > std::int64_t(n); };
-inline constexpr Condition* isPruned = [](const NodeParams& p) {
-    return isWeberPenn(p) && p.weberPenn.pruneRatio > 0.0;
-};
-/// The outline of the pruning envelope may also be the shape of the crown.
-inline constexpr Condition* hasEnvelope = [](const NodeParams& p) {
-    return isPruned(p) || (isWeberPenn(p) && p.weberPenn.shape == CrownShape::Envelope);
-};
-inline constexpr Condition* hasLobes = [](const NodeParams& p) {
-    return isWeberPenn(p) && p.weberPenn.lobes > 0;
-};
-inline constexpr Condition* colonises = [](const NodeParams& p) {
-    return p.generator.kind == TreeGenerator::Colonisation;
-};
 inline constexpr Condition* usesSeed = [](const NodeParams& p) {
-    return p.grammar.stochastic || p.generator.kind != TreeGenerator::Grammar;
+    return p.grammar.stochastic || p.generator.kind != EditOperation::Grammar;
 };
 inline constexpr Condition* mergesRuns = [](const NodeParams& p) { return p.simplify.enabled; };
 inline constexpr Condition* hasNoBudget = [](const NodeParams& p) { return p.mesh.targetTriangles == 0; };
@@ -222,13 +219,5 @@ inline constexpr const char* ikGroup = RAMURE_NOOP("Inverse kinematics");
 inline constexpr const char* armSkinGroup = RAMURE_NOOP("Skin of the arm");
 inline constexpr const char* terrainGroup = RAMURE_NOOP("Terrain");
 inline constexpr const char* cameraGroup = RAMURE_NOOP("Camera");
-inline constexpr const char* stepGroup = RAMURE_NOOP("Step");
-inline constexpr const char* standGroup = RAMURE_NOOP("Where it grows");
-inline constexpr const char* sagGroup = RAMURE_NOOP("Sag");
-inline constexpr const char* gnarlGroup = RAMURE_NOOP("Gnarl");
-inline constexpr const char* deadWoodGroup = RAMURE_NOOP("Dead wood");
-inline constexpr const char* pipeGroup = RAMURE_NOOP("Pipe rule");
-inline constexpr const char* flareGroup = RAMURE_NOOP("Flare");
-inline constexpr const char* growOnGroup = RAMURE_NOOP("Grow on");
 
 } // namespace ramure::rows

@@ -25,7 +25,21 @@ constexpr auto table =
            rows::weberPennLevel<2>, rows::weberPennLevel<3>, rows::colonisationRows, rows::grownTreeRows,
            rows::modelRows, rows::dressRows, rows::nodeRows, rows::stepRows);
 
+constexpr std::array facts{rows::grammarFacts, rows::weberPennFacts, rows::colonisationFacts,
+                           rows::growthFacts, rows::drawnFacts};
+static_assert(facts.size() == firstSources.size());
+
 } // namespace
+
+const SourceFacts& sourceFacts(const NodeParams& params)
+{
+    return *std::ranges::find(facts, params.generator.kind, &SourceFacts::source);
+}
+
+double trunkRadius(const NodeParams& params)
+{
+    return sourceFacts(params).trunkRadius(params);
+}
 
 std::span<const ParamDef> allParams()
 {

@@ -2,21 +2,12 @@
 
 #include "core/params/tree_edit_table.h"
 #include <algorithm>
-#include <array>
 #include <charconv>
 
 namespace ramure {
 namespace {
 
 constexpr std::string_view named = "step:";
-
-/// The kind of step that a tree's own source is.
-EditOperation operationOf(const NodeParams& params)
-{
-    constexpr std::array kinds{EditOperation::Grammar, EditOperation::WeberPenn, EditOperation::Colonisation,
-                               EditOperation::Draw, EditOperation::Growth};
-    return kinds[static_cast<std::size_t>(params.generator.kind)];
-}
 
 bool has(EditOperation operation, const ParamDef& def)
 {
@@ -27,7 +18,7 @@ bool isOfStep(const NodeParams& params, StepNumber step, const ParamDef& def)
 {
     // How a source stands on others is none of the first one's business.
     if (step == 0)
-        return hasParam(NodeKind::Tree, def) && has(operationOf(params), def);
+        return hasParam(NodeKind::Tree, def) && has(params.generator.kind, def);
     return has(params.edits[step - 1].operation, def);
 }
 
@@ -52,7 +43,7 @@ bool isOfSteps(const ParamDef& def)
 std::string stepName(const NodeParams& params, StepNumber step)
 {
     if (step == 0)
-        return infoOf(operationOf(params)).key;
+        return infoOf(params.generator.kind).key;
     const TreeEdit& edit = params.edits[step - 1];
     return edit.name.empty() ? infoOf(edit.operation).key : edit.name;
 }

@@ -7,6 +7,15 @@
 
 namespace ramure::rows {
 
+inline constexpr const char* stepGroup = RAMURE_NOOP("Step");
+inline constexpr const char* standGroup = RAMURE_NOOP("Where it grows");
+inline constexpr const char* sagGroup = RAMURE_NOOP("Sag");
+inline constexpr const char* gnarlGroup = RAMURE_NOOP("Gnarl");
+inline constexpr const char* deadWoodGroup = RAMURE_NOOP("Dead wood");
+inline constexpr const char* pipeGroup = RAMURE_NOOP("Pipe rule");
+inline constexpr const char* flareGroup = RAMURE_NOOP("Flare");
+inline constexpr const char* growOnGroup = RAMURE_NOOP("Grow on");
+
 /// No node has these: a bit beyond those of NodeKind.
 inline constexpr KindBits stepOnly = 1u << 14;
 

@@ -5,6 +5,7 @@
 
 #include "core/base/shared_value.h"
 #include "core/params/branch_place.h"
+#include "core/params/step_kinds.h"
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -13,44 +14,6 @@
 #include <vector>
 
 namespace ramure {
-
-enum class EditOperation : std::uint8_t {
-    Cut,       ///< removes the wood above `at`, or lets it fall; a closed end stays
-    Remove,    ///< the limb goes, with all on it
-    Keep,      ///< keeps a limb with its twigs and the wood down to the ground, and removes the rest
-    Bend,      ///< turns the wood above `from`, gradually up to `to` if that is above
-    Curl,      ///< turned bit by bit between `from` and `to`
-    Twist,     ///< turns the limbs of an axis about it, by `angleRad` at the tip
-    Roll,      ///< turns the bark of an axis above `from` and of its limbs about their curves, no wood moves
-    Length,    ///< times `factor`
-    Thickness, ///< radii times `factor`
-    Taper,     ///< radii times `factor` at the tip, unchanged at the foot
-    Draw,      ///< a new axis along `points`, at `at` of the target
-    Extend,    ///< the tip goes on along `points`
-    Redraw,    ///< gives the axis another course; its limbs follow
-    Graft,     ///< a copy of a limb, at `at` of the target
-    Move,      ///< the limb is put at `at` of its parent, or of another axis
-    Prune,     ///< cuts the wood outside a shape
-    Attract,   ///< branches within a sphere turn towards its centre, or away from it
-    Comb,      ///< branches within a sphere turn into a direction
-    Leaves,    ///< shows or hides the leaves of a limb, or without a target those within a sphere
-    Root,      ///< the foot stands elsewhere, and flares
-    Place,     ///< one leaf, fruit or flower, at `at` of the target, on the side of `azimuth`
-    // Modifiers and sources: no hand made them, and their values are rows of the parameter table.
-    Sag,
-    Gnarl,
-    DeadWood,
-    Pipe, ///< radii by the pipe rule
-    Flare,
-    GrowOn, ///< the tree lives some years longer, whatever made it
-    Grammar,
-    WeberPenn,
-    Colonisation,
-    Growth,
-    Frozen,  ///< the tree as it was behind the steps before, which do not run
-    Unknown, ///< from the file of a newer version: kept without effect
-};
-inline constexpr std::size_t editOperationCount = static_cast<std::size_t>(EditOperation::Unknown) + 1;
 
 /// What Place puts on a branch. The tree's parameters say what its fruit are; in bloom a fruit is a flower.
 enum class EditOrgan : std::uint8_t { Leaf, Fruit, Flower };

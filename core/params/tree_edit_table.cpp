@@ -12,78 +12,6 @@ namespace {
 
 constexpr double farAway = 1e5; ///< m
 
-constexpr EditOperationInfo operations[] = {
-    {EditOperation::Cut, "cut", RAMURE_NOOP("Cut"), "target", "",
-     editAt | editFalls | editYear | editNeedsTarget},
-    {EditOperation::Remove, "remove", RAMURE_NOOP("Remove"), "target", "", editYear | editNeedsTarget},
-    {EditOperation::Keep, "keep", RAMURE_NOOP("Keep only this"), "target", "", editNeedsTarget},
-    {EditOperation::Bend, "bend", RAMURE_NOOP("Bend"), "target", "",
-     editFrom | editTo | editRotation | editNeedsTarget},
-    {EditOperation::Curl, "curl", RAMURE_NOOP("Curl"), "target", "",
-     editFrom | editTo | editRotation | editNeedsTarget},
-    {EditOperation::Twist, "twist", RAMURE_NOOP("Twist"), "target", "", editAngle | editNeedsTarget},
-    {EditOperation::Roll, "roll", RAMURE_NOOP("Roll"), "target", "", editFrom | editAngle | editNeedsTarget},
-    {EditOperation::Length, "length", RAMURE_NOOP("Length"), "target", "",
-     editFactor | editBelow | editNeedsTarget},
-    {EditOperation::Thickness, "thickness", RAMURE_NOOP("Thickness"), "target", "",
-     editFactor | editBelow | editNeedsTarget},
-    {EditOperation::Taper, "taper", RAMURE_NOOP("Taper"), "target", "", editFactor | editNeedsTarget},
-    {EditOperation::Draw, "draw", RAMURE_NOOP("Draw"), "parent", "",
-     editAt | editPoints | editBelow | editMakesAxes},
-    {EditOperation::Extend, "extend", RAMURE_NOOP("Extend"), "target", "", editPoints | editNeedsTarget},
-    {EditOperation::Redraw, "redraw", RAMURE_NOOP("Redraw"), "target", "", editPoints | editNeedsTarget},
-    {EditOperation::Graft, "graft", RAMURE_NOOP("Graft"), "parent", "source",
-     editAt | editAzimuth | editFactor | editLimb | editOther | editNeedsTarget | editMakesAxes},
-    {EditOperation::Move, "move", RAMURE_NOOP("Move"), "target", "parent",
-     editAt | editAzimuth | editOther | editNeedsTarget},
-    {EditOperation::Prune, "prune", RAMURE_NOOP("Prune to a shape"), "target", "",
-     editShape | editYear | editTreeSpace},
-    {EditOperation::Attract, "attract", RAMURE_NOOP("Attract"), "target", "",
-     editCentre | editRadius | editStrength | editTreeSpace},
-    {EditOperation::Comb, "comb", RAMURE_NOOP("Comb"), "target", "",
-     editCentre | editRadius | editStrength | editDirection | editPath | editTreeSpace},
-    {EditOperation::Leaves, "leaves", RAMURE_NOOP("Leaves"), "target", "",
-     editShown | editCentre | editRadius | editPath | editTreeSpace},
-    {EditOperation::Root, "root", RAMURE_NOOP("Root"), "target", "",
-     editOffset | editFactor | editNeedsTarget | editTreeSpace},
-    {EditOperation::Place, "place", RAMURE_NOOP("Place a leaf or fruit"), "target", "",
-     editAt | editAzimuth | editFactor | editOrgan | editNeedsTarget},
-    {EditOperation::Sag, "sag", RAMURE_NOOP("Sag"), "target", "", 0, StepGroup::Modifier,
-     RAMURE_NOOP("Limbs bend by their own weight"), "step.where sag.", "order > 0"},
-    {EditOperation::Gnarl, "gnarl", RAMURE_NOOP("Gnarl"), "target", "", 0, StepGroup::Modifier,
-     RAMURE_NOOP("Axes wander from side to side"), "step. gnarl."},
-    {EditOperation::DeadWood, "deadWood", RAMURE_NOOP("Dead wood"), "target", "", 0, StepGroup::Modifier,
-     RAMURE_NOOP("Some limbs have died and lost their twigs"), "step. deadWood.", "order = 1"},
-    {EditOperation::Pipe, "pipe", RAMURE_NOOP("Thickness by the pipe rule"), "target", "", 0,
-     StepGroup::Modifier, RAMURE_NOOP("Makes wood as thick as its load requires"), "step.where pipe."},
-    {EditOperation::Flare, "flare", RAMURE_NOOP("Flare"), "target", "", 0, StepGroup::Modifier,
-     RAMURE_NOOP("The foot of the trunk swells"), "step.where flare.", "order = 0"},
-    {EditOperation::GrowOn, "growOn", RAMURE_NOOP("Grow on"), "target", "", 0, StepGroup::Modifier,
-     RAMURE_NOOP("The tree lives some years longer: shoots look for light, shaded limbs fall"),
-     "step.seed growOn. growth.height growth.maturity growth.leaderUntil growth.crownBase growth.density "
-     "growth.internode growth.phyllotaxis growth.divergence growth.axil growth.whorl growth.endBuds "
-     "growth.acrotony growth.branching growth.shortShoots growth.orders growth.shadeTolerance "
-     "growth.shedding growth.light growth.apicalControl growth.sideLength growth.upright growth.weeping "
-     "growth.plagiotropy growth.wander growth.pipeExponent growth.tipRadius growth.droop growth.reaction "
-     "growth.wind growth.windDirection growth.sideLight growth.lightDirection growth.slope "
-     "growth.slopeDirection"},
-    {EditOperation::Grammar, "grammar", RAMURE_NOOP("Grammar"), "target", "", 0, StepGroup::Source,
-     RAMURE_NOOP("Twigs or trees that rules draw"), "step. stand. grammar. turtle. variation.", "order = 1"},
-    {EditOperation::WeberPenn, "weberPenn", RAMURE_NOOP("Weber and Penn"), "target", "", 0, StepGroup::Source,
-     RAMURE_NOOP("Limbs, branches and twigs, each level by its own numbers"), "step. stand. weberPenn.",
-     "order = 0"},
-    {EditOperation::Colonisation, "colonisation", RAMURE_NOOP("Space colonisation"), "target", "", 0,
-     StepGroup::Source, RAMURE_NOOP("Branches that fill a crown of your shape"), "step. stand. colonisation.",
-     "order = 0"},
-    {EditOperation::Growth, "growth", RAMURE_NOOP("Growth"), "target", "", 0, StepGroup::Source,
-     RAMURE_NOOP("Shoots that compete for light, year by year"), "step. stand. growth.", "order = 1"},
-    {EditOperation::Frozen, "frozen", RAMURE_NOOP("Frozen tree"), "target", "", editFrozen, StepGroup::Hand,
-     RAMURE_NOOP(
-         "Holds the result of the steps above: they do not run until this step is switched off or deleted")},
-    {EditOperation::Unknown, "", RAMURE_NOOP("Unknown step"), "target", "", 0, StepGroup::Unknown},
-};
-static_assert(std::size(operations) == editOperationCount);
-
 constexpr EditNumber numbers[] = {
     {"at", &TreeEdit::at, editAt, 0.0, 1.0, false},
     {"from", &TreeEdit::from, editFrom, 0.0, 1.0, false},
@@ -230,19 +158,19 @@ Expected<void> checkLimb(const TreeEdit& edit)
 
 std::span<const EditOperationInfo> editOperations()
 {
-    return operations;
+    return stepKinds;
 }
 
 const EditOperationInfo& infoOf(EditOperation operation)
 {
-    return operations[static_cast<std::size_t>(operation)];
+    return stepKinds[static_cast<std::size_t>(operation)];
 }
 
 const EditOperationInfo* editOperationOf(std::string_view key)
 {
     const auto* const found =
-        std::ranges::find_if(operations, [key](const EditOperationInfo& info) { return key == info.key; });
-    return found == std::end(operations) || found->group == StepGroup::Unknown ? nullptr : found;
+        std::ranges::find_if(stepKinds, [key](const EditOperationInfo& info) { return key == info.key; });
+    return found == std::end(stepKinds) || found->group == StepGroup::Unknown ? nullptr : found;
 }
 
 static std::vector<const ParamDef*> rowsOf(std::string_view prefixes)
@@ -263,7 +191,7 @@ std::span<const ParamDef* const> stepParams(EditOperation operation)
 {
     static const auto all = [] {
         std::array<std::vector<const ParamDef*>, editOperationCount> rows;
-        for (const EditOperationInfo& info : operations)
+        for (const EditOperationInfo& info : stepKinds)
             rows[static_cast<std::size_t>(info.operation)] = rowsOf(info.rows);
         return rows;
     }();
@@ -280,17 +208,14 @@ TreeEdit newStep(EditOperation operation)
         return step;
     NodeParams params;
     params.step.where = info.where;
-    if (operation == EditOperation::WeberPenn)
-        params.generator.kind = TreeGenerator::WeberPenn;
-    if (operation == EditOperation::Colonisation)
-        params.generator.kind = TreeGenerator::Colonisation;
+    if (info.group == StepGroup::Source)
+        params.generator.kind = operation;
     if (operation == EditOperation::GrowOn) {
-        params.generator.kind = TreeGenerator::Growth;
+        params.generator.kind = EditOperation::Growth;
         params.growth.shadeTolerance = 0.8; // what stands has borne its shade so far
         params.growth.shedding = 0.2;
     }
     if (operation == EditOperation::Growth) {
-        params.generator.kind = TreeGenerator::Growth;
         params.growth.age = 8.0;
         params.step.stand = {.way = StandWay::Along, .size = 0.4, .variants = 3};
     }

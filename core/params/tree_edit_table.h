@@ -11,53 +11,6 @@
 
 namespace ramure {
 
-/// Bits: which values an operation has.
-enum EditField : std::uint32_t {
-    editAt = 1,
-    editFrom = 2,
-    editTo = 4,
-    editFactor = 8,
-    editAngle = 16,
-    editAzimuth = 32,
-    editRadius = 64,
-    editStrength = 128,
-    editRotation = 256,
-    editDirection = 512,
-    editCentre = 1024,
-    editOffset = 2048,
-    editBelow = 4096,
-    editShown = 8192,
-    editShape = 16384,
-    editPoints = 32768,
-    editLimb = 65536,
-    editOther = 131072,       ///< TreeEdit::other
-    editNeedsTarget = 262144, ///< else the target may be left out
-    editTreeSpace = 524288,   ///< vectors are in tree space
-    editMakesAxes = 1048576,  ///< names of axes come from TreeEdit::id
-    editOrgan = 2097152,
-    editFalls = 4194304,   ///< TreeEdit::falls and seconds
-    editPath = 8388608,    ///< points, or none
-    editFrozen = 16777216, ///< TreeEdit::frozen
-    editYear = 33554432,   ///< TreeEdit::year
-};
-
-/// The origin of a step, for grouping.
-enum class StepGroup : std::uint8_t { Hand, Modifier, Source, Unknown };
-
-struct EditOperationInfo
-{
-    EditOperation operation;
-    const char* key;       ///< "cut", in files and scripts
-    const char* label;     ///< RAMURE_NOOP
-    const char* targetKey; ///< "target" or "parent"
-    const char* otherKey;  ///< "source", "parent" or ""
-    std::uint32_t fields;  ///< EditField
-    StepGroup group = StepGroup::Hand;
-    const char* tip = "";   ///< one line for a menu, RAMURE_NOOP; modifiers and sources have one
-    const char* rows = "";  ///< prefixes of the parameters that it has, with a blank between
-    const char* where = ""; ///< default condition of a new step
-    std::int64_t version = 1;
-};
 /// One per operation, in their order.
 std::span<const EditOperationInfo> editOperations();
 const EditOperationInfo& infoOf(EditOperation operation);

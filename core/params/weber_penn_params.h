@@ -1,7 +1,7 @@
 /// \file
-/// Which generator grows a tree, and the parameters of Weber and Penn: "Creation and rendering of realistic
-/// trees" (SIGGRAPH 1995, doi 10.1145/218380.218427), in its names. The member initialisers are the paper's
-/// quaking aspen. Angles in rad, lengths in metres; "V" is how far chance varies a value to either side.
+/// The parameters of Weber and Penn: "Creation and rendering of realistic trees" (SIGGRAPH 1995,
+/// doi 10.1145/218380.218427), in its names. The member initialisers are the paper's quaking aspen. Angles in
+/// rad, lengths in metres; "V" is how far chance varies a value to either side.
 #pragma once
 
 #include <array>
@@ -9,21 +9,6 @@
 #include <numbers>
 
 namespace ramure {
-
-/// The order is that of the interface; files know the names.
-enum class TreeGenerator : std::uint8_t {
-    Grammar,
-    WeberPenn,
-    Colonisation,
-    Drawn,  ///< nothing: steps of the recipe draw all there is
-    Growth, ///< year by year (growth_params.h)
-};
-
-struct GeneratorParams
-{
-    TreeGenerator kind = TreeGenerator::Grammar;
-    bool operator==(const GeneratorParams&) const = default;
-};
 
 /// In the paper's numbers, 0 to 8.
 enum class CrownShape : std::uint8_t {

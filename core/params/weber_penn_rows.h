@@ -4,8 +4,32 @@
 #pragma once
 
 #include "core/params/param_rows.h"
+#include "core/params/source_facts.h"
 
 namespace ramure::rows {
+
+inline constexpr Condition* isWeberPenn = [](const NodeParams& p) {
+    return p.generator.kind == EditOperation::WeberPenn;
+};
+/// A tree of Weber and Penn that grows stems of level \p n.
+template <std::size_t n>
+inline constexpr Condition* hasLevel =
+    [](const NodeParams& p) { return isWeberPenn(p) && p.weberPenn.levels > std::int64_t(n); };
+inline constexpr Condition* isPruned = [](const NodeParams& p) {
+    return isWeberPenn(p) && p.weberPenn.pruneRatio > 0.0;
+};
+/// The outline of the pruning envelope may also be the shape of the crown.
+inline constexpr Condition* hasEnvelope = [](const NodeParams& p) {
+    return isPruned(p) || (isWeberPenn(p) && p.weberPenn.shape == CrownShape::Envelope);
+};
+inline constexpr Condition* hasLobes = [](const NodeParams& p) {
+    return isWeberPenn(p) && p.weberPenn.lobes > 0;
+};
+
+inline constexpr SourceFacts weberPennFacts{
+    EditOperation::WeberPenn, "weberPenn.levels",
+    [](const NodeParams& p) { return p.weberPenn.scale * p.weberPenn.level[0].length * p.weberPenn.ratio; },
+    [](const NodeParams& p) { return 0.35 * p.weberPenn.scale; }};
 
 /// A text as a template's argument.
 template <std::size_t size> struct FixedText

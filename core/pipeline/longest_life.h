@@ -3,7 +3,8 @@
 /// before are not grown again.
 #pragma once
 
-#include "core/generators/grow_tree.h"
+#include "core/generators/sources.h"
+#include "core/generators/tree_life.h"
 #include <optional>
 
 namespace ramure {

@@ -1,6 +1,6 @@
 #include "core/pipeline/stage_hashes.h"
 
-#include "core/generators/grow_tree.h"
+#include "core/generators/tree_life.h"
 #include "core/math/stage_hash.h"
 #include "core/params/param_def.h"
 #include "core/params/tree_edit_table.h"
@@ -115,11 +115,10 @@ StageHashes::StageHashes(const NodeParams& params)
         add(hash, def.get(params));
         of(def.stage) = hash.value();
     }
-    if (params.generator.kind == TreeGenerator::Growth) {
+    if (params.generator.kind == EditOperation::Growth) {
         m_life = lifeHash(of(Stage::Symbols), params);
         of(Stage::Symbols) = StageHash(m_life).add(historyYears(params)).value();
-    }
-    if (params.generator.kind == TreeGenerator::Colonisation && params.colonisation.space.hash != 0)
+    } else if (params.colonisation.space.hash != 0)
         of(Stage::Skeleton) = StageHash(of(Stage::Skeleton)).add(params.colonisation.space.hash).value();
     // So far each has its own parameters alone: now what comes before it too.
     const auto follow = [&of](Stage stage, std::uint64_t before) {
@@ -136,12 +135,9 @@ StageHashes::StageHashes(const NodeParams& params)
     follow(Stage::Sections, of(Stage::Simplified));
     // A mesh for a budget has sections of its own.
     follow(Stage::Mesh, of(params.mesh.targetTriangles > 0 ? Stage::Simplified : Stage::Sections));
-    if (params.ground)
-        of(Stage::Mesh) = StageHash(of(Stage::Mesh))
-                              .add(params.ground->height)
-                              .add(params.ground->grade.x)
-                              .add(params.ground->grade.y)
-                              .value();
+    if (const auto ground = params.ground.nearby())
+        of(Stage::Mesh) =
+            StageHash(of(Stage::Mesh)).add(ground->height).add(ground->grade.x).add(ground->grade.y).value();
     follow(Stage::Foliage, of(Stage::Simplified));
     follow(Stage::Season, of(Stage::Foliage));
     follow(Stage::Texture, of(Stage::Mesh));

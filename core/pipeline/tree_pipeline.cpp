@@ -1,7 +1,9 @@
 #include "core/pipeline/tree_pipeline.h"
 
-#include "core/generators/grow_tree.h"
+#include "core/base/stopwatch.h"
+#include "core/generators/sources.h"
 #include "core/math/stage_hash.h"
+#include "core/params/source_facts.h"
 #include "core/params/tree_edit_table.h"
 #include "core/pipeline/bark_feet.h"
 #include "core/pipeline/draft_tubes.h"
@@ -165,7 +167,7 @@ Expected<void> checkMeshSize(Index branches, const NodeParams& all)
              {std::to_string(branches), std::to_string(wanted), std::to_string(maxMeshFaces)});
     const SectionParams usual;
     const bool tooManyBranches = faces(usual.lengthDivisions, usual.radialDivisions) > maxMeshFaces;
-    error.value().path = tooManyBranches ? sizeKey(all)
+    error.value().path = tooManyBranches ? sourceFacts(all).sizeKey
                          : hasBudget     ? "sections.lengthDivisions"
                                          : "sections.radialDivisions";
     return error;
@@ -246,6 +248,7 @@ struct TreePipeline::Cache
     StageCache<TreeAxes> axes{bytesOf}; ///< of trees with edits, as they have grown
     StageCache<EditedTree> edited{bytesOf};
     RecipeStart start;
+    std::pair<std::uint64_t, double> grownIn; ///< StageHashes::grown, and the seconds that it took
     StageCache<SimplifiedSkeleton> simplified{bytesOf};
     StageCache<SectionSet> sections{bytesOf};
     StageCache<MeshedBranches> branches{bytesOf};
@@ -277,6 +280,23 @@ Expected<std::shared_ptr<const T>> cached(StageCache<T>& cache, std::uint64_t ha
     cache.keep(hash, result);
     return result;
 }
+
+/// Adds the time that it lives for.
+class GrowClock
+{
+public:
+    explicit GrowClock(double& seconds)
+        : m_seconds(seconds)
+    {
+    }
+    ~GrowClock() { m_seconds += 1e-3 * m_watch.elapsed().wallMs; }
+    GrowClock(const GrowClock&) = delete;
+    GrowClock& operator=(const GrowClock&) = delete;
+
+private:
+    double& m_seconds;
+    Stopwatch m_watch;
+};
 
 /// The stages in their order, each into its place in the result. C is TreePipeline::Cache, which is private
 /// there.
@@ -346,6 +366,7 @@ private:
         return cached(m_cache.symbols, m_hashes[Stage::Symbols], m_progress,
                       [&] {
                           const Progress progress = m_progress.part(0.0, 0.05);
+                          const GrowClock clock(m_growSeconds);
                           return m_hashes.life() != 0 ? m_cache.life.grow(m_hashes.life(), m_params, progress)
                                                       : growSymbols(m_params, progress);
                       })
@@ -358,10 +379,15 @@ private:
     {
         return cached(m_cache.skeleton, m_hashes.grown(), m_progress,
                       [&] {
+                          const GrowClock clock(m_growSeconds);
                           return m_frozen ? unpackSkeleton(m_frozen->bytes)
                                           : growSkeleton(*m_grown, m_params, m_progress.part(0.05, 0.1));
                       })
             .and_then([&](auto made) {
+                if (m_growSeconds > 0.0 && !m_frozen)
+                    m_cache.grownIn = {m_hashes.grown(), m_growSeconds};
+                if (m_cache.grownIn.first == m_hashes.grown())
+                    m_result.sourceSeconds = m_cache.grownIn.second;
                 m_result.grown = made;
                 m_result.skeleton = std::move(made);
                 return edited();
@@ -470,6 +496,7 @@ private:
     C& m_cache;
     const Progress& m_progress;
     std::shared_ptr<const GrownSymbols> m_grown;
+    double m_growSeconds = 0.0;
     std::shared_ptr<const FrozenTree> m_frozen; ///< null: the tree grows
     TreeResult m_result;
     bool m_meshes = true; ///< there will be sections and a mesh

@@ -45,7 +45,8 @@ struct TreeResult
     std::shared_ptr<const Foliage> foliage;
     std::shared_ptr<const TriangleMesh> leaves;
     std::shared_ptr<const TriangleMesh> apples;
-    double seconds = 0.0; ///< time this evaluation took, cache hits included
+    double sourceSeconds = 0.0; ///< time that its source took when it grew; 0: not known, or frozen
+    double seconds = 0.0;       ///< time this evaluation took, cache hits included
 };
 
 /// Most triangles that a branch mesh may have by estimate: twice its cross-sections times their points.

@@ -1,6 +1,7 @@
 #include "core/presets/species.h"
 
 #include "core/math/angle.h"
+#include "core/params/source_facts.h"
 #include <array>
 
 namespace ramure {
@@ -229,7 +230,7 @@ std::span<const GrownSpecies> grownSpecies()
 NodeParams grownParams(const GrownSpecies& species, const NodeParams& dress)
 {
     NodeParams params = dress;
-    params.generator.kind = TreeGenerator::Growth;
+    params.generator.kind = EditOperation::Growth;
     params.weberPenn = {};
     params.growth = species.growth;
     if (species.growth.habit == GrowthHabit::Palm) { // its fronds carry leaves and fruit of their own

@@ -87,7 +87,7 @@ NodeParams grown(GrammarParams grammar, TurtleParams turtle)
 NodeParams filling(ColonisationParams crown)
 {
     NodeParams params;
-    params.generator.kind = TreeGenerator::Colonisation;
+    params.generator.kind = EditOperation::Colonisation;
     params.colonisation = std::move(crown);
     params.sections = {3, 8};
     params.mesh.clampOvershoot = true;

@@ -147,7 +147,7 @@ void setLeaves(NodeParams& params, const GrownLeaves& leaves)
 NodeParams speciesParams(const Species& species)
 {
     NodeParams params;
-    params.generator.kind = TreeGenerator::WeberPenn;
+    params.generator.kind = EditOperation::WeberPenn;
     params.weberPenn = species.growth;
     if (double& clearance = params.weberPenn.clearance; clearance == 0.0)
         clearance = usualClearance;

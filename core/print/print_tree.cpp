@@ -1,6 +1,7 @@
 #include "core/print/print_tree.h"
 
 #include "core/math/reproducible.h"
+#include "core/params/source_facts.h"
 #include "core/print/leaf_sheets.h"
 #include "core/print/print_skeleton.h"
 #include "core/print/thinned_mesh.h"

@@ -29,13 +29,12 @@ static Expected<void> actAlong(EditTree& tree, const TreeEdit& edit, Index targe
     return done;
 }
 
-static Expected<void> unknown(EditTree& /*tree*/, const TreeEdit& /*edit*/, Index /*target*/, Index /*other*/)
+Expected<void> unknown(EditTree& /*tree*/, const TreeEdit& /*edit*/, Index /*target*/, Index /*other*/)
 {
     return fail(ErrorCode::Unknown, RAMURE_NOOP("a newer version of the program has made this step"));
 }
 
-/// Applier does not run it.
-static Expected<void> frozen(EditTree& /*tree*/, const TreeEdit& /*edit*/, Index /*target*/, Index /*other*/)
+Expected<void> frozen(EditTree& /*tree*/, const TreeEdit& /*edit*/, Index /*target*/, Index /*other*/)
 {
     return {};
 }
@@ -65,13 +64,9 @@ Random chanceOf(const EditTree& tree, const TreeEdit& edit, Index axis)
 
 Expected<void> act(EditTree& tree, const TreeEdit& edit, Index target, Index other)
 {
-    constexpr Act* acts[] = {cut,    remove, keep,   bend,   curl,   twist,    roll,  length,  thickness,
-                             taper,  draw,   extend, redraw, graft,  move,     prune, attract, comb,
-                             leaves, root,   place,  sag,    gnarl,  deadWood, pipe,  flare,   growOn,
-                             source, source, source, source, frozen, unknown};
-    static_assert(std::size(acts) == editOperationCount);
     tree.setMaker(edit.id);
-    Act* const act = acts[static_cast<std::size_t>(edit.operation)];
+    const auto own = std::ranges::find(acts, edit.operation, &OperationAct::operation);
+    Act* const act = own != std::end(acts) ? own->act : source;
     return infoOf(edit.operation).fields & editPath ? actAlong(tree, edit, target, other, act)
                                                     : act(tree, edit, target, other);
 }

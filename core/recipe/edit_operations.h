@@ -23,6 +23,27 @@ Act deadWood;                                             // dead_wood.cpp
 Act pipe, flare;                                          // radii.cpp
 Act growOn;                                               // grow_on.cpp
 Act source;                                               // step_source.cpp
+Act frozen;  ///< does nothing: Applier takes the tree that the step holds
+Act unknown; ///< an error
+
+struct OperationAct
+{
+    EditOperation operation;
+    Act* act;
+};
+/// What is not here is a source.
+inline constexpr OperationAct acts[] = {
+    {EditOperation::Cut, cut},       {EditOperation::Remove, remove},   {EditOperation::Keep, keep},
+    {EditOperation::Bend, bend},     {EditOperation::Curl, curl},       {EditOperation::Twist, twist},
+    {EditOperation::Roll, roll},     {EditOperation::Length, length},   {EditOperation::Thickness, thickness},
+    {EditOperation::Taper, taper},   {EditOperation::Draw, draw},       {EditOperation::Extend, extend},
+    {EditOperation::Redraw, redraw}, {EditOperation::Graft, graft},     {EditOperation::Move, move},
+    {EditOperation::Prune, prune},   {EditOperation::Attract, attract}, {EditOperation::Comb, comb},
+    {EditOperation::Leaves, leaves}, {EditOperation::Root, root},       {EditOperation::Place, place},
+    {EditOperation::Sag, sag},       {EditOperation::Gnarl, gnarl},     {EditOperation::DeadWood, deadWood},
+    {EditOperation::Pipe, pipe},     {EditOperation::Flare, flare},     {EditOperation::GrowOn, growOn},
+    {EditOperation::Frozen, frozen}, {EditOperation::Unknown, unknown},
+};
 
 Expected<void> act(EditTree& tree, const TreeEdit& edit, Index target, Index other);
 

@@ -2,7 +2,7 @@
 #include "core/recipe/edit_operations.h"
 
 #include "core/generators/grammar/turtle.h"
-#include "core/generators/grow_tree.h"
+#include "core/generators/sources.h"
 #include "core/generators/variety.h"
 #include "core/math/reproducible.h"
 #include "core/math/stage_hash.h"

@@ -15,10 +15,7 @@ Expected<EditShape> meshShape(const Scene& scene, NodeId treeId, NodeId solidId)
     const auto mesh = objectSolid(*solid, solid->params);
     if (!isSolid || !mesh || !*mesh || (*mesh)->triangles.empty())
         return fail(ErrorCode::Invalid, RAMURE_NOOP("\"%1\" is no solid"), {solid->name});
-    const auto place = [&scene](const Node& node) {
-        return worldMatrix(scene, node.id) * placementMatrix(node.params.local);
-    };
-    const glm::dmat4 intoTree = glm::inverse(place(*tree)) * place(*solid);
+    const glm::dmat4 intoTree = glm::inverse(geometryMatrix(scene, *tree)) * geometryMatrix(scene, *solid);
     EditShape shape{EditShapeKind::Mesh, {}, {}, {}};
     for (const glm::vec3& p : (*mesh)->positions)
         shape.points.emplace_back(intoTree * glm::dvec4(p, 1.0));

@@ -2,6 +2,7 @@
 
 #include "core/generators/colonisation/growth_space.h"
 #include "core/math/stage_hash.h"
+#include "core/params/source_facts.h"
 #include "core/scene/object_mesh.h"
 #include "core/scene/standing_ground.h"
 #include <algorithm>
@@ -25,46 +26,32 @@ bool isSolid(const Node& node)
            node.params.growthRole != GrowthRole::None;
 }
 
-bool heedsSolids(const Node& node)
+SolidUse solidUse(const Node& node)
 {
-    const TreeGenerator generator = node.params.generator.kind;
-    return node.kind == NodeKind::Tree &&
-           (generator == TreeGenerator::Colonisation || generator == TreeGenerator::Growth);
+    return node.kind == NodeKind::Tree ? sourceFacts(node.params).solids(node.params) : SolidUse::None;
 }
 
-/// Whether it fills the solids below it.
-bool fillsSolids(const NodeParams& params)
+bool hasCrown(const Node& node)
 {
-    return params.generator.kind == TreeGenerator::Growth
-               ? params.growth.sees == GrowthLight::Space
-               : params.colonisation.envelope == CrownEnvelope::Solid;
+    return node.kind == NodeKind::Tree && node.params.generator.kind == EditOperation::Growth &&
+           node.params.growth.habit == GrowthHabit::Branching;
 }
 
-glm::dmat4 geometryMatrix(const Scene& scene, const Node& node)
+/// What a tree may find around it.
+struct Surroundings
 {
-    return worldMatrix(scene, node.id) * placementMatrix(node.params.local);
-}
+    std::vector<Placed> solids, crowns;
 
-/// The hash of a solid's mesh, without making the mesh; 0 where there is none.
-std::uint64_t shapeOf(const Node& solid)
-{
-    if (solid.kind == NodeKind::Mesh)
-        return solid.mesh && !solid.mesh->empty() ? solid.mesh.hash() : 0;
-    StageHash hash(0);
-    for (const double number : ownNumbers(solid.kind, solid.params))
-        hash.add(number);
-    return hash.value();
-}
-
-std::vector<Placed> solidsOf(const Scene& scene)
-{
-    std::vector<Placed> solids;
-    for (const Node& node : scene.nodes())
-        if (isSolid(node))
-            if (const std::uint64_t shape = shapeOf(node); shape != 0)
-                solids.push_back({&node, shape, geometryMatrix(scene, node)});
-    return solids;
-}
+    explicit Surroundings(const Scene& scene)
+    {
+        for (const Node& node : scene.nodes())
+            if (isSolid(node)) {
+                if (const std::uint64_t shape = shapeHash(node); shape != 0)
+                    solids.push_back({&node, shape, geometryMatrix(scene, node)});
+            } else if (hasCrown(node))
+                crowns.push_back({&node, 0, geometryMatrix(scene, node)});
+    }
+};
 
 void add(StageHash& hash, const Placed& solid, const glm::dmat4& place)
 {
@@ -75,25 +62,20 @@ void add(StageHash& hash, const Placed& solid, const glm::dmat4& place)
     hash.add(solid.shape);
 }
 
-bool hasCrown(const Node& node)
-{
-    return node.kind == NodeKind::Tree && node.params.generator.kind == TreeGenerator::Growth &&
-           node.params.growth.habit == GrowthHabit::Branching;
-}
-
 /// The trees that reach a tree's light, nearest first. Equally near ones are ordered by their places, so that
 /// the order of the scene changes nothing.
-std::vector<NeighbourCrown> neighboursOf(const Scene& scene, const Node& tree, const glm::dmat4& intoTree)
+std::vector<NeighbourCrown> neighboursOf(const std::vector<Placed>& crowns, const Node& tree,
+                                         const glm::dmat4& intoTree)
 {
     constexpr std::size_t most = 12;
     std::vector<NeighbourCrown> all;
     if (!hasCrown(tree) || !tree.params.growth.neighbours)
         return all;
-    for (const Node& node : scene.nodes()) {
-        if (node.id == tree.id || !hasCrown(node))
+    for (const Placed& each : crowns) {
+        if (each.node->id == tree.id)
             continue;
-        const GrowthParams& growth = node.params.growth;
-        const glm::dmat4 place = intoTree * geometryMatrix(scene, node);
+        const GrowthParams& growth = each.node->params.growth;
+        const glm::dmat4 place = intoTree * each.world;
         const double scale = glm::length(glm::dvec3(place[1]));
         const NeighbourCrown crown{glm::dvec3(place[3]), scale * growth.height, scale * growth.crownWidth,
                                    growth.crownBase, growth.maturity};
@@ -117,28 +99,38 @@ void add(StageHash& hash, const NeighbourCrown& crown)
         hash.add(number);
 }
 
-/// The mesh of a solid in the space of the tree.
-std::shared_ptr<const TriangleMesh> moved(const Node& solid, const glm::dmat4& place)
+/// A solid and its place in the space of the tree.
+using SolidInTree = std::pair<Node, glm::dmat4>;
+
+GrowthSolids builtOf(const std::vector<SolidInTree>& moved)
 {
-    TriangleMesh out;
-    const auto mesh = objectSolid(solid, solid.params);
-    if (!mesh || !*mesh)
-        return std::make_shared<const TriangleMesh>(std::move(out));
-    out.positions.reserve((*mesh)->positions.size());
-    for (const glm::vec3& p : (*mesh)->positions)
-        out.positions.emplace_back(place * glm::dvec4(p, 1.0));
-    out.triangles = (*mesh)->triangles;
-    return std::make_shared<const TriangleMesh>(std::move(out));
+    std::vector<GrowthSpace::Solid> solids;
+    for (const auto& [solid, place] : moved) {
+        TriangleMesh out;
+        const auto mesh = objectSolid(solid, solid.params);
+        if (mesh && *mesh) {
+            out.positions.reserve((*mesh)->positions.size());
+            for (const glm::vec3& p : (*mesh)->positions)
+                out.positions.emplace_back(place * glm::dvec4(p, 1.0));
+            out.triangles = (*mesh)->triangles;
+        }
+        solids.push_back(
+            {solid.name, std::make_shared<const TriangleMesh>(std::move(out)), solid.params.growthRole});
+    }
+    GrowthSolids built{std::make_shared<const GrowthSpace>(std::move(solids))};
+    built.top = built.space->top();
+    return built;
 }
 
 /// Nothing where the tree has the same already.
-std::optional<GrowthSpaceLink> linkOf(const Scene& scene, const Node& tree, const std::vector<Placed>& solids)
+std::optional<GrowthSpaceLink> linkOf(const Scene& scene, const Node& tree, const Surroundings& around)
 {
-    const bool fills = fillsSolids(tree.params);
+    const SolidUse use = solidUse(tree);
+    const bool fills = use != SolidUse::Around;
     const glm::dmat4 intoTree = glm::inverse(geometryMatrix(scene, tree));
     StageHash hash(fills ? 1 : 0);
     std::vector<const Placed*> mine;
-    for (const Placed& solid : solids) {
+    for (const Placed& solid : around.solids) {
         const bool isEnvelope = solid.node->params.growthRole == GrowthRole::Envelope;
         if (isEnvelope && !(fills && scene.isAncestor(tree.id, solid.node->id)))
             continue;
@@ -146,43 +138,41 @@ std::optional<GrowthSpaceLink> linkOf(const Scene& scene, const Node& tree, cons
         add(hash, solid, intoTree * solid.world);
     }
     GrowthSpaceLink link;
-    link.neighbours = neighboursOf(scene, tree, intoTree);
+    link.neighbours = neighboursOf(around.crowns, tree, intoTree);
     for (const NeighbourCrown& crown : link.neighbours)
         add(hash, crown);
-    const bool hasSolids =
-        !mine.empty() || (fills && tree.params.generator.kind == TreeGenerator::Colonisation);
+    const bool hasSolids = !mine.empty() || use == SolidUse::Needs;
     if (hasSolids || !link.neighbours.empty())
         link.hash = hash.value();
     if (link == tree.params.colonisation.space)
         return std::nullopt;
-    std::vector<GrowthSpace::Solid> moving;
+    if (!hasSolids)
+        return link;
+    std::vector<SolidInTree> moving;
     for (const Placed* solid : mine)
-        moving.push_back({solid->node->name, moved(*solid->node, intoTree * solid->world),
-                          solid->node->params.growthRole});
-    if (hasSolids) {
-        link.space = std::make_shared<const GrowthSpace>(std::move(moving));
-        link.top = link.space->top();
-    }
+        moving.emplace_back(*solid->node, intoTree * solid->world);
+    link.solids =
+        std::make_shared<const Lazy<GrowthSolids>>([moved = std::move(moving)] { return builtOf(moved); });
     return link;
 }
 
 } // namespace
 
-std::map<NodeId, GrowthSpaceLink> staleGrowthSpaces(const Scene& scene)
+std::map<NodeId, GrowthSpaceLink> staleGrowthSpaces(const Scene& scene, std::span<const NodeId> only)
 {
     std::map<NodeId, GrowthSpaceLink> stale;
-    std::optional<std::vector<Placed>> solids;
-    for (const Node& node : scene.nodes()) {
-        if (!heedsSolids(node)) {
+    std::optional<Surroundings> around;
+    forEachOf(scene, only, [&](const Node& node) {
+        if (solidUse(node) == SolidUse::None) {
             if (node.params.colonisation.space.hash != 0)
                 stale.emplace(node.id, GrowthSpaceLink());
-            continue;
+            return;
         }
-        if (!solids)
-            solids = solidsOf(scene);
-        if (auto link = linkOf(scene, node, *solids))
+        if (!around)
+            around.emplace(scene);
+        if (auto link = linkOf(scene, node, *around))
             stale.emplace(node.id, std::move(*link));
-    }
+    });
     return stale;
 }
 
@@ -196,8 +186,8 @@ void linkGrowthSpaces(Scene& scene)
 {
     for (auto& [id, link] : staleGrowthSpaces(scene))
         setGrowthSpace(scene.find(id)->params, link);
-    for (const auto& [id, ground] : staleGrounds(scene))
-        scene.find(id)->params.ground = ground;
+    for (auto& [id, ground] : staleGrounds(scene))
+        scene.find(id)->params.ground = std::move(ground);
 }
 
 } // namespace ramure

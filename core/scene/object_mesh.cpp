@@ -1,5 +1,7 @@
 #include "core/scene/object_mesh.h"
 
+#include "core/math/stage_hash.h"
+
 namespace ramure {
 
 std::shared_ptr<const TriangleMesh> objectMesh(const Node& node, const NodeParams& params)
@@ -18,6 +20,16 @@ Expected<std::shared_ptr<const TriangleMesh>> objectSolid(const Node& node, cons
 {
     const NodeKindRow& row = kindRow(node.kind);
     return row.solid ? row.solid(params, node.mesh.pointer()) : nullptr;
+}
+
+std::uint64_t shapeHash(const Node& node)
+{
+    if (node.kind == NodeKind::Mesh)
+        return node.mesh && !node.mesh->empty() ? node.mesh.hash() : 0;
+    StageHash hash(0);
+    for (const double number : ownNumbers(node.kind, node.params))
+        hash.add(number);
+    return hash.value();
 }
 
 } // namespace ramure

@@ -20,5 +20,7 @@ std::shared_ptr<const TriangleMesh> objectMesh(const Node& node, const NodeParam
 /// are as they were read, and arms have the pose of their joints (core/evaluate/evaluator.h turns them for a
 /// time). It is null if there is nothing. Errors: those of buildTerrain, armCylinder and checkArmMesh.
 Expected<std::shared_ptr<const TriangleMesh>> objectSolid(const Node& node, const NodeParams& params);
+/// Equal for nodes whose objectSolid() is equal, without making it; 0 of a mesh without triangles.
+std::uint64_t shapeHash(const Node& node);
 
 } // namespace ramure

@@ -41,6 +41,11 @@ glm::dmat4 worldMatrix(const Scene& scene, NodeId id)
     return world;
 }
 
+glm::dmat4 geometryMatrix(const Scene& scene, const Node& node)
+{
+    return worldMatrix(scene, node.id) * placementMatrix(node.params.local);
+}
+
 /// Angles about X, Y, Z of a rotation matrix Rz * Ry * Rx. Where Y is a quarter turn, X and Z turn about one
 /// axis: Z is 0 then.
 static glm::dvec3 anglesOf(const glm::dmat3& r)

@@ -13,6 +13,7 @@
 #include "core/scene/view_bookmarks.h"
 #include "core/surface/mesh/triangle_mesh.h"
 #include <glm/mat4x4.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -109,6 +110,18 @@ glm::dmat3 rotationMatrix(const glm::dvec3& rotationRad);
 /// At rest, without tracks: parent world * own placement, from the top down. Unknown ids: identity. At a
 /// time: core/scene/world_transforms.h.
 glm::dmat4 worldMatrix(const Scene& scene, NodeId id);
+/// The same of the node's own geometry, with its local placement. A group has none.
+glm::dmat4 geometryMatrix(const Scene& scene, const Node& node);
+/// Calls \p act for each of the nodes \p only that there is; where it names none, for all.
+template <class Act> void forEachOf(const Scene& scene, std::span<const NodeId> only, Act&& act)
+{
+    for (const NodeId id : only)
+        if (const Node* node = scene.find(id))
+            act(*node);
+    if (only.empty())
+        for (const Node& node : scene.nodes())
+            act(node);
+}
 /// The placement whose matrix is \p matrix. Error Invalid: the matrix is sheared, flattened, projective or
 /// not finite, so that no translation, rotation and scale give it. A mirrored matrix gets its negative scale
 /// on X.

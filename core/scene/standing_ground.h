@@ -5,12 +5,13 @@
 #include "core/params/ground_plane.h"
 #include "core/scene/scene.h"
 #include <map>
-#include <optional>
+#include <span>
 
 namespace ramure {
 
 /// Returns the ground of each tree with roots whose stored one is out of date: the plane of the surface
-/// nearest to its foot, or nothing where none is near. Ignores animation; hidden solids count.
-std::map<NodeId, std::optional<GroundPlane>> staleGrounds(const Scene& scene);
+/// nearest to its foot, or nothing where none is near. Ignores animation; hidden solids count. \param only
+/// the trees to look at; none: all
+std::map<NodeId, StandingGround> staleGrounds(const Scene& scene, std::span<const NodeId> only = {});
 
 } // namespace ramure

@@ -1,6 +1,7 @@
 // Signs that are measured on the leaves.
 #include "core/math/angle.h"
 #include "core/math/reproducible.h"
+#include "core/params/source_facts.h"
 #include "core/pipeline/tree_pipeline.h"
 #include "core/signs/sign_rows.h"
 #include "core/surface/foliage/leaf_measures.h"

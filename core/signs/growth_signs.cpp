@@ -230,7 +230,7 @@ Expected<void> addGrowth(Rows& rows, const NodeParams& params, std::string_view 
                          const Progress& progress)
 {
     const bool lives =
-        params.generator.kind == TreeGenerator::Growth && params.growth.habit == GrowthHabit::Branching;
+        params.generator.kind == EditOperation::Growth && params.growth.habit == GrowthHabit::Branching;
     if (!lives) {
         for (const auto& [key, label] :
              std::array<std::pair<const char*, const char*>, 4>{{{"balance", "crown in the open"},

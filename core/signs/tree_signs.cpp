@@ -68,7 +68,7 @@ Expected<void> addSlenderness(Rows& rows, NodeParams params, const Preset* speci
         rows.push_back(absent(std::move(sign), "no published measures of the species"));
         return {};
     }
-    if (params.generator.kind == TreeGenerator::Growth && species->ages.back() > 0) {
+    if (params.generator.kind == EditOperation::Growth && species->ages.back() > 0) {
         params.growth.age = species->ages.back();
         sign.note += ", at " + std::to_string(species->ages.back()) + " years";
     }

@@ -7,10 +7,12 @@
 #include "core/params/tree_edit_table.h"
 #include "core/pipeline/tree_context.h"
 #include "core/presets/presets.h"
+#include "core/scene/growth_spaces.h"
 #include "core/skeleton/edit_places.h"
 #include "tests/bench/bench_trees.h"
 #include "tests/support/book_trees.h"
 #include <benchmark/benchmark.h>
+#include <cmath>
 
 using namespace ramure;
 
@@ -290,5 +292,36 @@ void BM_editContext(benchmark::State& state)
     state.SetLabel(std::to_string(grown.size()) + " branches");
 }
 BENCHMARK(BM_editContext)->Unit(benchmark::kMicrosecond);
+
+/// What the interface's thread does when a rock is moved under a tree with roots, by triangles of the rock.
+void BM_rockUnderATree(benchmark::State& state)
+{
+    const auto side = static_cast<std::uint32_t>(std::sqrt(double(state.range(0)) / 2.0));
+    TriangleMesh rock;
+    for (std::uint32_t z = 0; z <= side; ++z)
+        for (std::uint32_t x = 0; x <= side; ++x)
+            rock.positions.emplace_back(4.0f * float(x) / float(side) - 2.0f, 0.0f,
+                                        4.0f * float(z) / float(side) - 2.0f);
+    for (std::uint32_t z = 0; z < side; ++z)
+        for (std::uint32_t x = 0; x < side; ++x) {
+            const std::uint32_t a = z * (side + 1) + x, b = a + side + 1;
+            rock.triangles.emplace_back(a, b, a + 1);
+            rock.triangles.emplace_back(a + 1, b, b + 1);
+        }
+    Node tree, stone;
+    tree.id = 1;
+    tree.kind = NodeKind::Tree;
+    tree.params = bench::need(presetParams("EnglishOak"));
+    stone.id = 2;
+    stone.kind = NodeKind::Mesh;
+    stone.mesh = SharedValue<TriangleMesh>(std::move(rock));
+    stone.params.growthRole = GrowthRole::Obstacle;
+    Scene scene = bench::need(Scene::fromNodes({tree, stone}));
+    for (auto _ : state) {
+        scene.find(2)->params.tree.translation.y += 1e-4;
+        linkGrowthSpaces(scene);
+    }
+}
+BENCHMARK(BM_rockUnderATree)->Arg(1'000)->Arg(100'000)->Arg(1'000'000)->Unit(benchmark::kMicrosecond);
 
 } // namespace

@@ -21,7 +21,7 @@ class TestGrowthDocument : public QObject
         made.kind = kind;
         made.name = name;
         if (kind == NodeKind::Tree)
-            made.params.generator.kind = TreeGenerator::Colonisation;
+            made.params.generator.kind = EditOperation::Colonisation;
         return made;
     }
 
@@ -91,7 +91,7 @@ private slots:
             return document.scene().find(1)->params.colonisation.space;
         };
         const GrowthSpaceLink link = openWith(mesh);
-        QVERIFY(link.hash != 0 && link.space);
+        QVERIFY(link.hash != 0 && link.space());
         QVERIFY(openWith(same) == link);
         QVERIFY(!(openWith(other) == link));
         QVERIFY(openWith(SharedValue<TriangleMesh>(TriangleMesh())).hash == 0);
@@ -108,7 +108,7 @@ private slots:
         QVERIFY(saveProjectFile(document.project(), file));
         const auto read = loadProjectFile(file);
         QVERIFY(read && read->scene == document.scene());
-        QVERIFY(read->scene.find(tree)->params.colonisation.space.space);
+        QVERIFY(read->scene.find(tree)->params.colonisation.space.space());
         Scene bare = read->scene;
         bare.find(tree)->params.colonisation.space = {};
         Document opened;

@@ -1,5 +1,6 @@
 #include "core/qt/session/jobs/planting.h"
 
+#include "core/params/source_facts.h"
 #include "core/pipeline/tree_pipeline.h"
 #include "core/presets/presets.h"
 #include "core/qt/document/commands.h"
@@ -135,7 +136,8 @@ private slots:
         for (const char* preset : {"ParkTree", "SilverBirch1995", "SmallTree"}) { // of each generator
             const auto second = plantTree(document, preset);
             QVERIFY2(second, test::why(second));
-            const double reach = usualReach(document.scene().find(*second)->params);
+            const NodeParams& tree = document.scene().find(*second)->params;
+            const double reach = sourceFacts(tree).reach(tree);
             QVERIFY(reach > 0.5);
             QVERIFY(std::abs(placeOf(document, *second).x - (right + reach)) < 1e-9);
             document.undo();

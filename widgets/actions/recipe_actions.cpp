@@ -28,22 +28,6 @@ OwnPresets ownSteps()
                       QStringLiteral("/steps"));
 }
 
-EditOperation sourceOf(const NodeParams& params)
-{
-    switch (params.generator.kind) {
-    case TreeGenerator::WeberPenn:
-        return EditOperation::WeberPenn;
-    case TreeGenerator::Colonisation:
-        return EditOperation::Colonisation;
-    case TreeGenerator::Growth:
-        return EditOperation::Growth;
-    case TreeGenerator::Grammar:
-    case TreeGenerator::Drawn:
-        break;
-    }
-    return EditOperation::Grammar;
-}
-
 } // namespace
 
 RecipeActions::RecipeActions(Document* document, ActionSet* set, QObject* parent)
@@ -55,8 +39,7 @@ RecipeActions::RecipeActions(Document* document, ActionSet* set, QObject* parent
     const auto isThere = [this] { return !targetTrees(*m_document).empty(); };
     for (const EditOperationInfo& info : editOperations())
         if (info.group == StepGroup::Modifier || info.group == StepGroup::Source)
-            set->add(this, {idOf(info), tr("Step: %1").arg(coreText(info.label)), nullptr, noKeys,
-                            coreText(info.tip),
+            set->add(this, {idOf(info), coreText(info.label), nullptr, noKeys, coreText(info.tip),
                             [this, operation = info.operation] { add(newStep(operation)); }, isThere});
     fillMenu();
     connect(document, &Document::changed, this, [this](const Change& change) {
@@ -99,7 +82,7 @@ void RecipeActions::save(NodeId tree, const std::vector<std::uint64_t>& steps)
         return;
     Node kept = *from;
     kept.params = NodeParams();
-    kept.params.generator.kind = TreeGenerator::Drawn;
+    kept.params.generator.kind = EditOperation::Draw;
     for (const TreeEdit& step : from->params.edits)
         if (std::ranges::count(steps, step.id) > 0)
             kept.params.edits.push_back(step);
@@ -140,7 +123,8 @@ void RecipeActions::addPresets(QMenu* menu)
             const auto params = presetParams(name);
             if (!params)
                 return;
-            add(newStep(sourceOf(*params), *params));
+            const EditOperation first = params->generator.kind;
+            add(newStep(first == EditOperation::Draw ? EditOperation::Grammar : first, *params));
         });
     }
     sortGroups(menu);

@@ -66,7 +66,7 @@ bool setAge(Scene& scene, double age)
 {
     bool grows = false;
     for (const Node& node : scene.nodes())
-        if (node.kind == NodeKind::Tree && node.params.generator.kind == TreeGenerator::Growth) {
+        if (node.kind == NodeKind::Tree && node.params.generator.kind == EditOperation::Growth) {
             scene.find(node.id)->params.growth.age = age;
             grows = true;
         }

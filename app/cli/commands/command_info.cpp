@@ -4,6 +4,7 @@
 #include "app/cli/mesh_check.h"
 #include "app/cli/moments.h"
 #include "core/math/box.h"
+#include "core/params/source_facts.h"
 #include "core/params/tree_edit_table.h"
 #include "core/qt/document/project/project_json.h"
 #include "core/recipe/apply_edits.h"

@@ -4,6 +4,7 @@
 #include "core/base/parallel.h"
 #include "core/generators/variety.h"
 #include "core/params/recipe.h"
+#include "core/params/source_facts.h"
 #include "core/params/tree_edit_table.h"
 #include "core/pipeline/tree_pipeline.h"
 #include "core/presets/named_seeds.h"

@@ -3,6 +3,7 @@
 #include "app/cli/work.h"
 #include "core/base/file_writer.h"
 #include "core/base/number_text.h"
+#include "core/params/source_facts.h"
 #include "core/rig/physics/physics_cache.h"
 #include <QJsonArray>
 #include <QJsonObject>

@@ -123,7 +123,7 @@ private:
     /// Behind an obstacle.
     [[nodiscard]] bool isHidden(const glm::dvec3& at, const glm::dvec3& from) const
     {
-        return m_params.space.space && m_params.space.space->blocks(from, at);
+        return m_params.space.space() && m_params.space.space()->blocks(from, at);
     }
 
     /// Up until a point is in sight. \return whether one is; if not, the foot is all there is.

@@ -178,7 +178,7 @@ Expected<std::vector<glm::dvec3>> solidPoints(const ColonisationParams& params, 
                                               const Progress& progress)
 {
     const GrowthSpace nothing({});
-    const GrowthSpace& space = params.space.space ? *params.space.space : nothing;
+    const GrowthSpace& space = params.space.space() ? *params.space.space() : nothing;
     RAMURE_TRY(space.checkEnvelope());
     return space.points(params.points, params.surface, seed, progress);
 }
@@ -190,10 +190,10 @@ Expected<std::vector<glm::dvec3>> crownPoints(const ColonisationParams& params, 
 {
     auto points = params.envelope == CrownEnvelope::Solid ? solidPoints(params, seed, progress)
                                                           : revolvedPoints(params, seed);
-    if (!points || !params.space.space)
+    if (!points || !params.space.space())
         return points;
     std::erase_if(*points, [&](const glm::dvec3& point) {
-        return !progress.cancelled() && params.space.space->blocks(point);
+        return !progress.cancelled() && params.space.space()->blocks(point);
     });
     if (progress.cancelled())
         return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));

@@ -255,7 +255,7 @@ glm::dvec3 GrowingTree::lightAt(const ShootStart& start, const YearFactors& fact
         if (m_room && start.from < m_towards.size() && m_towards[start.from] != glm::dvec3(0.0))
             light = m_towards[start.from];
     }
-    if (glm::dvec3 open; m_params.space.space != nullptr && openSky(m_params, start.at, open) < 1.0)
+    if (glm::dvec3 open; m_params.space.space() != nullptr && openSky(m_params, start.at, open) < 1.0)
         light += open;
     if (glm::dvec3 away; !m_neighbours.empty()) {
         (void)m_neighbours.lightAt(start.at, away);
@@ -266,7 +266,7 @@ glm::dvec3 GrowingTree::lightAt(const ShootStart& start, const YearFactors& fact
 
 void GrowingTree::grow(ShootStart start, int nodes, double stretch, const YearFactors& factors)
 {
-    const GrowthSpace* space = m_params.space.space.get();
+    const GrowthSpace* space = m_params.space.space();
     glm::dvec3 light(0.0);
     if (nodes > 1 || !start.isNew)
         light = lightAt(start, factors);
@@ -338,7 +338,7 @@ Index GrowingTree::addMetamer(const ShootStart& start, const glm::dvec3& directi
     pose.frame = frame;
     node.side = glm::vec3(back * start.side);
     node.outline = float(outline(pose.at));
-    if (glm::dvec3 open; m_params.space.space != nullptr)
+    if (glm::dvec3 open; m_params.space.space() != nullptr)
         node.sky = float(openSky(m_params, pose.at, open));
     m_nodes.push_back(node);
     m_poses.push_back(pose);

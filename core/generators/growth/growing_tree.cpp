@@ -52,7 +52,7 @@ double openSky(const GrowthParams& params, const glm::dvec3& at, glm::dvec3& tow
     constexpr double half = 0.70710678118654752;
     constexpr double across[] = {1.0, half, 0.0, -half, -1.0, -half, 0.0, half};
     const double reach = 2.0 * params.height;
-    const GrowthSpace& space = *params.space.space;
+    const GrowthSpace& space = *params.space.space();
     towards = glm::dvec3(0.0);
     double open = space.blocks(at, at + glm::dvec3(0.0, reach, 0.0)) ? 0.0 : 1.0;
     for (unsigned k = 0; k < 8; ++k) {
@@ -203,8 +203,8 @@ void GrowingTree::lightOf(Index metamer, const YearFactors& factors)
     else if (order > 0)
         own *= 0.15; // what fills its room lives on
     else             // leaders look for it
-        own *= m_params.space.top > 0.0
-                   ? (pose.at.y < m_params.space.top ? 0.5 : 0.15)
+        own *= m_params.space.top() > 0.0
+                   ? (pose.at.y < m_params.space.top() ? 0.5 : 0.15)
                    : 0.15 + 0.35 * envelope(pose.at, node.outline, order, m_site.above(pose.at));
     node.light = float(own);
     age(metamer);
@@ -281,12 +281,12 @@ Expected<void> GrowingTree::findRoom(const Progress& progress)
     constexpr double reach = 4.5, apart = 2.2, most = 400'000.0; // internodes; points
     const double step = apart * p.internode;
     std::vector<glm::dvec3> points;
-    if (p.space.space != nullptr && p.space.top > 0.0) {
-        if (auto checked = p.space.space->checkEnvelope(); !checked)
+    if (p.space.space() != nullptr && p.space.top() > 0.0) {
+        if (auto checked = p.space.space()->checkEnvelope(); !checked)
             return checked;
-        const double size = p.space.top * p.space.top * p.space.top / (step * step * step);
-        auto inside = p.space.space->points(std::int64_t(std::clamp(p.density * size, 500.0, most)), 0.3,
-                                            m_seed, progress);
+        const double size = p.space.top() * p.space.top() * p.space.top() / (step * step * step);
+        auto inside = p.space.space()->points(std::int64_t(std::clamp(p.density * size, 500.0, most)), 0.3,
+                                              m_seed, progress);
         RAMURE_TRY(inside);
         points = std::move(*inside);
     } else {

@@ -47,7 +47,7 @@ struct Site
     [[nodiscard]] double aside(const glm::dvec3& at, double up, double wide) const;
 };
 
-/// The share of the sky that no solid of the scene hides, by nine directions. \pre params.space.space
+/// The share of the sky that no solid of the scene hides, by nine directions. \pre params.space.space()
 /// \param towards becomes the mean of those that are open, level
 double openSky(const GrowthParams& params, const glm::dvec3& at, glm::dvec3& towards);
 

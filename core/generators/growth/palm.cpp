@@ -36,7 +36,7 @@ public:
         m_lean = 0.35 * params.wander * random.range(0.3, 1.0) * m_tall;
         m_phase = fullTurn * random.unit();
         const glm::dvec3 light = growth::Site(params).light;
-        if (params.space.space || light != glm::dvec3(0.0))
+        if (params.space.space() || light != glm::dvec3(0.0))
             lookForSky(light);
     }
 
@@ -85,7 +85,7 @@ private:
     /// again beyond.
     void lookForSky(const glm::dvec3& light)
     {
-        const GrowthSpace* space = m_params.space.space.get();
+        const GrowthSpace* space = m_params.space.space();
         constexpr double steps = 80.0, turns = 0.3, rights = 0.25, most = 0.5; // by metre; slope
         m_step = 1.15 * m_tall / steps;
         std::vector<glm::dvec3> shifts{glm::dvec3(0.0)};
@@ -244,7 +244,7 @@ private:
             const glm::dvec3 way =
                 glm::normalize(sine * (frond.out + aside * share * share * across) + cosine * up);
             const glm::dvec3 to = at + length / pieces * way;
-            if (m_params.space.space && m_params.space.space->blocks(at, to))
+            if (m_params.space.space() && m_params.space.space()->blocks(at, to))
                 return; // a wall
             const double end = std::min(radius, thick * (1.0 - 0.9 * share));
             below = m_skeleton.add(below, at, to, radius, end, 1);

@@ -23,7 +23,7 @@ GrammarNotes grammarNotes(const GrammarParams& params)
 std::vector<Error> grammarWarnings(const NodeParams& params)
 {
     std::vector<Error> warnings;
-    if (params.generator.kind != TreeGenerator::Grammar || params.grammar.dialect != GrammarDialect::Classic)
+    if (params.generator.kind != EditOperation::Grammar || params.grammar.dialect != GrammarDialect::Classic)
         return warnings;
     for (GrammarNote& note : grammarNotes(params.grammar))
         warnings.push_back(std::move(note.what));

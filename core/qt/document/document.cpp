@@ -185,11 +185,21 @@ void Document::settle(const Change& change)
 }
 
 /// Trees that fill solids or grow around them grow anew where these have changed, and stand on what is below
-/// them: part of the change itself, and undone with it.
-void Document::followSolids()
+/// them: part of the change itself, and undone with it. Only hashes are compared here; whoever grows a tree
+/// works out what it grows around.
+void Document::followSolids(const Change& edit)
 {
-    auto stale = staleGrowthSpaces(m_scene);
-    const auto grounds = staleGrounds(m_scene);
+    const auto isTree = [this](NodeId id) {
+        const Node* node = m_scene.find(id);
+        return node && node->kind == NodeKind::Tree;
+    };
+    // Shape, leaves and bark of a tree concern no other one.
+    const bool concernsOthers = edit.has(changeStructure) || edit.firstStale == Stage::Symbols ||
+                                edit.firstStale == Stage::Placement ||
+                                !std::ranges::all_of(edit.nodes, isTree);
+    const std::span<const NodeId> only = concernsOthers ? std::span<const NodeId>() : edit.nodes;
+    auto stale = staleGrowthSpaces(m_scene, only);
+    auto grounds = staleGrounds(m_scene, only);
     if (stale.empty() && grounds.empty())
         return;
     Change change;
@@ -204,8 +214,8 @@ void Document::followSolids()
     emit aboutToBeChanged(change);
     for (auto& [id, link] : stale)
         setGrowthSpace(m_scene.find(id)->params, link);
-    for (const auto& [id, ground] : grounds)
-        m_scene.find(id)->params.ground = ground;
+    for (auto& [id, ground] : grounds)
+        m_scene.find(id)->params.ground = std::move(ground);
     settle(change);
     emit changed(change);
 }

@@ -84,7 +84,7 @@ public:
         edit(m_scene);
         settle(change);
         emit changed(change);
-        followSolids();
+        followSolids(change);
     }
 
 signals:
@@ -93,7 +93,7 @@ signals:
 
 private:
     void settle(const Change& change);
-    void followSolids();
+    void followSolids(const Change& edit);
     void dropGone();
     [[nodiscard]] Selection valid(Selection selection) const;
     [[nodiscard]] Selection followed(const TreeResult& before, const TreeResult& after) const;

@@ -1,6 +1,7 @@
 #include "core/surface/season/foliage_on_day.h"
 
 #include "core/base/parallel.h"
+#include "core/params/source_facts.h"
 #include "core/surface/foliage/leaf_table.h"
 #include "core/surface/foliage/place_foliage.h"
 #include "core/surface/season/crown_place.h"

@@ -48,7 +48,7 @@ NodeParams parametricTree()
 NodeParams weberPennTree()
 {
     NodeParams params;
-    params.generator.kind = TreeGenerator::WeberPenn;
+    params.generator.kind = EditOperation::WeberPenn;
     params.weberPenn.levels = 2;
     params.weberPenn.shape = CrownShape::Envelope;
     params.weberPenn.level[1].branches = 8;
@@ -60,7 +60,7 @@ NodeParams weberPennTree()
 NodeParams colonisedTree()
 {
     NodeParams params;
-    params.generator.kind = TreeGenerator::Colonisation;
+    params.generator.kind = EditOperation::Colonisation;
     params.colonisation.points = 200;
     params.simplify.enabled = false;
     return params;
@@ -69,7 +69,7 @@ NodeParams colonisedTree()
 NodeParams grownByYears()
 {
     NodeParams params;
-    params.generator.kind = TreeGenerator::Growth;
+    params.generator.kind = EditOperation::Growth;
     params.growth.age = 6.0;
     params.mesh.targetTriangles = 3000;
     return params;

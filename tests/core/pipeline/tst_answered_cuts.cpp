@@ -1,4 +1,4 @@
-#include "core/generators/grow_tree.h"
+#include "core/generators/tree_life.h"
 #include "core/pipeline/freeze.h"
 #include "core/recipe/edit_context.h"
 #include "tests/support/mesh_checker.h"
@@ -105,7 +105,7 @@ private slots:
         QVERIFY(isNone([&] { edit.operation = EditOperation::Cut, edit.falls = true; }));
         QVERIFY(isNone([&] { edit.target.maker = 5; }));
         QVERIFY(isNone([&] { edit.operation = EditOperation::Keep; }));
-        params.generator.kind = TreeGenerator::WeberPenn;
+        params.generator.kind = EditOperation::WeberPenn;
         QVERIFY(growthCuts(params).empty());
         QCOMPARE(growthYears(params), 0.0);
     }

@@ -23,7 +23,7 @@ std::vector<const Preset*> grownPresets()
 {
     std::vector<const Preset*> grown;
     for (const Preset& preset : presets())
-        if (preset.params.generator.kind == TreeGenerator::Growth)
+        if (preset.params.generator.kind == EditOperation::Growth)
             grown.push_back(&preset);
     return grown;
 }

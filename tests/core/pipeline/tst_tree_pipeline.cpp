@@ -272,7 +272,13 @@ void TestTreePipeline::laterStagesAreNull()
         QCOMPARE(tree->report != nullptr, tree->branches != nullptr);
         QCOMPARE(tree->leaves != nullptr && tree->apples != nullptr, tree->foliage != nullptr);
         QVERIFY(tree->seconds >= 0.0);
+        QCOMPARE(tree->sourceSeconds > 0.0, last >= int(Stage::Skeleton));
     }
+    TreePipeline pipeline;
+    NodeParams params = smallParams();
+    const double grewIn = pipeline.evaluate(params)->sourceSeconds;
+    params.foliage.leavesDensity = 3;
+    QCOMPARE(pipeline.evaluate(params)->sourceSeconds, grewIn); // the tree has not grown again
 }
 
 void TestTreePipeline::everyParameterMakesItsStageStale_data()

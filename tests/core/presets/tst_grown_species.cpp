@@ -1,5 +1,6 @@
 #include "core/generators/growth/grown_skeleton.h"
 #include "core/math/angle.h"
+#include "core/params/source_facts.h"
 #include "core/pipeline/tree_pipeline.h"
 #include "core/presets/presets.h"
 #include "core/presets/species.h"

@@ -60,10 +60,10 @@ void TestPresets::valuesAreValidAndDeterministic()
                  preset.name);
         QVERIFY(*preset.description && *preset.group);
         const std::string_view group = preset.group;
-        const TreeGenerator generator = preset.params.generator.kind;
+        const EditOperation generator = preset.params.generator.kind;
         const bool isForm = group == "Forms"; // of a species, at one age
-        const bool grows = generator == TreeGenerator::Growth && !isForm;
-        const bool isSpecies = grows || (generator == TreeGenerator::WeberPenn && !isForm);
+        const bool grows = generator == EditOperation::Growth && !isForm;
+        const bool isSpecies = grows || (generator == EditOperation::WeberPenn && !isForm);
         QVERIFY2(!isSpecies || *preset.latin, preset.name);
         QVERIFY2(isSpecies ==
                      (group == "Broadleaved trees" || group == "Conifers" || group == "Weber and Penn 1995" ||

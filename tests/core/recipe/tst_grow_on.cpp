@@ -31,7 +31,7 @@ void append(NodeParams& params, TreeEdit step)
 NodeParams drawn()
 {
     NodeParams params;
-    params.generator.kind = TreeGenerator::Drawn;
+    params.generator.kind = EditOperation::Draw;
     TreeEdit trunk = editOf(EditOperation::Draw, 0);
     trunk.points = {
         {{0.0, 0.0, 0.0}, 0.1}, {{0.1, 0.8, 0.0}, 0.08}, {{0.0, 1.6, 0.1}, 0.06}, {{0.2, 2.4, 0.1}, 0.03}};

@@ -20,12 +20,12 @@ NodeParams smallTree(const QByteArray& preset)
     params.sections.lengthDivisions = 2;
     params.sections.radialDivisions = 5;
     const auto branches = [&params] { return grownTree(params).simplified->skeleton.size(); };
-    while (params.generator.kind == TreeGenerator::Grammar && params.grammar.iterations > 2 &&
+    while (params.generator.kind == EditOperation::Grammar && params.grammar.iterations > 2 &&
            branches() > 600)
         --params.grammar.iterations;
-    if (params.generator.kind == TreeGenerator::WeberPenn)
+    if (params.generator.kind == EditOperation::WeberPenn)
         params.weberPenn.levels = 2;
-    if (params.generator.kind == TreeGenerator::Colonisation)
+    if (params.generator.kind == EditOperation::Colonisation)
         params.colonisation.points = 300;
     return params;
 }

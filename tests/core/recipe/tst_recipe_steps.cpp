@@ -380,7 +380,7 @@ private:
     {
         if (stack == "limbs on a drawn trunk") {
             NodeParams drawn = oak();
-            drawn.generator.kind = TreeGenerator::Drawn;
+            drawn.generator.kind = EditOperation::Draw;
             TreeEdit trunk = editOf(EditOperation::Draw, 0);
             trunk.points = {{{0.0, 0.0, 0.0}, 0.3},
                             {{0.3, -0.1, 2.0}, 0.25},

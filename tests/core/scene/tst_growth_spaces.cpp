@@ -18,7 +18,7 @@ Node tree(NodeId id)
     node.id = id;
     node.kind = NodeKind::Tree;
     node.name = "Tree";
-    node.params.generator.kind = TreeGenerator::Colonisation;
+    node.params.generator.kind = EditOperation::Colonisation;
     node.params.colonisation.points = 600;
     node.params.colonisation.surface = 0.0;
     return node;
@@ -102,7 +102,7 @@ private slots:
         nodes[0].params.colonisation.envelope = CrownEnvelope::Solid;
         nodes[1].visible = false; // counts all the same
         const Scene scene = linked(nodes);
-        QCOMPARE(crown(scene).space.top, 5.0);
+        QCOMPARE(crown(scene).space.top(), 5.0);
         const auto points = crownPoints(crown(scene), 1);
         QCOMPARE(points->size(), std::size_t(600));
         glm::dvec3 mean(0.0);
@@ -150,8 +150,8 @@ private slots:
         const Scene scene = linked(nodes);
         const auto grown = growColonisation(crown(scene), 1);
         QVERIFY2(grown, grown ? "" : grown.error().message().c_str());
-        const auto solids = crown(scene).space.space;
-        const GrowthSpace& space = *solids;
+        const auto link = crown(scene).space;
+        const GrowthSpace& space = *link.space();
         Index past = 0;
         for (Index i = 0; i < grown->size(); ++i) {
             QVERIFY(!space.blocks(grown->p1[i]));
@@ -183,10 +183,10 @@ private slots:
         linkGrowthSpaces(scene);
         QVERIFY(crown(scene).space == before && hash() == grownBefore);
 
-        scene.find(1)->params.generator.kind = TreeGenerator::WeberPenn;
+        scene.find(1)->params.generator.kind = EditOperation::WeberPenn;
         linkGrowthSpaces(scene);
-        QVERIFY(!crown(scene).space.space);
-        scene.find(1)->params.generator.kind = TreeGenerator::Colonisation;
+        QVERIFY(!crown(scene).space.space());
+        scene.find(1)->params.generator.kind = EditOperation::Colonisation;
         scene.find(2)->params.growthRole = GrowthRole::None;
         linkGrowthSpaces(scene);
         QVERIFY(crown(scene).space == GrowthSpaceLink());
@@ -196,7 +196,7 @@ private slots:
     {
         const auto growing = [](NodeId id, double x) {
             Node node = tree(id);
-            node.params.generator.kind = TreeGenerator::Growth;
+            node.params.generator.kind = EditOperation::Growth;
             node.params.tree.translation = {x, 0.0, 0.0};
             node.params.growth.neighbours = true;
             return node;
@@ -210,7 +210,7 @@ private slots:
         QCOMPARE(first.neighbours.size(), std::size_t(2));
         QCOMPARE(first.neighbours[0].foot.x, 3.0);
         QCOMPARE(first.neighbours[1].foot.x, -4.0);
-        QVERIFY(first.hash != 0 && !first.space);
+        QVERIFY(first.hash != 0 && !first.space());
         QVERIFY(linkOf(scene, 2) == GrowthSpaceLink());
         QVERIFY(linkOf(scene, 4) == GrowthSpaceLink());
         std::ranges::reverse(nodes);

@@ -54,7 +54,7 @@ std::optional<GroundPlane> groundIn(std::vector<Node> nodes)
 {
     Scene scene = *Scene::fromNodes(std::move(nodes));
     linkGrowthSpaces(scene);
-    return scene.nodes().front().params.ground;
+    return scene.nodes().front().params.ground.nearby();
 }
 
 } // namespace
@@ -149,7 +149,7 @@ private slots:
         QVERIFY(after[Stage::Mesh] != before[Stage::Mesh]);
         scene.find(2)->params.tree.translation.y = -50.0;
         linkGrowthSpaces(scene);
-        QVERIFY(!scene.nodes().front().params.ground);
+        QVERIFY(!scene.nodes().front().params.ground.nearby());
         NodeParams level;
         QVERIFY(!groundOf(level));
     }

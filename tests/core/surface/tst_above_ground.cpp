@@ -1,4 +1,5 @@
 #include "core/generators/variety.h"
+#include "core/params/source_facts.h"
 #include "core/pipeline/tree_pipeline.h"
 #include "core/presets/presets.h"
 #include "core/surface/foliage/place_foliage.h"

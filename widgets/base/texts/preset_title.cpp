@@ -133,8 +133,8 @@ QString presetTip(const Preset& preset)
 bool isSpecies(const Preset& preset)
 {
     const auto first = std::ranges::find_if(presets(), [](const Preset& each) {
-        return each.params.generator.kind == TreeGenerator::WeberPenn ||
-               each.params.generator.kind == TreeGenerator::Growth;
+        return each.params.generator.kind == EditOperation::WeberPenn ||
+               each.params.generator.kind == EditOperation::Growth;
     });
     return &preset >= &*first;
 }

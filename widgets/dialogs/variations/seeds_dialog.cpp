@@ -90,7 +90,7 @@ void SeedsDialog::offer(const Node& like)
                  asItShips.colonisation == like.params.colonisation &&
                  asItShips.growth == like.params.growth && namedSeeds(like.preset);
     m_ages = agesOf(like);
-    m_agesBox->setVisible(like.params.generator.kind == TreeGenerator::Growth);
+    m_agesBox->setVisible(like.params.generator.kind == EditOperation::Growth);
     if (m_agesBox->isHidden())
         m_agesBox->setChecked(false);
     begin(like.params.grammar.seed + 1, m_hasNames);

@@ -1,6 +1,7 @@
 #include "widgets/panels/levels/level_scene.h"
 
 #include "core/lod/level_leaves.h"
+#include "core/params/source_facts.h"
 #include "core/qt/session/export/level_export.h"
 #include "core/surface/foliage/place_foliage.h"
 #include <algorithm>

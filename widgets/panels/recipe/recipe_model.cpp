@@ -47,8 +47,7 @@ QString editText(const TreeEdit& edit)
 
 QString sourceText(const NodeParams& params)
 {
-    const ParamDef& def = *findParam("generator.kind");
-    return coreText(def.items[static_cast<std::size_t>(params.generator.kind)].label);
+    return coreText(infoOf(params.generator.kind).first.label);
 }
 
 namespace {
@@ -126,7 +125,8 @@ void RecipeModel::update()
     const std::vector<TreeEdit>& edits = node ? node->params.edits : none;
     const bool sameTree = tree == m_tree;
     const bool sameSource = node && sourceText(node->params) == m_source;
-    if (sameTree && sameSource && edits == m_edits && report == m_report)
+    const double sourceSeconds = result ? result->tree.sourceSeconds : 0.0;
+    if (sameTree && sameSource && edits == m_edits && report == m_report && sourceSeconds == m_sourceSeconds)
         return;
     const bool sameRows = sameTree && std::ranges::equal(edits, m_edits, {}, &TreeEdit::id, &TreeEdit::id);
     if (!sameRows)
@@ -135,6 +135,7 @@ void RecipeModel::update()
     m_source = node ? sourceText(node->params) : QString();
     m_edits = edits;
     m_report = std::move(report);
+    m_sourceSeconds = sourceSeconds;
     updateLimbs();
     if (!sameRows) {
         fillGroups();
@@ -405,7 +406,9 @@ QVariant RecipeModel::stepData(int place, int column, int role) const
 QVariant RecipeModel::sourceData(int column, int role) const
 {
     if (role == Qt::DisplayRole)
-        return column == Name ? m_source : column == Limb ? tr("on the ground") : QString();
+        return column == Name ? m_source : column == Limb ? tr("on the ground") : timeText(m_sourceSeconds);
+    if (role == Qt::TextAlignmentRole && column == Time)
+        return int(Qt::AlignRight | Qt::AlignVCenter);
     if (role == Qt::DecorationRole && column == Name)
         return icon("tree");
     if (role == Qt::ForegroundRole && isFrozen(0))

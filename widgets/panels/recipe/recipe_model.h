@@ -101,6 +101,7 @@ private:
     QString m_source;
     std::vector<TreeEdit> m_edits;
     std::shared_ptr<const EditReport> m_report;
+    double m_sourceSeconds = 0.0; ///< TreeResult::sourceSeconds
     std::vector<QString> m_limbs; ///< by step: what it acts on
     std::vector<Group> m_groups;
     std::vector<int> m_rows; ///< of the list: a place; below 0: -1 - the number of a group

@@ -1,6 +1,6 @@
 #include "widgets/panels/recipe/recipe_panel.h"
 
-#include "core/generators/grow_tree.h"
+#include "core/generators/tree_life.h"
 #include "core/params/tree_edit_table.h"
 #include "core/qt/document/commands.h"
 #include "core/recipe/axis_filter.h"

@@ -1,5 +1,6 @@
 #include "widgets/view/render/scene_builder.h"
 
+#include "core/params/source_facts.h"
 #include "core/pipeline/stage_hashes.h"
 #include "core/scene/object_mesh.h"
 #include "core/surface/check/texture_report.h"
@@ -477,7 +478,7 @@ void addCrowns(RenderScene& built, EvaluatedScene& now, const std::vector<NodeId
             std::ranges::find(selected, node.id) == selected.end())
             continue;
         const NodeParams params = now.params(node);
-        if (params.generator.kind != TreeGenerator::Colonisation)
+        if (params.generator.kind != EditOperation::Colonisation)
             continue;
         const auto seed = static_cast<std::uint64_t>(params.grammar.seed);
         LineItem lines;

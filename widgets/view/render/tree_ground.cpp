@@ -3,6 +3,7 @@
 #include "core/math/angle.h"
 #include "core/math/random.h"
 #include "core/math/reproducible.h"
+#include "core/params/source_facts.h"
 #include "core/surface/mesh/normals.h"
 #include "widgets/view/render/meadow.h"
 #include <algorithm>
@@ -140,7 +141,7 @@ void TreeGrounds::add(const Node& node, const NodeParams& params, const TreeResu
         m_shedding.push_back({tree.foliage, trunkRadius(params), world, {m_foot, m_reach}});
     m_node = node.id;
     m_world = world;
-    m_ground = params.ground ? std::nullopt : groundOf(params);
+    m_ground = params.ground.nearby() ? std::nullopt : groundOf(params);
 }
 
 void TreeGrounds::finish(double level)

@@ -1,6 +1,7 @@
 #include "widgets/view/tools/motion_tools.h"
 
 #include "core/params/param_def.h"
+#include "core/params/source_facts.h"
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -4,6 +4,7 @@
 #include "core/base/plain_text.h"
 #include "core/math/reproducible.h"
 #include "core/params/param_def.h"
+#include "core/params/source_facts.h"
 #include "core/presets/presets.h"
 #include "core/presets/species.h"
 #include "core/surface/foliage/leaf_table.h"

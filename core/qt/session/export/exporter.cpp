@@ -4,6 +4,7 @@
 #include "core/io/formats/file_format.h"
 #include "core/io/formats/text/material_file.h"
 #include "core/io/pivot_files.h"
+#include "core/params/source_facts.h"
 #include "core/qt/document/document.h"
 #include "core/qt/session/export/export_bones.h"
 #include "core/qt/session/export/foliage_copies.h"

@@ -1,6 +1,7 @@
 #include "core/qt/session/export/foliage_copies.h"
 
 #include "core/params/param_def.h"
+#include "core/params/source_facts.h"
 #include "core/surface/foliage/foliage_texture.h"
 #include "core/surface/foliage/place_foliage.h"
 #include <algorithm>

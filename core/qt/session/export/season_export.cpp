@@ -1,5 +1,6 @@
 #include "core/qt/session/export/season_export.h"
 
+#include "core/params/source_facts.h"
 #include "core/surface/season/foliage_on_day.h"
 #include "core/surface/season/phenology.h"
 #include <algorithm>

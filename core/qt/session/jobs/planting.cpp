@@ -3,6 +3,7 @@
 #include "core/evaluate/evaluator.h"
 #include "core/math/box.h"
 #include "core/params/param_def.h"
+#include "core/params/source_facts.h"
 #include "core/qt/document/commands.h"
 #include "core/qt/document/document_command.h"
 #include "core/qt/document/origin_commands.h"
@@ -58,7 +59,7 @@ bool isObstacle(const Scene& scene, const Node& node)
 double reachOf(const Document& document, const Node& node)
 {
     if (node.kind == NodeKind::Tree)
-        return usualReach(node.params);
+        return sourceFacts(node.params).reach(node.params);
     const Box box = boxOf(document, node);
     return 0.2 * box.size().x - box.min.x;
 }
@@ -70,22 +71,6 @@ bool overlap(const Box& a, const Box& b)
 }
 
 } // namespace
-
-double usualReach(const NodeParams& params)
-{
-    switch (params.generator.kind) {
-    case TreeGenerator::Grammar:
-    case TreeGenerator::Drawn:
-        break;
-    case TreeGenerator::WeberPenn:
-        return 0.35 * params.weberPenn.scale;
-    case TreeGenerator::Colonisation:
-        return params.colonisation.crownRadius;
-    case TreeGenerator::Growth:
-        return 0.5 * params.growth.crownWidth;
-    }
-    return 10.0 * params.turtle.alpha;
-}
 
 glm::dvec3 freePlace(const Document& document, double reach)
 {

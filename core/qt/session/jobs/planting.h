@@ -7,9 +7,6 @@
 
 namespace ramure {
 
-/// m: about how far to the side a tree of these numbers reaches, before it has grown.
-double usualReach(const NodeParams& params);
-
 /// On the ground, to the right (+X) of everything that is shown, with room for what reaches so far; the
 /// origin where there is nothing. World. Trees without a result, and what has no shape, count as a point.
 glm::dvec3 freePlace(const Document& document, double reach);

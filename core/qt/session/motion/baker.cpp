@@ -1,5 +1,6 @@
 #include "core/qt/session/motion/baker.h"
 
+#include "core/params/source_facts.h"
 #include "core/qt/base/system_path.h"
 #include "core/qt/session/export/exporter.h"
 #include "core/rig/physics/physics_bake.h"

@@ -304,7 +304,7 @@ private slots:
     {
         QFETCH(const int, envelope);
         NodeParams params;
-        params.generator.kind = TreeGenerator::Colonisation;
+        params.generator.kind = EditOperation::Colonisation;
         params.colonisation.envelope = static_cast<CrownEnvelope>(envelope);
         params.sections = {2, 5};
         TreePipeline pipeline;

@@ -247,8 +247,10 @@ private slots:
             {1.5f, 0.0f, -40.0f}, {1.5f, 0.0f, 40.0f}, {1.5f, 40.0f, 40.0f}, {1.5f, 40.0f, -40.0f}};
         wall->triangles = {{0, 1, 2}, {0, 2, 3}};
         GrowthParams open = aged(25.0), walled = open;
-        walled.space.space = std::make_shared<const GrowthSpace>(
-            std::vector<GrowthSpace::Solid>{{"wall", wall, GrowthRole::Obstacle}});
+        walled.space.solids = std::make_shared<const Lazy<GrowthSolids>>([wall] {
+            return GrowthSolids{std::make_shared<const GrowthSpace>(
+                std::vector<GrowthSpace::Solid>{{"wall", wall, GrowthRole::Obstacle}})};
+        });
         walled.space.hash = 1;
         double free = 0.0;
         for (std::uint64_t seed = 1; seed <= 8; ++seed)

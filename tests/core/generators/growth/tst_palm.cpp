@@ -218,8 +218,10 @@ private slots:
             mesh->positions = std::move(corners);
             mesh->triangles = {{0, 1, 2}, {0, 2, 3}};
             GrowthParams params = palm();
-            params.space.space = std::make_shared<const GrowthSpace>(
-                std::vector<GrowthSpace::Solid>{{"solid", mesh, GrowthRole::Obstacle}});
+            params.space.solids = std::make_shared<const Lazy<GrowthSolids>>([mesh] {
+                return GrowthSolids{std::make_shared<const GrowthSpace>(
+                    std::vector<GrowthSpace::Solid>{{"solid", mesh, GrowthRole::Obstacle}})};
+            });
             params.space.hash = 1;
             return params;
         };

@@ -337,7 +337,7 @@ void TestParametricGrammar::lookalikesAreNamedAndReplaced()
     QVERIFY(grammarWarnings(node).empty()); // an error says it
     node.grammar.dialect = GrammarDialect::Classic;
     QCOMPARE(grammarWarnings(node).size(), std::size_t(1));
-    node.generator.kind = TreeGenerator::WeberPenn;
+    node.generator.kind = EditOperation::WeberPenn;
     QVERIFY(grammarWarnings(node).empty());
 }
 

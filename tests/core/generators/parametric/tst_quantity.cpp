@@ -87,7 +87,7 @@ private slots:
     {
         QVERIFY(!evaluateQuantity(std::string(100'000, '('), ParamUnit::None));
         QVERIFY(!evaluateQuantity(QByteArray("2^").repeated(100'000).toStdString() + '1', ParamUnit::None));
-        const auto signs = evaluateQuantity(std::string(100'000, '-') + '1', ParamUnit::None);
+        const auto signs = evaluateQuantity(std::string(100'000, '-').append("1"), ParamUnit::None);
         QVERIFY(!signs && signs.error().code == ErrorCode::Limit);
     }
 

@@ -220,7 +220,7 @@ private slots:
         QTest::addColumn<QString>("name");
         const auto all = presets();
         for (std::size_t i = 0; i < all.size(); i += test::isSanitized ? 8 : 1)
-            if (all[i].params.generator.kind == TreeGenerator::WeberPenn)
+            if (all[i].params.generator.kind == EditOperation::WeberPenn)
                 QTest::newRow(all[i].name) << all[i].name;
     }
     void everySpeciesIsOneClosedBody()

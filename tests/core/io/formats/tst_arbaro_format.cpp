@@ -166,7 +166,7 @@ private slots:
         QVERIFY(node.kind == NodeKind::Tree && node.name == "quaking_aspen");
         const NodeParams& params = node.params;
         QVERIFY(checkParams(params));
-        QCOMPARE(params.generator.kind, TreeGenerator::WeberPenn);
+        QCOMPARE(params.generator.kind, EditOperation::WeberPenn);
         WeberPennParams expected; // whose defaults are the paper's aspen
         expected.level[0].curveRes = 3;
         QCOMPARE(params.weberPenn.level[1].downAngle, expected.level[1].downAngle);

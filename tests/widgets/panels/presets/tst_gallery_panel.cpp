@@ -197,8 +197,8 @@ private slots:
     {
         const QStringList all = shown();
         const auto isSpecies = [](const QString& name) {
-            const TreeGenerator generator = presetParams(name.toStdString())->generator.kind;
-            return generator == TreeGenerator::WeberPenn || generator == TreeGenerator::Growth;
+            const EditOperation generator = presetParams(name.toStdString())->generator.kind;
+            return generator == EditOperation::WeberPenn || generator == EditOperation::Growth;
         };
         QVERIFY(isSpecies(all.front()));
         const auto examples = std::ranges::find(all, QStringLiteral("SmallTree"));

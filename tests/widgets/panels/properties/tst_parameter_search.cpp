@@ -111,7 +111,7 @@ private slots:
     void onlyWhatActsIsOffered()
     {
         Node grammar = test::treeNode(1, "Grammar"), penn = test::treeNode(2, "Weber and Penn");
-        penn.params.generator.kind = TreeGenerator::WeberPenn;
+        penn.params.generator.kind = EditOperation::WeberPenn;
         test::openNodes(*m_document, {grammar, penn});
         auto* search = m_panel->findChild<QLineEdit*>();
         for (const std::vector<NodeId>& nodes : {std::vector<NodeId>{1}, {2}, {1, 2}}) {

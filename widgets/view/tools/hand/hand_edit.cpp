@@ -1,6 +1,6 @@
 #include "widgets/view/tools/hand/hand_edit.h"
 
-#include "core/generators/grow_tree.h"
+#include "core/generators/tree_life.h"
 #include "core/pipeline/tree_context.h"
 #include <algorithm>
 #include <cmath>

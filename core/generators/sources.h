@@ -1,5 +1,5 @@
 /// \file
-/// Whatever generator a tree has: from its parameters to a skeleton. A new generator has its place here.
+/// The sources of recipes: from a source's parameters to a skeleton. A new source has its row in sources.cpp.
 #pragma once
 
 #include "core/base/error.h"
@@ -23,26 +23,22 @@ struct GrownSymbols
     std::shared_ptr<const GrowthHistory> history{};
 };
 
+struct Source
+{
+    EditOperation operation;
+    Expected<Skeleton> (*skeleton)(const GrownSymbols& grown, const NodeParams& params,
+                                   const Progress& progress);
+    bool (*varies)(const NodeParams& params); ///< whether two seeds can give two trees
+    /// Null: it has no symbols.
+    Expected<GrownSymbols> (*symbols)(const NodeParams& params, const Progress& progress) = nullptr;
+};
+/// The source that a tree begins with.
+const Source& sourceOf(const NodeParams& params);
+
 /// Errors of both functions: those of the generators, path = the parameter's key; Cancelled. \pre
 /// checkParams.
 Expected<GrownSymbols> growSymbols(const NodeParams& params, const Progress& progress = {});
 Expected<Skeleton> growSkeleton(const GrownSymbols& grown, const NodeParams& params,
                                 const Progress& progress = {});
-
-/// The life of a tree that grows by years, before its first one. Errors: those of growHistory().
-Expected<GrowthRun> beginLife(const NodeParams& params, const Progress& progress = {});
-
-/// Years that the history of a tree is grown for: as many for all ages of ten years.
-double historyYears(const NodeParams& params);
-
-/// Edits that say at what age of a growing tree they are made. Behind a frozen step they are not of its life.
-GrowthCuts growthCuts(const NodeParams& params);
-/// Whether an edit can be one of those.
-bool canLiveOn(const TreeEdit& edit);
-/// TreeEdit::year of an edit that is made now; 0: the tree does not grow by years, or is frozen.
-double growthYears(const NodeParams& params);
-
-/// The parameter that most likely makes a tree too large.
-const char* sizeKey(const NodeParams& params);
 
 } // namespace ramure
