@@ -125,7 +125,7 @@ Index modelFor(const EditTree& tree, Index axis, Index parent, double share)
 {
     constexpr double farAway = 0.01; // what another limb's counts for
     const EditMarks carries = [&tree] {
-        EditMarks marks(tree.pieces().size(), false); // by axis: there are no more of them
+        EditMarks marks(tree.axisCount(), false);
         for (Index i = tree.firstPiece(); i != noIndex; i = tree.piece(i).after)
             if (const Index below = tree.piece(i).parent;
                 below != noIndex && tree.piece(below).axis != tree.piece(i).axis)
