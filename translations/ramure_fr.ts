@@ -1569,8 +1569,8 @@
         <translation>Images</translation>
     </message>
     <message>
-        <source>PNG pictures of the view: one, a sequence, or from all sides</source>
-        <translation>Images PNG de la vue : une seule, une suite, ou tout autour</translation>
+        <source>PNG pictures of the view: one, a sequence, or from all sides; or a film</source>
+        <translation>Images PNG de la vue : une seule, une suite, ou de tous les côtés ; ou un film</translation>
     </message>
 </context>
 <context>
@@ -9107,6 +9107,30 @@
         <source>Six recipes</source>
         <translation>Six recettes</translation>
     </message>
+    <message>
+        <source>films are written as .mp4 or .webm</source>
+        <translation>les films s’écrivent en .mp4 ou .webm</translation>
+    </message>
+    <message>
+        <source>films need the program ffmpeg, which is not installed; pictures are written without it, as .png</source>
+        <translation>les films demandent le programme ffmpeg, qui n’est pas installé ; les images s’écrivent sans lui, en .png</translation>
+    </message>
+    <message>
+        <source>ffmpeg cannot encode the film: %1</source>
+        <translation>ffmpeg ne peut pas encoder le film : %1</translation>
+    </message>
+    <message>
+        <source>no temporary file can be made: %1</source>
+        <translation>aucun fichier temporaire ne peut être créé : %1</translation>
+    </message>
+    <message>
+        <source>all pictures of a film have one size</source>
+        <translation>toutes les images d’un film ont la même taille</translation>
+    </message>
+    <message>
+        <source>the encoded film cannot be read: %1</source>
+        <translation>le film encodé ne peut pas être lu : %1</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>
@@ -10881,10 +10905,6 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
         <translation>environ %1</translation>
     </message>
     <message>
-        <source>Unknown file ending: pictures are written as .png</source>
-        <translation>Extension inconnue : les images s’écrivent en .png</translation>
-    </message>
-    <message>
         <source>Another sequence is still being written: its progress stands in the status bar.</source>
         <translation>Une autre suite est encore en cours d’écriture : sa progression est dans la barre d’état.</translation>
     </message>
@@ -10949,6 +10969,22 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
     <message>
         <source>In the view behind this dialog, trees move as they will in that engine</source>
         <translation>Dans la vue derrière ce dialogue, les arbres bougent comme ils le feront dans ce moteur</translation>
+    </message>
+    <message>
+        <source>MP4 film of the view (H.264)</source>
+        <translation>Film MP4 de la vue (H.264)</translation>
+    </message>
+    <message>
+        <source>WebM film of the view (VP9)</source>
+        <translation>Film WebM de la vue (VP9)</translation>
+    </message>
+    <message>
+        <source>Unknown file ending: .%1 is expected</source>
+        <translation>Extension de fichier inconnue : .%1 est attendue</translation>
+    </message>
+    <message>
+        <source>A film needs a sequence of frames, or a view from all sides.</source>
+        <translation>Un film demande une suite d’images, ou une vue de tous les côtés.</translation>
     </message>
 </context>
 <context>

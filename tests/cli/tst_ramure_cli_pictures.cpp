@@ -182,6 +182,9 @@ private slots:
         QProcessEnvironment without = bare;
         without.insert("PATH", m_folder.path());
         QVERIFY(isRefused(runCli({"render", "preset:TinyTree", "-o", path("x.png")}, without), "Xvfb"));
+        QVERIFY(
+            isRefused(runCli({"render", "preset:TinyTree", "--turntable", "3", "-o", path("x.mp4")}, without),
+                      "ffmpeg"));
         QVERIFY(!QFile::exists(path("x.png")));
         if (QStandardPaths::findExecutable("Xvfb").isEmpty())
             RAMURE_CANNOT_RUN("Xvfb is not installed");

@@ -83,7 +83,8 @@ private slots:
         QVERIFY(scene.insert({tree}, noNode, 0));
         m_document.reset(std::move(scene), {});
         QVERIFY(m_recompute.waitForFull(patienceMs));
-        for (const char* folder : {"mine", "cli", "shots", "cli-shots", "turn", "cli-turn", "stopped"})
+        for (const char* folder :
+             {"mine", "cli", "shots", "cli-shots", "turn", "cli-turn", "film", "cli-film", "stopped"})
             QVERIFY(QDir(m_folder.path()).mkdir(QLatin1String(folder)));
     }
     void init() { test::failOnAnyWarning(); }
@@ -127,6 +128,33 @@ private slots:
         compareFolders(QStringLiteral("turn"), QStringLiteral("cli-turn"), 4);
         const QImage front(path(QStringLiteral("turn/p_0000.png")));
         QVERIFY(front != QImage(path(QStringLiteral("turn/p_0001.png"))));
+    }
+
+    /// The encoder is a stand-in that keeps what it is given.
+    void filmsAreThoseOfTheCommandLine()
+    {
+        const QString program = path(QStringLiteral("bin/ffmpeg"));
+        QVERIFY(QDir(m_folder.path()).mkpath(QStringLiteral("bin")));
+        QFile script(program);
+        QVERIFY(script.open(QIODevice::WriteOnly));
+        script.write("#!/bin/sh\nfor last; do :; done\ncat > \"$last\"\n");
+        script.close();
+        QVERIFY(script.setPermissions(QFile::ReadOwner | QFile::ExeOwner));
+        const QByteArray before = qgetenv("PATH");
+        qputenv("PATH", QFile::encodeName(path(QStringLiteral("bin"))) + ':' + before);
+        SequenceTask task;
+        PictureLook around = look(m_document, {320, 200});
+        around.allAround = true;
+        around.film = path(QStringLiteral("film/p.mp4")).toStdString();
+        task.startPictures(m_document, around, turntableShots(3, 0.0, around.film));
+        QCOMPARE(task.fileCount(), std::int64_t(1));
+        waitFor(task);
+        cli({QStringLiteral("render"), QStringLiteral("preset:TinyTree"), QStringLiteral("--turntable"),
+             QStringLiteral("3"), QStringLiteral("--size"), QStringLiteral("320x200"), QStringLiteral("-o"),
+             path(QStringLiteral("cli-film/p.mp4"))});
+        qputenv("PATH", before);
+        compareFolders(QStringLiteral("film"), QStringLiteral("cli-film"), 1);
+        QCOMPARE(bytes(path(QStringLiteral("film/p.mp4"))).size(), 3 * 4 * 320 * 200);
     }
 
     void transparentPicturesHaveNoWorld()

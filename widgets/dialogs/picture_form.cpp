@@ -68,6 +68,11 @@ PictureForm::PictureForm(QWidget* parent)
     emit changed();
 }
 
+void PictureForm::setMayBeTransparent(bool may)
+{
+    m_transparent->setEnabled(may);
+}
+
 void PictureForm::setViewSize(QSize pixels)
 {
     m_viewSize = pixels.boundedTo({mostSide, mostSide}).expandedTo({leastSide, leastSide});
@@ -112,7 +117,7 @@ QSize PictureForm::pictureSize() const
 
 bool PictureForm::isTransparent() const
 {
-    return m_transparent->isChecked();
+    return m_transparent->isEnabled() && m_transparent->isChecked();
 }
 
 void PictureForm::setTransparent(bool transparent)

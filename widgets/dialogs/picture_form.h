@@ -21,6 +21,7 @@ public:
     /// Adds the view's size to the common ones, so that its ratio can be kept.
     void setViewSize(QSize pixels);
     [[nodiscard]] bool isLikeView() const; ///< the picture is as large as the view
+    void setMayBeTransparent(bool may);
     void setPictureSize(QSize pixels);
     [[nodiscard]] QSize pictureSize() const;
     [[nodiscard]] bool isTransparent() const;

@@ -7,9 +7,11 @@
 #include "app/cli/work.h"
 #include "core/evaluate/evaluator.h"
 #include "widgets/view/render/camera_items.h"
+#include "widgets/view/render/passes/film_file.h"
 #include "widgets/view/render/passes/picture_file.h"
 #include "widgets/view/render/passes/sky_picture.h"
 #include <QFileInfo>
+#include <memory>
 #include <numbers>
 #include <optional>
 
@@ -30,6 +32,7 @@ struct RenderRequest
     QSize size;
     DisplayMode mode = DisplayMode::Mesh;
     int turntable = 0; ///< pictures all around; 0 = one from the front
+    bool isFilm = false;
     PictureOptions picture;
 };
 
@@ -50,8 +53,10 @@ Expected<RenderRequest> renderRequestOf(const CommandLine& line)
     if (out.file.isEmpty() || line.values("o").size() != 1)
         return fail(ErrorCode::Invalid,
                     "one -o FILE.png expected: `ramure-cli render --help` shows what it takes");
-    if (QFileInfo(out.file).suffix().toLower() != QLatin1String("png"))
-        return fail(ErrorCode::Unknown, "%1: unknown file ending: pictures are written as .png",
+    out.isFilm = isFilm(systemPath(out.file));
+    if (!out.isFilm && QFileInfo(out.file).suffix().toLower() != QLatin1String("png"))
+        return fail(ErrorCode::Unknown,
+                    "%1: unknown file ending: pictures are written as .png, films as .mp4 or .webm",
                     {out.file.toStdString()});
     const auto size = pictureSizeFrom(line.value("size"));
     RAMURE_TRY(size);
@@ -73,6 +78,11 @@ Expected<RenderRequest> renderRequestOf(const CommandLine& line)
         if (line.has("frames") || line.has("camera"))
             return fail(ErrorCode::Invalid, "--turntable goes with neither --frames nor --camera");
     }
+    if (out.isFilm)
+        RAMURE_TRY(canFilm(systemPath(out.file)));
+    if (out.isFilm && !line.has("turntable") && !line.has("frames") && !line.has("wind-loop"))
+        return fail(ErrorCode::Invalid, "%1: a film needs --frames, --wind-loop or --turntable",
+                    {out.file.toStdString()});
     return out;
 }
 
@@ -122,17 +132,51 @@ Expected<Sight> sceneOf(const Input& input, const CommandLine& line, const Rende
     return Sight{sceneOfMesh(input.mesh()->joined()), {}};
 }
 
-Expected<void> draw(Painter& painter, const RenderScene& scene, const NodeView& view,
-                    const RenderRequest& request, const QString& file, const Progress& progress)
+/// Draws pictures, and puts each into a file of its own or into the film.
+class Pictures
 {
-    const auto image =
-        painter.draw(scene, view.camera, request.size, optionsFor(request.picture, view), progress);
-    RAMURE_TRY(image);
-    return savePicture(*image, systemPath(file));
-}
+public:
+    explicit Pictures(const RenderRequest& request)
+        : m_request(request)
+    {
+    }
+
+    /// Call it once. Errors: those of Painter and FilmFile.
+    Expected<void> begin(double framesPerSecond)
+    {
+        RAMURE_TRY(m_painter.begin());
+        if (!m_request.isFilm)
+            return {};
+        auto film = FilmFile::begin(systemPath(m_request.file), m_request.size, framesPerSecond);
+        RAMURE_TRY(film);
+        m_film = std::move(*film);
+        return {};
+    }
+    /// \param file of the picture where there is no film
+    Expected<void> draw(const RenderScene& scene, const NodeView& view, const QString& file,
+                        const Progress& progress)
+    {
+        const auto image =
+            m_painter.draw(scene, view.camera, m_request.size, optionsFor(m_request.picture, view), progress);
+        RAMURE_TRY(image);
+        const auto kept = m_film ? m_film->add(*image, progress) : savePicture(*image, systemPath(file));
+        RAMURE_TRY(kept);
+        progress.report(1.0);
+        return progress.cancelled() ? fail(ErrorCode::Cancelled, "cancelled") : Expected<void>();
+    }
+    Expected<void> finish(const Progress& progress)
+    {
+        return m_film ? m_film->finish(progress) : Expected<void>();
+    }
+
+private:
+    const RenderRequest& m_request;
+    Painter m_painter;
+    std::unique_ptr<FilmFile> m_film;
+};
 
 /// All around one scene: the camera keeps its height and a distance from which all is seen from every side.
-Expected<void> drawTurntable(Painter& painter, const RenderScene& scene, Camera camera,
+Expected<void> drawTurntable(Pictures& pictures, const RenderScene& scene, Camera camera,
                              const RenderRequest& request, const Progress& progress)
 {
     camera.frameAllAround(scene.framePoints(), double(request.size.width()) / double(request.size.height()));
@@ -140,12 +184,7 @@ Expected<void> drawTurntable(Painter& painter, const RenderScene& scene, Camera 
     for (int i = 0; i < request.turntable; ++i) {
         camera.yawRad = start + 2.0 * std::numbers::pi * i / request.turntable;
         const Progress part = progress.part(double(i) / request.turntable, double(i + 1) / request.turntable);
-        if (auto drawn = draw(painter, scene, {camera, {}}, request, numberedFile(request.file, i), part);
-            !drawn)
-            return drawn;
-        part.report(1.0);
-        if (progress.cancelled())
-            return fail(ErrorCode::Cancelled, "cancelled");
+        RAMURE_TRY(pictures.draw(scene, {camera, {}}, numberedFile(request.file, i), part));
     }
     return {};
 }
@@ -157,7 +196,7 @@ Expected<void> drawAll(const Input& input, const CommandLine& line, const Render
 {
     TreePipeline pipeline;
     Evaluator evaluator(pipelineSource(pipeline), moments.timeline);
-    Painter painter;
+    Pictures pictures(request);
     std::optional<Camera> camera;
     const auto node = cameraNode(input, request.picture.cameraNode);
     RAMURE_TRY(node);
@@ -168,29 +207,30 @@ Expected<void> drawAll(const Input& input, const CommandLine& line, const Render
         const auto shown = sceneOf(input, line, request, *node, evaluator, time, progress);
         RAMURE_TRY(shown);
         if (!camera) {
-            if (auto begun = painter.begin(); !begun)
-                return begun;
+            const std::int64_t step = frames.size() > 1 ? frames[1] - frames[0] : 1;
+            RAMURE_TRY(pictures.begin(moments.framesPerSecond / double(step)));
             camera = request.picture.camera ? *request.picture.camera : cameraFor(shown->scene, request.size);
         }
-        if (request.turntable > 0)
-            return drawTurntable(painter, shown->scene, *camera, request, progress);
+        if (request.turntable > 0) {
+            RAMURE_TRY(drawTurntable(pictures, shown->scene, *camera, request, progress));
+            break;
+        }
         const QString file = moments.isSequence() ? numberedFile(request.file, frames[i]) : request.file;
         const NodeView view = shown->through.value_or(NodeView{*camera, {}});
         const auto count = double(frames.size());
         const Progress part = progress.part(double(i) / count, double(i + 1) / count);
-        if (auto drawn = draw(painter, shown->scene, view, request, file, part); !drawn)
-            return drawn;
-        part.report(1.0);
-        if (progress.cancelled())
-            return fail(ErrorCode::Cancelled, "cancelled");
+        RAMURE_TRY(pictures.draw(shown->scene, view, file, part));
     }
-    return {};
+    return pictures.finish(progress);
 }
 
 void addRenderOptions(CommandLine& line)
 {
-    line.add({QStringLiteral("o"), QStringLiteral("output")}, QStringLiteral("Writes this file."),
-             QStringLiteral("FILE.png"));
+    line.add(
+        {QStringLiteral("o"), QStringLiteral("output")},
+        QStringLiteral("Writes this file: pictures as .png; as .mp4 or .webm a film of all pictures, for "
+                       "which the program ffmpeg must be installed."),
+        QStringLiteral("FILE.png"));
     line.addDefault(
         {QStringLiteral("size")},
         QStringLiteral("Size of the picture in pixels, 16 to 8192 each way; 1280x800 without it."),

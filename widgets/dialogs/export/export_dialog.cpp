@@ -181,7 +181,7 @@ bool ExportDialog::holds(int what) const
 
 QString ExportDialog::suffix() const
 {
-    return format() ? QString::fromLatin1(format()->ending) : pictureFormat;
+    return format() ? QString::fromLatin1(format()->ending) : m_format->currentData().toString();
 }
 
 void ExportDialog::setFormat(const QString& id)
@@ -234,13 +234,16 @@ void ExportDialog::takeFormat()
 {
     m_parts->setFoliage(!format() || usualParts(*format(), options().instances) == exportAll);
     const QFileInfo info(path());
-    if (info.suffix().toLower() == pictureFormat || findFormat(path().toStdString(), FormatUse::Write))
+    if (viewFormats().contains(info.suffix().toLower()) || findFormat(path().toStdString(), FormatUse::Write))
         setPath(info.path() + u'/' + info.completeBaseName() + u'.' + suffix());
     m_moments->setClips(holds(holdsClip));
     m_moments->setPictures(!format());
     // A picture shows what the view shows.
     if (!format() && m_shownFrame > 0 && m_moments->moment() == ExportMoment::Rest)
         m_moments->setMoment(ExportMoment::Shown);
+    if (isFilmed() && !m_moments->isNumbered())
+        m_moments->setMoment(ExportMoment::Turntable);
+    m_pictures->setMayBeTransparent(!isFilmed());
     updateWidgets();
 }
 
@@ -337,8 +340,10 @@ void ExportDialog::updateWidgets()
 
 void ExportDialog::browse()
 {
-    const QString filter =
-        (format() ? coreText(format()->name) : tr("PNG pictures")) + QStringLiteral(" (*.%1)").arg(suffix());
+    const QString filter = (format()     ? coreText(format()->name)
+                            : isFilmed() ? m_format->currentText()
+                                         : tr("PNG pictures")) +
+                           QStringLiteral(" (*.%1)").arg(suffix());
     const QString chosen = m_chooser->saveFile(tr("Export"), path(), filter, suffix());
     if (chosen.isEmpty())
         return;

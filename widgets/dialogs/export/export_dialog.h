@@ -132,6 +132,7 @@ private:
     // export_sequence.cpp
     void updateSummary();
     [[nodiscard]] bool isClip() const;
+    [[nodiscard]] bool isFilmed() const;
     [[nodiscard]] bool isNumbered() const; ///< a file for each frame
     [[nodiscard]] bool isInBackground() const;
     [[nodiscard]] bool mayStart();

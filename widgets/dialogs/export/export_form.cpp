@@ -303,6 +303,10 @@ void ExportDialog::setFormatTexts()
             m_format->setItemText(row, coreText(format->choice));
     if (const int row = m_format->findData(pictureFormat); row >= 0)
         m_format->setItemText(row, tr("PNG pictures of the view"));
+    if (const int row = m_format->findData(QStringLiteral("mp4")); row >= 0)
+        m_format->setItemText(row, tr("MP4 film of the view (H.264)"));
+    if (const int row = m_format->findData(QStringLiteral("webm")); row >= 0)
+        m_format->setItemText(row, tr("WebM film of the view (VP9)"));
 }
 
 } // namespace ramure

@@ -8,6 +8,7 @@
 #include "widgets/dialogs/export/export_task.h"
 #include "widgets/dialogs/export/moment_form.h"
 #include "widgets/dialogs/picture_form.h"
+#include "widgets/view/render/passes/film_file.h"
 #include <QComboBox>
 #include <QDir>
 #include <QFile>
@@ -63,9 +64,15 @@ bool ExportDialog::isClip() const
     return holds(holdsClip) && (m_moments->moment() == ExportMoment::Sequence || m_moments->loop());
 }
 
+/// One film of many pictures.
+bool ExportDialog::isFilmed() const
+{
+    return !format() && suffix() != pictureFormat;
+}
+
 bool ExportDialog::isNumbered() const
 {
-    return m_moments->isNumbered() && !isClip();
+    return m_moments->isNumbered() && !isClip() && !isFilmed();
 }
 
 bool ExportDialog::isInBackground() const
@@ -85,7 +92,7 @@ void ExportDialog::updateSummary()
     QString file = path();
     if (QFileInfo(file).suffix().isEmpty())
         file += u'.' + suffix();
-    if (isClip() && count > 0) {
+    if ((isClip() || isFilmed()) && count > 0) {
         parts += tr("%Ln frame(s) in one file", nullptr, int(count));
         count = 1;
     } else if (count > 1) {
@@ -107,9 +114,11 @@ void ExportDialog::updateSummary()
     ExportOptions wanted = options();
     if (isClip() && checkSequence(frames))
         wanted.clip.resize(std::size_t(frames.count()) - 1);
-    const double each = !format() ? bytesPerPixel * size.width() * size.height()
-                                  : double(estimatedFileBytes(m_document->scene(), wanted,
-                                                              documentSource(*m_document), systemPath(file)));
+    const double each = isFilmed() ? 0.0 // as long as it moves little, a film is small
+                        : !format()
+                            ? bytesPerPixel * size.width() * size.height()
+                            : double(estimatedFileBytes(m_document->scene(), wanted,
+                                                        documentSource(*m_document), systemPath(file)));
     if (const double bytes = each * double(count); bytes >= 1.0 && !isPrint())
         parts += tr("about %1").arg(roughSize(bytes));
     m_summary->setText(parts.join(QStringLiteral("  ·  ")));
@@ -125,8 +134,13 @@ bool ExportDialog::mayStart()
     if (format()) {
         if (const auto known = findFormat(path().toStdString(), FormatUse::Write); !known)
             return refuse(errorText(known.error()));
-    } else if (QFileInfo(path()).suffix().toLower() != QLatin1String("png")) {
-        return refuse(tr("Unknown file ending: pictures are written as .png"));
+    } else if (QFileInfo(path()).suffix().toLower() != suffix()) {
+        return refuse(tr("Unknown file ending: .%1 is expected").arg(suffix()));
+    } else if (isFilmed()) {
+        if (const auto fine = canFilm(systemPath(path())); !fine)
+            return refuse(errorText(fine.error()));
+        if (!m_moments->isNumbered())
+            return refuse(tr("A film needs a sequence of frames, or a view from all sides."));
     }
     if (m_use == ExportUse::Game)
         if (const auto fine = m_levels->check(); !fine)
@@ -151,7 +165,9 @@ bool ExportDialog::mayReplaceFiles()
 {
     QStringList names;
     QString wish = path();
-    if (m_moments->moment() == ExportMoment::Turntable) {
+    if (isFilmed()) {
+        names += QFileInfo(path()).fileName();
+    } else if (m_moments->moment() == ExportMoment::Turntable) {
         for (int i = 0; i < m_moments->turns(); ++i)
             names += QFileInfo(numbered(path(), i)).fileName();
     } else if (m_moments->moment() == ExportMoment::Sequence && !isClip()) {
@@ -191,6 +207,11 @@ void ExportDialog::startSequence()
         look.size = m_pictures->pictureSize();
         look.options.world = !m_pictures->isTransparent();
         look.allAround = m_moments->moment() == ExportMoment::Turntable;
+        if (isFilmed()) {
+            const FrameSequence range = m_moments->frames();
+            look.film = file;
+            look.framesPerSecond = range.framesPerSecond / double(range.step);
+        }
         std::vector<PictureShot> shots;
         if (m_moments->moment() == ExportMoment::Sequence)
             shots = frameShots(m_moments->frames(), file);

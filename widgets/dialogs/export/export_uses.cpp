@@ -1,6 +1,7 @@
 #include "widgets/dialogs/export/export_uses.h"
 
 #include "core/io/formats/file_format.h"
+#include "widgets/view/render/passes/film_file.h"
 #include <QCoreApplication>
 #include <algorithm>
 
@@ -37,24 +38,35 @@ const UseRow& rowOf(ExportUse use)
          QT_TRANSLATE_NOOP("ExportUses", "For the web"),
          QT_TRANSLATE_NOOP("ExportUses", "One small file with its pictures, which can move without end"),
          {QStringLiteral("glb")}},
-        {"pictures",
-         QT_TRANSLATE_NOOP("ExportUses", "Pictures"),
-         QT_TRANSLATE_NOOP("ExportUses", "PNG pictures of the view: one, a sequence, or from all sides"),
-         {pictureFormat}},
+        {"pictures", QT_TRANSLATE_NOOP("ExportUses", "Pictures"),
+         QT_TRANSLATE_NOOP("ExportUses",
+                           "PNG pictures of the view: one, a sequence, or from all sides; or a film"),
+         viewFormats()},
     };
     return rows[static_cast<std::size_t>(use)];
 }
 
 } // namespace
 
+const QStringList& viewFormats()
+{
+    static const QStringList formats = [] {
+        QStringList all{pictureFormat};
+        for (const char* film : filmEndings)
+            all += QString::fromLatin1(film);
+        return all;
+    }();
+    return formats;
+}
+
 QStringList formatsOf(ExportUse use)
 {
     QStringList formats;
     if (use != ExportUse::Blender) {
         for (const QString& id : rowOf(use).formats)
-            if (id == pictureFormat || std::ranges::any_of(fileFormats(), [&](const FileFormat* format) {
-                    return id == QLatin1String(format->id);
-                }))
+            if (viewFormats().contains(id) ||
+                std::ranges::any_of(
+                    fileFormats(), [&](const FileFormat* format) { return id == QLatin1String(format->id); }))
                 formats += id;
         return formats;
     }

@@ -14,6 +14,8 @@ inline constexpr std::array exportUses{ExportUse::Blender, ExportUse::Game, Expo
 
 /// What stands behind the formats of the table: pictures of the view.
 inline const QString pictureFormat = QStringLiteral("png");
+/// The same, and films of it (filmEndings).
+const QStringList& viewFormats();
 
 /// FileFormat::id of those it takes, the usual one first. Formats that no other use asks for are Blender's.
 QStringList formatsOf(ExportUse use);

@@ -3,6 +3,7 @@
 #include "core/qt/document/document.h"
 #include "widgets/dialogs/export/export_task.h"
 #include "widgets/view/render/camera_items.h"
+#include "widgets/view/render/passes/film_file.h"
 #include "widgets/view/render/passes/offscreen_renderer.h"
 #include "widgets/view/render/passes/picture_file.h"
 #include "widgets/view/render/scene_at.h"
@@ -40,6 +41,12 @@ Expected<void> drawAll(const Pictures& pictures, OffscreenRenderer& renderer, co
 {
     Evaluator evaluator(pictures.rest, pictures.scene.timeline());
     std::optional<Shown> shown;
+    std::unique_ptr<FilmFile> film;
+    if (const PictureLook& look = pictures.look; !look.film.empty()) {
+        auto begun = FilmFile::begin(look.film, look.size, look.framesPerSecond);
+        RAMURE_TRY(begun);
+        film = std::move(*begun);
+    }
     const auto count = static_cast<double>(pictures.shots.size());
     for (std::size_t i = 0; i < pictures.shots.size(); ++i) {
         const PictureShot& shot = pictures.shots[i];
@@ -65,11 +72,10 @@ Expected<void> drawAll(const Pictures& pictures, OffscreenRenderer& renderer, co
         const auto image = renderer.draw(shown->scene, camera, pictures.look.size, options,
                                          progress.part(from + 0.5 / count, from + 1.0 / count));
         RAMURE_TRY(image);
-        if (auto saved = savePicture(*image, shot.file); !saved)
-            return saved;
+        RAMURE_TRY(film ? film->add(*image, progress) : savePicture(*image, shot.file));
         progress.report(static_cast<double>(i + 1) / count);
     }
-    return {};
+    return film ? film->finish(progress) : Expected<void>();
 }
 
 } // namespace
@@ -110,8 +116,8 @@ void SequenceTask::startPictures(const Document& document, const PictureLook& lo
 {
     if (isRunning() || shots.empty())
         return;
-    m_files = static_cast<std::int64_t>(shots.size());
-    m_path = QFile::decodeName(shots.front().file.c_str());
+    m_files = look.film.empty() ? static_cast<std::int64_t>(shots.size()) : 1;
+    m_path = QFile::decodeName((look.film.empty() ? shots.front().file : look.film).c_str());
     m_renderer = rendererForJob();
     const Pictures pictures{document.scene(), snapshotOf(document), look, std::move(shots)};
     start([pictures, renderer = m_renderer](const Progress& progress) -> Expected<void> {

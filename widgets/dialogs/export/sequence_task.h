@@ -24,6 +24,8 @@ struct PictureLook
     bool allAround = false;  ///< the camera's place is that from which everything is seen as it turns
     RenderOptions options;
     SceneView view;
+    std::string film; ///< the pictures go into this film; empty: each into its own file
+    double framesPerSecond = 24.0;
 };
 
 /// One picture: when, how far the camera is turned about its target, and where to.
