@@ -4,6 +4,7 @@
 #include "widgets/dialogs/export/export_dialog.h"
 #include "widgets/dialogs/export/moment_form.h"
 #include "widgets/dialogs/picture_form.h"
+#include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
 #include <QSignalSpy>
@@ -172,6 +173,31 @@ private slots:
         for (const QString& name : files())
             QVERIFY2(name.startsWith(QStringLiteral("tree_")) && !name.contains(QStringLiteral(".new")),
                      qPrintable(name));
+    }
+
+    void filmsNeedTheirEncoderAndManyPictures()
+    {
+        const QByteArray before = qgetenv("PATH");
+        qputenv("PATH", QFile::encodeName(m_folder->path()));
+        m_dialog->setPictureLook({});
+        m_dialog->setFormat(QStringLiteral("mp4"));
+        QCOMPARE(m_dialog->moments()->moment(), ExportMoment::Turntable);
+        QVERIFY(m_dialog->path().endsWith(QStringLiteral("tree.mp4")));
+        QVERIFY(!m_dialog->findChild<QCheckBox*>(QStringLiteral("pictureTransparent"))->isEnabled());
+        m_dialog->startExport();
+        QVERIFY(message().contains(QStringLiteral("ffmpeg")));
+        QFile encoder(path("ffmpeg"));
+        QVERIFY(encoder.open(QIODevice::WriteOnly));
+        encoder.close();
+        QVERIFY(encoder.setPermissions(QFile::ReadOwner | QFile::ExeOwner));
+        m_dialog->moments()->setMoment(ExportMoment::Shown);
+        m_dialog->startExport();
+        QVERIFY(message().contains(QStringLiteral("all sides")));
+        m_dialog->setPath(path("tree.png"));
+        m_dialog->startExport();
+        QVERIFY(message().contains(QStringLiteral(".mp4")));
+        QVERIFY(m_dialog->isVisible());
+        qputenv("PATH", before);
     }
 
     void picturesWithoutOpenGlAreTold()

@@ -225,8 +225,11 @@ private slots:
     {
         const auto* tabs = child<QTabBar>("exportUses");
         QCOMPARE(tabs->count(), int(exportUses.size()));
-        const QList<QStringList> wanted{
-            {"glb", "obj", "ply", "ply-text"}, {"glb", "obj"}, {"3mf", "stl"}, {"glb"}, {"png"}};
+        const QList<QStringList> wanted{{"glb", "obj", "ply", "ply-text"},
+                                        {"glb", "obj"},
+                                        {"3mf", "stl"},
+                                        {"glb"},
+                                        {"png", "mp4", "webm"}};
         for (int tab = 0; tab < tabs->count(); ++tab) {
             QVERIFY(!tabs->tabText(tab).isEmpty() && !tabs->tabToolTip(tab).isEmpty());
             m_dialog->setUse(exportUses[std::size_t(tab)]);
