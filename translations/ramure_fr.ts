@@ -12501,6 +12501,18 @@ restantes</translation>
         <source>none</source>
         <translation>aucune</translation>
     </message>
+    <message>
+        <source> K</source>
+        <translation> K</translation>
+    </message>
+    <message>
+        <source>&amp;White balance</source>
+        <translation>&amp;Balance des blancs</translation>
+    </message>
+    <message>
+        <source>The light that the picture shows as white, in kelvin, as a camera has it: 6500 changes nothing, less makes the picture bluer, more makes it warmer</source>
+        <translation>La lumière que l’image montre blanche, en kelvins, comme sur un appareil photo : 6500 ne change rien, moins rend l’image plus bleue, plus la rend plus chaude</translation>
+    </message>
 </context>
 <context>
     <name>ramure::LimbTool</name>

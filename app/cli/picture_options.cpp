@@ -125,7 +125,8 @@ Expected<SceneLight> lightOf(const CommandLine& line)
         RAMURE_TRY(takeSunAt(line, light));
     for (const auto& taken :
          {takeNumber(line, "haze", Sky::leastTurbidity, Sky::mostTurbidity, light.turbidity),
-          takeNumber(line, "exposure", -SceneLight::mostStops, SceneLight::mostStops, light.exposure)})
+          takeNumber(line, "exposure", -SceneLight::mostStops, SceneLight::mostStops, light.exposure),
+          takeNumber(line, "white-balance", leastKelvin, mostKelvin, light.whiteKelvin)})
         RAMURE_TRY(taken);
     return light;
 }
@@ -197,6 +198,10 @@ void addPictureOptions(CommandLine& line)
     line.add({QStringLiteral("haze")},
              QStringLiteral("Of the air of --background sky: 2 (very clear) to 8 (hazy); 3 without it."),
              QStringLiteral("N"));
+    line.add({QStringLiteral("white-balance")},
+             QStringLiteral("The light that the picture shows as white, in kelvin, 3000 (bluer pictures) to "
+                            "12000 (warmer ones); 6500 without it."),
+             QStringLiteral("KELVIN"));
     line.add({QStringLiteral("exposure")}, QStringLiteral("Brighter or darker by so many f-stops, -5 to 5."),
              QStringLiteral("STOPS"));
     line.add(

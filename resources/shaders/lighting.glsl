@@ -3,7 +3,7 @@ uniform vec3 uSun;         // unit, towards the sun
 uniform vec3 uSunLight;    // linear
 uniform vec3 uAmbient[9];  // linear, by the way a surface faces: see sky.h
 uniform float uExposure;   // 0: light is shown as it is
-uniform float uGain;
+uniform vec3 uGain;
 uniform int uShadowTaps;   // 0 = no shadows
 // One map of everything; in pictures at rest one more of what the view shows near.
 uniform mat4 uShadow;      // eye-relative position -> shadow map coordinates and depth, 0..1

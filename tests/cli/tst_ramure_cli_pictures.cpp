@@ -292,6 +292,7 @@ private slots:
         QVERIFY(refused("--sun-at", "2026-06-21T00:00,48.9,2.3", "degrees high then"));
         QVERIFY(refused("--haze", "1.9", "from 2 to 8"));
         QVERIFY(refused("--exposure", "nan", "from -5 to 5"));
+        QVERIFY(refused("--white-balance", "2000", "from 3000 to 12000"));
         QVERIFY(refused("--f-stop", "0", "from 0.1 to 64"));
         QVERIFY(refused("--focus", "3", "needs --f-stop"));
         QVERIFY(refused("--sky-picture", "sky.png", ".hdr"));
@@ -329,6 +330,10 @@ private slots:
                 drawn({"--background", "sky", "--sun-at", "2026-06-21T12:00,48.9,2.3"}));
         QVERIFY(drawn({"--background", "sky", "--haze", "6"}) != drawn({"--background", "sky"}));
         QVERIFY(drawn({"--exposure", "1"}) != drawn({}));
+        QVERIFY(drawn({"--white-balance", "6500"}) == drawn({}));
+        const QColor warm = drawn({"--white-balance", "9000"}).pixelColor(1, 110),
+                     cold = drawn({"--white-balance", "4000"}).pixelColor(1, 110);
+        QVERIFY(warm.red() > cold.red() + 10 && warm.blue() < cold.blue() - 10);
         QVERIFY(drawn({"--f-stop", "0.5", "--focus", "1", "--sky-picture", path("sky.hdr")}) != drawn({}));
         QVERIFY(test::bytesOf(path("sky.hdr")).startsWith("#?RADIANCE"));
         // The sky as a picture of its own is nearly that sky: what stands in the ground's colour is the same.

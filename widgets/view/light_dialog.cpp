@@ -97,6 +97,8 @@ LightDialog::LightDialog(ViewSettings* settings, QWidget* parent)
     , m_haze(named(new QDoubleSpinBox(this), "haze"))
     , m_exposureSlider(new QSlider(Qt::Horizontal, this))
     , m_exposure(named(new QDoubleSpinBox(this), "exposure"))
+    , m_whiteSlider(new QSlider(Qt::Horizontal, this))
+    , m_white(named(new QSpinBox(this), "whiteBalance"))
     , m_moment(new QGroupBox(tr("The sun of a day and a place"), this))
     , m_time(named(new QDateTimeEdit(QDateTime(QDate::currentDate(), QTime(15, 0)), this), "sunTime"))
     , m_latitude(named(new QDoubleSpinBox(this), "latitude"))
@@ -117,11 +119,14 @@ LightDialog::LightDialog(ViewSettings* settings, QWidget* parent)
     m_height->setRange(int(SceneLight::leastHeightDeg), 90);
     m_height->setSuffix(tr("°"));
     m_exposure->setSuffix(tr(" stops"));
+    m_white->setRange(int(leastKelvin), int(mostKelvin));
+    m_white->setSingleStep(100);
+    m_white->setSuffix(tr(" K"));
     build();
     tellMoment();
     take();
     connect(m_backdrop, &QComboBox::currentIndexChanged, this, &LightDialog::apply);
-    for (QSpinBox* box : {m_direction, m_height, m_turn})
+    for (QSpinBox* box : {m_direction, m_height, m_turn, m_white})
         connect(box, &QSpinBox::valueChanged, this, &LightDialog::apply);
     for (QDoubleSpinBox* box : {m_haze, m_exposure})
         connect(box, &QDoubleSpinBox::valueChanged, this, &LightDialog::apply);
@@ -144,6 +149,7 @@ void LightDialog::build()
     setUp(m_height, m_heightSlider, 5);
     setUp(m_haze, m_hazeSlider, Sky::leastTurbidity, Sky::mostTurbidity);
     setUp(m_exposure, m_exposureSlider, -SceneLight::mostStops, SceneLight::mostStops);
+    setUp(m_white, m_whiteSlider, 500);
     addRow(form, tr("Sun &from"), m_directionSlider, m_direction,
            tr("Direction of the sun, in degrees clockwise from the north (−Z): 90 is the east (X)"));
     addRow(form, tr("Sun &height"), m_heightSlider, m_height,
@@ -152,6 +158,10 @@ void LightDialog::build()
            tr("Dust and water in the air of the natural sky: 2 is very clear, 8 hazy"));
     addRow(form, tr("E&xposure"), m_exposureSlider, m_exposure,
            tr("Brighter or darker by so many f-stops: 1 is twice the light"));
+    addRow(
+        form, tr("&White balance"), m_whiteSlider, m_white,
+        tr("The light that the picture shows as white, in kelvin, as a camera has it: 6500 changes nothing, "
+           "less makes the picture bluer, more makes it warmer"));
     buildMoment();
     layout->addWidget(m_moment);
     buildButtons();
@@ -226,6 +236,7 @@ void LightDialog::take()
                                                                  m_turnSlider->minimumWidth()));
     m_picture->setToolTip(file);
     m_exposure->setValue(light.exposure);
+    m_white->setValue(int(std::lround(light.whiteKelvin)));
     m_taking = false;
     const bool isPicture = light.backdrop == Backdrop::Picture;
     for (QWidget* field :
@@ -253,6 +264,7 @@ void LightDialog::apply()
     light.backdrop = backdrop;
     light.turbidity = m_haze->value();
     light.exposure = m_exposure->value();
+    light.whiteKelvin = m_white->value();
     light.turnDeg = m_turn->value();
     m_settings->light.set(light);
 }

@@ -55,6 +55,8 @@ private:
     QDoubleSpinBox* m_haze;
     QSlider* m_exposureSlider;
     QDoubleSpinBox* m_exposure;
+    QSlider* m_whiteSlider;
+    QSpinBox* m_white;
     QGroupBox* m_moment;
     QDateTimeEdit* m_time;
     QDoubleSpinBox* m_latitude;

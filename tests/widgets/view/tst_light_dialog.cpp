@@ -47,9 +47,11 @@ private slots:
         dialog.findChild<QComboBox*>("backdrop")->setCurrentIndex(int(Backdrop::Sky));
         dialog.findChild<QDoubleSpinBox*>("haze")->setValue(5.5);
         dialog.findChild<QDoubleSpinBox*>("exposure")->setValue(-1.5);
-        const SceneLight light{270.0, 8.0, Backdrop::Sky, 5.5, -1.5};
+        dialog.findChild<QSpinBox*>("whiteBalance")->setValue(5200);
+        SceneLight light{270.0, 8.0, Backdrop::Sky, 5.5, -1.5};
+        light.whiteKelvin = 5200.0;
         QCOMPARE(m_settings.light(), light);
-        QCOMPARE(changed.size(), 5);
+        QCOMPARE(changed.size(), 6);
         m_settings.quality.set(Quality::Best);
         m_settings.beginDocument();
         QCOMPARE(m_settings.light(), SceneLight());

@@ -5,6 +5,7 @@
 #include "widgets/view/render/display_mode.h"
 #include "widgets/view/render/lens.h"
 #include "widgets/view/render/light/sky.h"
+#include "widgets/view/render/light/white_balance.h"
 #include <cmath>
 #include <cstdint>
 #include <glm/trigonometric.hpp>
@@ -35,6 +36,7 @@ struct SceneLight
     double exposure = 0.0;  ///< f-stops, -mostStops .. mostStops
     std::shared_ptr<const PictureSky> picture{}; ///< of Backdrop::Picture; null: that is Backdrop::Sky
     double turnDeg = 0.0;                        ///< of the picture, clockwise seen from above
+    double whiteKelvin = usualKelvin;            ///< whiteBalance()
     static constexpr double mostStops = 5.0;
 
     /// Unit, towards the sun.

@@ -141,7 +141,7 @@ PictureLight lightOf(const SceneLight& light)
     PictureLight out;
     out.sun = light.sun();
     out.studio = studioColour(light.backdrop);
-    out.gain = float(std::exp2(light.exposure));
+    out.gain = glm::vec3(std::exp2(light.exposure) * whiteBalance(light.whiteKelvin));
     if (light.backdrop == Backdrop::Picture && light.picture) {
         takePicture(out, light);
         return out;

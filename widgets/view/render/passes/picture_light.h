@@ -21,7 +21,7 @@ struct PictureLight
     std::shared_ptr<const PictureSky> around; ///< of Backdrop::Picture
     float aroundTurn = 0.0f;                  ///< of it, 0..1
     float aroundScale = 1.0f;                 ///< from its brightness to the picture's
-    float gain = 1.0f;                        ///< exposure
+    glm::vec3 gain{1.0f};                     ///< exposure and white balance; linear
 
     /// Light and colours are those of a real sky.
     [[nodiscard]] bool isNatural() const { return sky || around; }
