@@ -67,6 +67,32 @@ private slots:
         QVERIFY(edit::setNodeVisible(document, {box}, false));
         QVERIFY(regrown.empty()); // nothing that matters to growth
     }
+    /// Of trees that grow by years, what one says of its crown concerns the others; its leaves do not.
+    void neighboursFollowEachOther()
+    {
+        Document document;
+        std::vector<Node> trees{node(1, NodeKind::Tree, "One"), node(2, NodeKind::Tree, "Two")};
+        for (Node& tree : trees) {
+            tree.params.generator.kind = EditOperation::Growth;
+            tree.params.growth.neighbours = true;
+        }
+        trees[1].params.tree.translation.x = 3.0;
+        document.reset(*Scene::fromNodes(trees), {});
+        const auto link = [&](NodeId id) { return document.scene().find(id)->params.growth.space; };
+        const GrowthSpaceLink one = link(1), two = link(2);
+        QCOMPARE(one.neighbours.size(), std::size_t(1));
+        QVERIFY(edit::setParam(document, {2}, *findParam("foliage.leavesDensity"), std::int64_t(3)));
+        QVERIFY(link(1) == one && link(2) == two);
+        QVERIFY(edit::setParam(document, {2}, *findParam("growth.height"), 5.0));
+        QCOMPARE(link(1).neighbours.front().height, 5.0);
+        QVERIFY(edit::setParam(document, {2}, *findParam("tree.translation"), glm::dvec3(4, 0, 0)));
+        QCOMPARE(link(1).neighbours.front().foot.x, 4.0);
+        QCOMPARE(link(2).neighbours.front().foot.x, -4.0);
+        document.undo();
+        document.undo();
+        document.undo();
+        QVERIFY(link(1) == one && link(2) == two);
+    }
     /// Vertices are looked at when a mesh is made, not at every edit.
     void aMeshKnowsItsShape()
     {

@@ -193,10 +193,14 @@ void Document::followSolids(const Change& edit)
         const Node* node = m_scene.find(id);
         return node && node->kind == NodeKind::Tree;
     };
-    // Shape, leaves and bark of a tree concern no other one.
-    const bool concernsOthers = edit.has(changeStructure) || edit.firstStale == Stage::Symbols ||
-                                edit.firstStale == Stage::Placement ||
-                                !std::ranges::all_of(edit.nodes, isTree);
+    const auto mayConcernOthers = [](ParamId id) {
+        const Stage stage = paramTable()[id].stage;
+        return stage == Stage::Symbols || stage == Stage::Placement;
+    };
+    // Steps, shape, leaves and bark of a tree concern no other one.
+    const bool concernsOthers = edit.has(changeStructure) || !std::ranges::all_of(edit.nodes, isTree) ||
+                                (edit.params.empty() && !edit.has(changeBranches)) ||
+                                std::ranges::any_of(edit.params, mayConcernOthers);
     const std::span<const NodeId> only = concernsOthers ? std::span<const NodeId>() : edit.nodes;
     auto stale = staleGrowthSpaces(m_scene, only);
     auto grounds = staleGrounds(m_scene, only);
