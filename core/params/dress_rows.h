@@ -54,7 +54,7 @@ inline constexpr std::array dressRows{
         {"season.day", foliageGroup, RAMURE_NOOP("Day of the year"),
          RAMURE_NOOP("Buds swell and burst, leaves unfold, turn and fall on the days on which those of the plant do in its climate; flowers and "
                      "fruit have theirs. Colours come from pigments. 0: no day, and Season counts.")},
-        ParamUnit::Day, {0, 365, 0, 365, 1, 2}, Stage::Season, paramAnimatable, treeOnly, isOfPlant),
+        ParamUnit::Day, {0, 365, 0, 365, 1, 0}, Stage::Season, paramAnimatable, treeOnly, isOfPlant),
     row<&NodeParams::season, &SeasonParams::climate>(
         {"season.climate", foliageGroup, RAMURE_NOOP("Climate"),
          RAMURE_NOOP("Whose winter and summer the day of the year goes by. Oceanic: as in Rennes; continental: as in Cracow; boreal: as "
