@@ -320,7 +320,7 @@ void LevelMaker::stand(const TreeLevel& level)
 {
     if (std::exchange(m_stood, true) || !level.branches)
         return;
-    Foliage own{{}, {}, m_foliage.form, m_foliage.fruit};
+    Foliage own{{}, {}, {}, m_foliage.form, m_foliage.fruit};
     const auto take = [&](const std::vector<FoliageItem>& from, std::vector<FoliageItem>& to) {
         for (FoliageItem item : from)
             if (item.branch = level.wood.branchOf[item.branch]; item.branch != noIndex)
@@ -397,7 +397,7 @@ void LevelMaker::addApples(TreeLevel& level, const Split& split, Foliage& foliag
 
 void LevelMaker::addFoliage(TreeLevel& level, const Split& split)
 {
-    Foliage foliage{{}, {}, m_foliage.form, m_foliage.fruit};
+    Foliage foliage{{}, {}, {}, m_foliage.form, m_foliage.fruit};
     if (!m_leaves.empty())
         addLeaves(level, split, foliage);
     if (split.apples > 0)

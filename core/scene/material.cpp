@@ -80,6 +80,10 @@ Material applesMaterial(FruitKind kind, const PictureParams& pictures)
             std::string("fruit_") + findParam("foliage.fruit")->items[static_cast<std::size_t>(kind)].name;
         fruit.colour = glm::u8vec3(255);
     }
+    if (kind == FruitKind::Blossom) { // petals are thin
+        fruit.phong = false;
+        fruit.through = 0.8F;
+    }
     wear(fruit, pictures);
     return fruit;
 }

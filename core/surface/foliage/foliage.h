@@ -43,9 +43,12 @@ struct Foliage
 {
     std::vector<FoliageItem> leaves;
     std::vector<FoliageItem> apples; ///< fruit and flowers of all kinds
-    LeafForm form;                   ///< common to all leaves
-    FruitForm fruit;                 ///< common to all fruit
-    std::size_t shed = 0;            ///< number of leaves, or of shoots, that the season took
+    /// On a day, of each fruit its number among those that were placed; noIndex: a flower. Empty: its own.
+    std::vector<Index> fruitOf;
+    LeafForm form;          ///< common to all leaves
+    FruitForm fruit;        ///< common to all fruit
+    std::size_t shed = 0;   ///< number of leaves, or of shoots, that the season took
+    std::size_t toCome = 0; ///< those of them that have not come yet this year
     /// One for each leaf as it was placed; null: not asked for yet.
     std::shared_ptr<const std::vector<LeafPhase>> phases{};
     /// sRGB, 0..255, on a day of the year: how all leaves together look, and what shines through them.

@@ -215,6 +215,57 @@ double stalkOf(const FruitForm& form)
 
 } // namespace
 
+/// Flowers on stalks from one foot: from three metres away nobody counts the triangles of one, and a tree in
+/// bloom has very many.
+static TriangleMesh umbel(const FruitRow& row, double stalk, int count)
+{
+    constexpr double low = -0.18, high = 0.12, spread = 0.75; // of the radius; of a right angle
+    constexpr int ofPetal = 2;
+    const double foot = row.height + stalk;
+    TriangleMesh mesh;
+    for (int flower = 0; flower < count; ++flower) {
+        const double lean = 0.5 * pi * spread * std::sqrt((flower + 0.5) / count);
+        const auto [leanSin, leanCos] = maths::sincos(lean);
+        const auto [aroundSin, aroundCos] = maths::sincos(goldenAngle * flower);
+        const Index first = mesh.vertexCount();
+        const auto add = [&](double x, double y, double z) { // leaning about the foot
+            const double down = y - foot, out = leanCos * x - leanSin * down;
+            mesh.positions.emplace_back(aroundCos * out - aroundSin * z, foot + leanSin * x + leanCos * down,
+                                        aroundSin * out + aroundCos * z);
+        };
+        add(0.0, low, 0.0);
+        add(0.0, high, 0.0);
+        const int rim = ofPetal * row.petals;
+        for (int k = 0; k < rim; ++k) {
+            const bool isNotch = k % ofPetal == 0;
+            const auto [sine, cosine] = maths::sincos(2.0 * pi * k / rim);
+            const double radius = isNotch ? 0.6 : 1.0;
+            add(radius * sine, isNotch ? -0.02 : low - 0.1, radius * cosine);
+        }
+        const auto face = [&](Index a, Index b, Index c, const glm::u8vec3& colour) {
+            mesh.triangles.emplace_back(first + a, first + b, first + c);
+            mesh.colours.push_back(colour);
+        };
+        const auto last = static_cast<Index>(rim);
+        for (Index k = 0; k < last; ++k) {
+            const Index a = 2 + k, b = 2 + (k + 1) % last;
+            face(0, b, a, row.colour);
+            face(1, a, b, row.colour);
+        }
+        const Index tube = mesh.vertexCount() - first;
+        for (int k = 0; k < 3; ++k) {
+            const auto [sine, cosine] = maths::sincos(2.0 * pi * k / 3);
+            add(row.stalkRadius * sine, 0.0, row.stalkRadius * cosine);
+        }
+        add(0.0, foot - 0.3 * row.stalkRadius, 0.0); // no two at one place
+        face(tube, tube + 2, tube + 1, row.capColour);
+        for (Index k = 0; k < 3; ++k)
+            face(tube + k, tube + (k + 1) % 3, tube + 3, row.stalkColour);
+    }
+    computeNormals(mesh);
+    return mesh;
+}
+
 /// Of the body. Where fruit ripen it is nowhere darker than any of their colours.
 static glm::u8vec3 bodyColour(const FruitForm& form)
 {
@@ -280,7 +331,7 @@ TriangleMesh fruitMesh(const FruitForm& form)
         return unitSphere();
     FruitRow row = fruitRow(form.kind);
     row.colour = bodyColour(form);
-    return Turned(row, stalkOf(form)).build();
+    return form.head > 1 ? umbel(row, stalkOf(form), form.head) : Turned(row, stalkOf(form)).build();
 }
 
 } // namespace ramure

@@ -14,6 +14,7 @@ struct FruitForm
     double size = 1.0, stalk = 1.0; ///< of the diameter, and of what the plant has
     double diameter = 0.0;          ///< m; 0: in proportion to the trunk
     int cluster = 1;                ///< how many hang from one place
+    int head = 1;                   ///< flowers in one piece, each on a stalk from its foot
     double ripe = 1.0;              ///< 0 green .. 1 in the colour of the row
     bool ripens = false;            ///< not all are ripe: colours are the brightest of both, for tints
     bool operator==(const FruitForm&) const = default;
@@ -35,7 +36,8 @@ int fruitCluster(FruitKind kind);
 bool hangs(FruitKind kind);
 
 /// Widest radius 1 about the origin, stalk along +Y with its foot at fruitReach. Closed and manifold, with
-/// normals and, but for the faithful sphere, with colours of its own.
+/// normals and, but for the faithful sphere, with colours of its own. A head of flowers has simple ones, each
+/// of which is closed, about the same foot.
 TriangleMesh fruitMesh(const FruitForm& form);
 
 } // namespace ramure

@@ -219,7 +219,7 @@ Expected<Foliage> placeFoliage(const Skeleton& skeleton, const FoliageParams& pa
     auto apples = fruit.kind == FruitKind::Faithful ? placeApples(placing, params.applesProbability)
                                                     : placeFruit(placing, hung, params.applesProbability);
     RAMURE_TRY(apples);
-    Foliage made{std::move(*leaves), std::move(*apples), leafForm(leaf), hung};
+    Foliage made{std::move(*leaves), std::move(*apples), {}, leafForm(leaf), hung};
     RAMURE_TRY(placeOrgans(skeleton, leaf, alpha, made));
     if (leaf.shape != LeafShape::Faithful) {
         growByLight(leaf.shade, made);

@@ -34,7 +34,7 @@ float smooth(float x)
 struct LeafState
 {
     float size = 1.0F, age = leafGrown;
-    bool isBud = false;
+    bool isBud = false, isToCome = false;
 };
 
 /// Even between 0 and 1 where the two numbers are: the sum of 0.6 of the one and 0.4 of the other, looked up
@@ -78,8 +78,9 @@ private:
         if (opened < 0.0F) {
             if (stays && opened < -0.1F)
                 return {0.94F, leafWithered, false};
-            return {opened < -swelling ? 0.0F : budLength * (0.4F + 0.6F * (1.0F + opened / swelling)), 0.0F,
-                    true};
+            if (opened < -swelling)
+                return {0.0F, 0.0F, false, true};
+            return {budLength * (0.4F + 0.6F * (1.0F + opened / swelling)), 0.0F, true};
         }
         LeafState state = growing(opened);
         const float turn = m_turned + turnSpread * (2.0F * phase - 1.0F) - 0.5F * turning;
@@ -178,7 +179,7 @@ float brightness(const FoliageItem& leaf)
 struct Sum
 {
     glm::dvec3 reflected{0.0}, transmitted{0.0};
-    std::size_t count = 0;
+    std::size_t count = 0, toCome = 0;
 };
 
 void paintLeaves(const std::vector<LeafPhase>& phases, const LeafDay& day, const LeafPaint& paint,
@@ -192,6 +193,7 @@ void paintLeaves(const std::vector<LeafPhase>& phases, const LeafDay& day, const
             FoliageItem& leaf = out.leaves[i];
             const LeafState state = day.of(phases[i].light, phases[i].phase, Lots(phases[i].lots));
             leaf.size *= state.size;
+            own.toCome += state.isToCome ? 1 : 0;
             if (state.size <= 0.0F)
                 continue;
             const LeafColours colours = paint.of(state, phases[i].light);
@@ -207,11 +209,13 @@ void paintLeaves(const std::vector<LeafPhase>& phases, const LeafDay& day, const
         all.reflected += each.reflected;
         all.transmitted += each.transmitted;
         all.count += each.count;
+        all.toCome += each.toCome;
     }
     if (all.count > 0) {
         out.meanColour = glm::vec3(all.reflected / double(all.count));
         out.meanThrough = glm::vec3(all.transmitted / double(all.count));
     }
+    out.toCome = all.toCome;
     if (all.count < count)
         out.shed = std::erase_if(out.leaves, [](const FoliageItem& leaf) { return leaf.size <= 0.0F; });
 }

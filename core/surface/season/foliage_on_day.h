@@ -14,9 +14,10 @@ namespace ramure {
 /// Returns the foliage as it is on the day. Every leaf has its own time, which depends on how much light it
 /// gets (high and outside in the crown or not), on its neighbourhood and on its address: what a day shows of
 /// a leaf never depends on the days before, and no leaf moves. Leaves that have fallen, or have not come, are
-/// missing and count as shed; those that unfold are smaller. Colours come from pigments and are whole: tints
-/// are colours, tones are 1, and the form says so. Evergreens bear young tips in spring and drop their oldest
-/// needles. Trees that flower do so before, with or after their leaves; fruit grow, ripen and fall.
+/// missing and count as shed (toCome: those that have not come); those that unfold are smaller. Colours come
+/// from pigments and are whole: tints are colours, tones are 1, and the form says so. Evergreens bear young
+/// tips in spring and drop their oldest needles. Trees that flower do so before, with or after their leaves;
+/// fruit grow, ripen and fall.
 ///
 /// Faithful leaves and fruit stay as they are, and so do palms. Where the climate has no winter, it is always
 /// summer.

@@ -12,9 +12,14 @@ namespace {
 /// Days: a flower opens, stays, and a fruit grows from its end on; fruit hang ripe and fall one after the
 /// other.
 constexpr double opening = 4.0, flowering = 11.0, hangsRipe = 8.0, falling = 30.0;
-/// m: the radius of an open flower, and of the head of small ones that berries grow from.
-constexpr double flowerRadius = 0.021, headRadius = 0.035;
-constexpr std::size_t mostFlowers = 12'000;
+/// m: the radius of an open flower, and of one of the small ones that berries grow from.
+constexpr double flowerRadius = 0.019, smallRadius = 0.007;
+/// Heads of flowers on a tree, and flowers of a head; of berries more.
+constexpr std::size_t mostHeads = 40'000;
+constexpr double headsOfLeaf = 3.0;
+constexpr int flowersOfHead = 6, smallOfHead = 12;
+/// Of the stalk of a single flower.
+constexpr double headStalk = 2.0, smallStalk = 4.0;
 /// Days after budburst when fruit are set whose flowers nobody looks at.
 constexpr double quietFlowers = 25.0;
 
@@ -42,41 +47,45 @@ void resize(FoliageItem& fruit, float share, const FruitForm& form, double alpha
     fruit.size *= share;
 }
 
-/// A head of flowers beside every so many leaves, at most mostFlowers.
+/// Heads of flowers where leaves will stand, at most mostHeads.
 void bloom(const Foliage& placed, const Skeleton& skeleton, double since, double alpha, Foliage& out)
 {
     const FruitKind kind = placed.fruit.kind;
     if (placed.leaves.empty() || placed.apples.empty() || !(alpha > 0.0))
         return;
+    const bool areSmall = kind == FruitKind::Berries;
     out.fruit = {.kind = FruitKind::Blossom,
-                 .diameter = 2.0 * (kind == FruitKind::Berries ? headRadius : flowerRadius)};
-    const int heads = fruitCluster(FruitKind::Blossom);
-    const double most = double(mostFlowers) / double(heads) / double(placed.leaves.size());
-    const auto share = static_cast<float>(std::min(0.6, most));
+                 .stalk = areSmall ? smallStalk : headStalk,
+                 .diameter = 2.0 * (areSmall ? smallRadius : flowerRadius),
+                 .head = areSmall ? smallOfHead : flowersOfHead};
+    const double each = std::min(headsOfLeaf, double(mostHeads) / double(placed.leaves.size()));
     const double reach = fruitRadius(out.fruit, alpha) * fruitReach(out.fruit);
     for (const FoliageItem& leaf : placed.leaves) {
         const Lots lots = CrownPlace::lotsOf(skeleton, leaf);
         const double open = since - 6.0 * double(lots[1]);
-        if (lots[0] >= share || open <= 0.0 || open > flowering + 6.0 * double(lots[2]) - 6.0)
+        if (open <= 0.0 || open > flowering + 6.0 * double(lots[2]) - 6.0)
             continue;
-        const auto size = static_cast<float>(std::min(0.3 + 0.7 * open / opening, 1.0));
+        const int heads = int(each + double(lots[0]));
         for (int i = 0; i < heads; ++i) {
-            const double around = fullTurn * (double(lots[3]) + i / double(heads));
-            const auto [sine, cosine] = maths::sincos(around);
-            FoliageItem flower = leaf;
-            flower.tone = 1.0F;
-            flower.tint = glm::vec3(1.0F);
-            flower.size = size;
+            FoliageItem head = leaf;
+            head.tone = 0.9F + 0.1F * lots[2];
+            head.tint = glm::vec3(1.0F);
+            head.size =
+                static_cast<float>(std::min(0.3 + 0.7 * open / opening, 1.0)) * (0.85F + 0.3F * lots[1]);
+            const auto [sine, cosine] = maths::sincos(fullTurn * (double(lots[3]) + i / double(heads)));
+            const double aside = heads > 1 ? 0.8 : 0.3;
             const glm::dvec3 way =
-                glm::normalize(leaf.orientation * glm::dvec3(0.7 * cosine, 0.6, 0.7 * sine + 0.35));
-            // Stalks are drawn out of the flower's back.
+                glm::normalize(leaf.orientation * glm::dvec3(aside * cosine, 0.6, aside * sine + 0.4));
+            // Stalks are drawn out of a flower's back.
             const glm::dvec3 up = std::abs(way.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
-            const glm::dvec3 right = glm::normalize(glm::cross(up, -way));
-            flower.orientation =
+            const glm::dvec3 across = glm::normalize(glm::cross(up, -way));
+            const glm::dvec3 right = cosine * across + sine * glm::cross(across, -way);
+            head.orientation =
                 glm::normalize(glm::quat_cast(glm::dmat3(right, -way, glm::cross(right, -way))));
-            flower.position = leaf.position + double(size) * reach * way;
-            flower.number = leaf.number * std::uint32_t(heads) + std::uint32_t(i);
-            out.apples.push_back(flower);
+            head.position = leaf.position + double(head.size) * reach * way;
+            head.number = leaf.number * std::uint32_t(headsOfLeaf + 1.0) + std::uint32_t(i);
+            out.apples.push_back(head);
+            out.fruitOf.push_back(noIndex);
         }
     }
 }
@@ -88,11 +97,13 @@ void grow(const Foliage& placed, const Skeleton& skeleton, const PlantYear& plan
     const auto grown = static_cast<float>(std::clamp(since / needs, 0.0, 1.0));
     // In steps, so that most days share their shape.
     out.fruit.ripe = std::round(16.0 * std::clamp((day - plant.ripe + 25.0) / 25.0, 0.0, 1.0)) / 16.0;
-    for (const FoliageItem& fruit : placed.apples) {
+    for (Index i = 0; i < placed.apples.size(); ++i) {
+        const FoliageItem& fruit = placed.apples[i];
         const Lots lots = CrownPlace::lotsOf(skeleton, fruit);
         if (day > plant.ripe + hangsRipe + falling * double(lots[0]))
             continue;
         out.apples.push_back(fruit);
+        out.fruitOf.push_back(i);
         resize(out.apples.back(), 0.15F + 0.85F * std::sqrt(grown), placed.fruit, alpha);
     }
 }

@@ -28,7 +28,7 @@ using B = BudKind;
 constexpr std::array<PlantYear, leafShapeCount - 1> plants{{
     {.shape = S::Beech, .buds = B::Beech, .fallWeeks = 4, .redYoung = 0.5F, .summer = {48, 10, 1, 0}, .autumn = {3, 6, 5.5F, 0.5F}, .withers = 0.8F, .byLight = 0.3F, .keeps = 0.14F, .ripe = 275},
     {.shape = S::Elm, .buds = B::Birch, .later = 6, .turns = 0.95, .fallWeeks = 3, .redYoung = 0.8F, .autumn = {3, 7, 0, 0.05F}},
-    {.shape = S::Cherry, .buds = B::Birch, .later = 5, .turns = 0.9, .fallWeeks = 3, .redYoung = 3.0F, .autumn = {3, 7, 13, 0}, .byLight = 0.7F, .flowers = -4, .ripe = 180},
+    {.shape = S::Cherry, .buds = B::Birch, .later = 5, .turns = 0.9, .fallWeeks = 3, .redYoung = 3.0F, .autumn = {3, 7, 13, 0}, .byLight = 0.7F, .flowers = -10, .ripe = 180},
     {.shape = S::Magnolia, .later = 5, .summer = {60, 13, 0.5F, 0}, .needleYears = 2},
     {.shape = S::Box, .buds = B::Birch, .later = 5, .summer = {60, 13, 0.5F, 0}, .needleYears = 3},
     {.shape = S::Birch, .buds = B::Birch, .turns = 0.82, .fallWeeks = 5, .redYoung = 0.6F, .summer = {40, 9, 0.8F, 0}, .autumn = {2, 7, 0, 0}, .withers = 0.15F},

@@ -94,6 +94,31 @@ private slots:
                     QCOMPARE(glm::abs(corner), glm::vec3(1.0f));
             }
     }
+    /// Heads of flowers: each flower and each stalk is closed, and all stalks begin at one foot. They are
+    /// many: together they have fewer triangles than one flower alone.
+    void headsOfFlowersHaveOneFoot()
+    {
+        const FruitForm one{FruitKind::Blossom};
+        for (const int count : {2, 5, 12}) {
+            FruitForm form = one;
+            form.stalk = 2.4;
+            form.head = count;
+            const TriangleMesh mesh = fruitMesh(form);
+            const test::CheckedMesh checked = test::checkMesh(mesh);
+            QVERIFY2(checked.closedManifold(), checked.summary().c_str());
+            QCOMPARE(checked.components.size(), std::size_t(2 * count));
+            QVERIFY(checked.volume() > 0.0);
+            QCOMPARE(mesh.colours.size(), mesh.triangles.size());
+            int feet = 0;
+            const glm::vec3 foot(0.0F, float(fruitReach(form)), 0.0F);
+            for (const glm::vec3& at : mesh.positions) {
+                feet += glm::distance(at, foot) < 0.03F ? 1 : 0;
+                QVERIFY(glm::distance(at, foot) < fruitReach(form) + 1.0);
+            }
+            QCOMPARE(feet, count);
+            QVERIFY(count > 5 || mesh.faceCount() < fruitMesh(one).faceCount());
+        }
+    }
     /// Stalks begin on the bark, fruit hang below them.
     void theyHangFromTheBark()
     {

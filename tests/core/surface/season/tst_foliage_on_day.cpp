@@ -278,6 +278,9 @@ private slots:
         const Foliage cherry =
             on(dates(LeafShape::Cherry).burst + 1.0, treeOf(LeafShape::Cherry, FruitKind::Cherry));
         QVERIFY(!cherry.apples.empty() && share(cherry) < 0.5);
+        const Foliage bare =
+            on(dates(LeafShape::Cherry).burst - 5.0, treeOf(LeafShape::Cherry, FruitKind::Cherry));
+        QVERIFY(share(bare) < 0.2 && 2 * bare.apples.size() > cherry.apples.size() && bare.fruit.head > 1);
         QVERIFY(on(20, treeOf(LeafShape::Larch, FruitKind::Cone)).apples.size() > 0);
     }
 
