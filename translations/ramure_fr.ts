@@ -9131,6 +9131,10 @@
         <source>the encoded film cannot be read: %1</source>
         <translation>le film encodé ne peut pas être lu : %1</translation>
     </message>
+    <message>
+        <source>levels of detail have the leaves of one day: write the four seasons without levels, or one file of levels for each day</source>
+        <translation>les niveaux de détail ont les feuilles d’un jour : écrivez les quatre saisons sans niveaux, ou un fichier de niveaux par jour</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>

@@ -141,6 +141,11 @@ private slots:
         row("tree.scale=1,2", "tree.scale");
         row("tree.scale=1,2,nan", "tree.scale");
         row("sections.radialDivisions=2", "sections.radialDivisions");
+        row("season.day=400", "season.day");
+        row("season.day=-1", "season.day");
+        row("season.day=nan", "season.day");
+        row("season.day=May", "season.day");
+        row("season.climate=tropical", "season.climate");
         row("grammar.axiom=B]A", "grammar.axiom");
         row("grammar.axiom=", "grammar.axiom");
         row("grammar.rules=A > B", "grammar.rules");

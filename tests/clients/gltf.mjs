@@ -42,6 +42,9 @@ const wind = ['preset:TinyTree', '--frames', '0:24', '--fps', '24', '--set', 'sk
 async function validated() {
   const files = some.map(name => exported(`${name}.glb`, `preset:${name}`, '--map-size', '64'));
   files.push(exported('instances.glb', 'preset:SmallTree', '--leaves', 'instances', '--map-size', '64'));
+  files.push(exported('year.glb', 'preset:SilverBirch1995', '--map-size', '64', '--variants'));
+  files.push(exported('year-instances.glb', 'preset:SilverBirch1995', '--map-size', '64', '--variants', '--leaves', 'instances'));
+  files.push(exported('day-levels.glb', 'preset:EnglishOak1995', '--set', 'season.day=300', '--map-size', '64', '--levels', '3'));
   files.push(exported('plain.glb', 'preset:SilverBirch1995', '--map-size', '0'));
   files.push(exported('wind.glb', ...wind, '--map-size', '0'));
   files.push(exported('few-joints.glb', 'preset:SmallTree', '--frames', '0:5', '--joints', '64', '--map-size', '0'));

@@ -87,6 +87,31 @@ private slots:
         QVERIFY(!write(sceneOn(20.0), options, "none.glb"));
     }
 
+    /// Cards have pictures of the leaves of one day.
+    void levelsHaveOneDay()
+    {
+        ExportOptions options;
+        options.variants = true;
+        options.levels.count = 2;
+        const auto refused = write(sceneOn(200.0), options, "levels.glb");
+        QVERIFY(!refused);
+        QCOMPARE(QString::fromStdString(refused.error().path), QStringLiteral("variants"));
+        QVERIFY(write(sceneOn(200.0), options, "levels.obj")); // which has none anyway
+        options.variants = false;
+        QVERIFY(write(sceneOn(200.0), options, "levels.glb"));
+    }
+
+    void aTreeThatMovesOnADayHasNoVariants()
+    {
+        ExportOptions options;
+        options.variants = true;
+        options.clip = {0.0, 0.5};
+        const auto refused = write(sceneOn(200.0), options, "clip.glb");
+        QVERIFY(!refused);
+        QVERIFY(refused.error().path.find("season.day") != std::string::npos);
+        QVERIFY(write(sceneOn(0.0), options, "clip.glb"));
+    }
+
     void aDayIsWritten()
     {
         ExportOptions options;

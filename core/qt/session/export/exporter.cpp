@@ -331,9 +331,13 @@ Expected<void> withoutDay(TreeMeshes& meshes, const PosedTree& posed, const Node
     const TreeResult& tree = posed.rest;
     if (!tree.placed || tree.placed == tree.foliage)
         return {};
-    if (posed.motion.bones)
-        return fail(ErrorCode::Invalid,
-                    RAMURE_NOOP("variants of the seasons are those of a tree at rest, or without a day"));
+    if (posed.motion.bones) {
+        auto error =
+            fail(ErrorCode::Invalid,
+                 RAMURE_NOOP("variants of the seasons are those of a tree at rest, or without a day"));
+        error.value().path = "season.day";
+        return error;
+    }
     const double alpha = trunkRadius(params);
     const Skeleton& skeleton = tree.simplified->skeleton;
     meshes.foliage = tree.placed;
@@ -559,7 +563,7 @@ Expected<void> exportScene(EvaluatedScene scene, const ExportOptions& options, c
     if (!options.clip.empty() && options.instances)
         return fail(ErrorCode::Invalid,
                     RAMURE_NOOP("instances of leaves do not move: merge them, or write one moment"));
-    if (auto fine = checkLevelExport(options); !fine)
+    if (auto fine = checkLevelExport(options, **format); !fine)
         return fine;
     if (auto fine = checkWindExport(options, **format); !fine)
         return fine;

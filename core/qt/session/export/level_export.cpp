@@ -40,7 +40,7 @@ Expected<LevelledTree> levelsOf(const Node& node, EvaluatedScene& scene, const E
     return out;
 }
 
-Expected<void> checkLevelExport(const ExportOptions& options)
+Expected<void> checkLevelExport(const ExportOptions& options, const FileFormat& format)
 {
     if (!options.levels.isWanted())
         return {};
@@ -49,6 +49,13 @@ Expected<void> checkLevelExport(const ExportOptions& options)
     if (options.instances)
         return fail(ErrorCode::Invalid,
                     RAMURE_NOOP("levels of detail have their leaves merged: no list of instances"));
+    if (options.variants && (format.holds & holdsVariants)) {
+        auto error = fail(ErrorCode::Invalid,
+                          RAMURE_NOOP("levels of detail have the leaves of one day: write the four seasons "
+                                      "without levels, or one file of levels for each day"));
+        error.value().path = "variants";
+        return error;
+    }
     return checkLevels(options.levels);
 }
 

@@ -24,8 +24,8 @@ double nodeScale(const EvaluatedScene& scene, NodeId node);
 Expected<LevelledTree> levelsOf(const Node& node, EvaluatedScene& scene, const ExportOptions& options,
                                 const Progress& progress);
 /// Checks the options for levels; options without levels pass. Errors: those of checkLevels; Invalid (levels
-/// of another model, or with instances).
-Expected<void> checkLevelExport(const ExportOptions& options);
+/// of another model, with instances or with seasons).
+Expected<void> checkLevelExport(const ExportOptions& options, const FileFormat& format);
 /// Writes each level as a file. Errors: those of the format; files already written stay.
 Expected<void> writeLevels(const FileFormat& format, const std::string& path, const ExportScene& scene,
                            const WriteOptions& options, const Progress& progress);
