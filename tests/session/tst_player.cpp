@@ -23,6 +23,7 @@ private slots:
     void init();
     void cleanup();
     void emptyDocumentsPlayToo();
+    void keysOfADayCountAtTheFirstFrame();
     void frameZeroIsRest();
     void seekingGivesAFrame();
     void anyOrderGivesTheSameFrames();
@@ -98,6 +99,36 @@ void TestPlayer::emptyDocumentsPlayToo()
     m_player->seek(std::numeric_limits<qint64>::max());
     QCOMPARE(m_player->frame(), mostFrame);
     QVERIFY(m_player->waitForIdle(5000));
+}
+
+/// A file that begins on the first of January is opened bare.
+void TestPlayer::keysOfADayCountAtTheFirstFrame()
+{
+    Node node;
+    node.id = 1;
+    node.kind = NodeKind::Tree;
+    node.name = "tree";
+    node.params = presetParams("TinyTree").value_or(NodeParams{});
+    node.params.leaf.shape = LeafShape::Birch;
+    std::vector<Key> keys(2);
+    keys[0].value = 10.0;
+    keys[1].value = 200.0;
+    keys[1].time = ticksOf(2.0);
+    node.animation.set(Channel{ChannelPart::Parameter, 0, paramId(*findParam("season.day"))},
+                       AnyTrack(Track::fromKeys(keys).value()));
+    auto scene = Scene::fromNodes({node});
+    QVERIFY(scene);
+    m_document->reset(std::move(*scene), QString());
+    QVERIFY(m_recompute->waitForFull(test::patience(20000)));
+    const auto leaves = [this] {
+        const auto found = m_player->motion()->trees.find(1);
+        return found == m_player->motion()->trees.end() ? -1 : int(found->second.foliage->leaves.size());
+    };
+    QTRY_COMPARE(leaves(), 0);
+    seek(48);
+    QVERIFY(leaves() > 0);
+    seek(0);
+    QCOMPARE(leaves(), 0);
 }
 
 void TestPlayer::frameZeroIsRest()

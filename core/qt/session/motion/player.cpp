@@ -3,6 +3,7 @@
 #include "core/qt/session/jobs/job.h"
 #include "core/qt/session/motion/baker.h"
 #include "core/qt/session/motion/motion_worker.h"
+#include "core/rig/physics/animated_physics.h"
 
 #include <QDeadlineTimer>
 #include <QElapsedTimer>
@@ -476,7 +477,11 @@ void Player::Private::documentChanged(const Change& change)
     const bool shapes = change.has(changeResults) && !std::ranges::all_of(change.nodes, [this](NodeId tree) {
                             return movesAsAsked(tree);
                         });
-    if (!isAtRest() &&
+    // Tracks that shape a tree do so at the first frame as well.
+    const bool isShaped = shapes && std::ranges::any_of(document->scene().nodes(), [](const Node& node) {
+                              return node.kind == NodeKind::Tree && movesShape(node.animation);
+                          });
+    if ((!isAtRest() || isShaped) &&
         (physics || shapes ||
          change.has(changeStructure | changeNodeState | changeTimeline | changeJoints | changeTracks)))
         request(!playing);
