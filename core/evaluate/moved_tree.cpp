@@ -51,12 +51,12 @@ Foliage movedFoliage(const Foliage& rest, const NodeMotion& motion)
 }
 
 /// Null stays null.
-std::shared_ptr<const TriangleMesh> movedPiece(const std::shared_ptr<const TriangleMesh>& mesh,
-                                               const std::shared_ptr<const Skin>& skin,
-                                               const NodeMotion& motion)
+DeferredMesh movedPiece(const DeferredMesh& mesh, const std::shared_ptr<const Skin>& skin,
+                        const NodeMotion& motion)
 {
-    return mesh ? std::make_shared<const TriangleMesh>(deformed(*mesh, *skin, *motion.bones, motion.method))
-                : nullptr;
+    if (!mesh)
+        return {};
+    return std::make_shared<const TriangleMesh>(deformed(*mesh, *skin, *motion.bones, motion.method));
 }
 
 /// The meshes of a result and its report, deformed.

@@ -10,6 +10,7 @@
 #include "core/rig/pose/skin.h"
 #include "core/rig/tracks/timeline_settings.h"
 #include "core/scene/scene.h"
+#include "core/surface/mesh/deferred_mesh.h"
 #include <memory>
 #include <vector>
 
@@ -32,7 +33,7 @@ struct ArmProgress
 struct NodeMotion
 {
     std::shared_ptr<const BranchMesh> mesh;
-    std::shared_ptr<const TriangleMesh> leavesMesh, applesMesh;
+    DeferredMesh leavesMesh, applesMesh;
     std::shared_ptr<const Skin> branches, leaves, apples;
     SkinMethod method = SkinMethod::DualQuaternion;
     /// One per branch of the simplified skeleton, then one per apple, then, where leaves swing on their

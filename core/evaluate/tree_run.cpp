@@ -18,12 +18,14 @@ static constexpr double leafReach = 4.0;
 bool TreeRun::setBody(const TreeResult& rest, const NodeParams& params)
 {
     const double alpha = trunkRadius(params);
-    if (m_cache && m_skeleton == rest.simplified && m_foliage == rest.foliage && m_alpha == alpha)
+    m_foliage = rest.foliage;
+    const auto& weighed = rest.placed ? rest.placed : rest.foliage;
+    if (m_cache && m_skeleton == rest.simplified && m_weighed == weighed && m_alpha == alpha)
         return false;
     m_skeleton = rest.simplified;
-    m_foliage = rest.foliage;
+    m_weighed = weighed;
     m_alpha = alpha;
-    const auto body = makeTreeBody(m_skeleton->skeleton, m_foliage.get(), alpha);
+    const auto body = makeTreeBody(m_skeleton->skeleton, m_weighed.get(), alpha);
     if (m_cache && m_cache->physics().body().key == body->key)
         return false; // computed again, the same as before
     m_params = params.physics;
@@ -37,24 +39,45 @@ bool TreeRun::setBody(const TreeResult& rest, const NodeParams& params)
     return true;
 }
 
-/// A leaf of a plant has a bone of its own; others go with their branches.
+/// The places of some leaves among all that were placed, which stand in the same order. Leaves of the day
+/// that are not among them have none.
+static std::vector<Index> placesOf(const std::vector<FoliageItem>& leaves,
+                                   const std::vector<FoliageItem>& all)
+{
+    std::vector<Index> places;
+    places.reserve(leaves.size());
+    for (std::size_t i = 0; i < all.size() && places.size() < leaves.size(); ++i) {
+        const FoliageItem& next = leaves[places.size()];
+        if (next.branch == all[i].branch && next.number == all[i].number)
+            places.push_back(static_cast<Index>(i));
+    }
+    return places;
+}
+
+/// A leaf of a plant has a bone of its own; others go with their branches. All days of a year have the same
+/// places on the bark.
 Expected<void> TreeRun::setLeaves(const TreeResult& tree, bool smooth)
 {
-    m_swing.reset();
     m_motion.firstLeaf = noIndex;
     m_fruit = tree.foliage ? FruitSwing(*tree.foliage, m_alpha) : FruitSwing();
+    if (!tree.foliage || tree.foliage->form.shape == LeafShape::Faithful)
+        m_swing.reset();
     if (!tree.foliage)
         return {};
     const Skeleton& skeleton = tree.simplified->skeleton;
     const std::vector<FoliageItem>& leaves = tree.foliage->leaves;
     Expected<Skin> skin;
     if (tree.foliage->form.shape != LeafShape::Faithful) {
-        auto anchors = bindAnchors(leaves, *tree.branches, skeleton, *m_motion.branches);
-        RAMURE_TRY(anchors);
-        m_swing.emplace(skeleton, *tree.foliage, m_alpha, std::move(*anchors));
+        if (!m_swing || m_swingOf != m_weighed) {
+            auto anchors = bindAnchors(m_weighed->leaves, *tree.branches, skeleton, *m_motion.branches);
+            RAMURE_TRY(anchors);
+            m_swing.emplace(skeleton, *m_weighed, m_alpha, std::move(*anchors));
+            m_swingOf = m_weighed;
+        }
+        m_hanging = placesOf(leaves, m_weighed->leaves);
         m_motion.firstLeaf = skeleton.size() + static_cast<Index>(tree.foliage->apples.size());
         if (tree.leaves)
-            skin = bindLoose(*tree.leaves, leaves.size(), m_motion.firstLeaf);
+            skin = bindLoose(tree.leaves.vertexCount(), leaves.size(), m_motion.firstLeaf);
     } else if (tree.leaves) {
         skin = bindFoliage(*tree.leaves, leaves, *tree.branches, skeleton, smooth);
     }
@@ -67,29 +90,31 @@ Expected<void> TreeRun::setLeaves(const TreeResult& tree, bool smooth)
 Expected<void> TreeRun::setSkins(const TreeResult& tree, SkinMethod method)
 {
     const bool smooth = method != SkinMethod::Rigid;
-    const bool same = m_motion.branches && m_smooth == smooth && m_motion.mesh == tree.branches &&
-                      m_leavesOf == tree.foliage && m_motion.leavesMesh == tree.leaves &&
-                      m_motion.applesMesh == tree.apples;
+    const bool sameBark = m_motion.branches && m_smooth == smooth && m_motion.mesh == tree.branches;
     m_motion.method = method;
-    if (same)
+    if (sameBark && m_leavesOf == tree.foliage && m_motion.leavesMesh == tree.leaves &&
+        m_motion.applesMesh == tree.apples)
         return {};
     const Skeleton& skeleton = tree.simplified->skeleton;
-    auto branches = bindBranches(*tree.branches, skeleton, smooth);
-    RAMURE_TRY(branches);
-    m_motion.branches = std::make_shared<const Skin>(std::move(*branches));
+    if (!sameBark) {
+        auto branches = bindBranches(*tree.branches, skeleton, smooth);
+        RAMURE_TRY(branches);
+        m_motion.branches = std::make_shared<const Skin>(std::move(*branches));
+        m_motion.mesh = tree.branches;
+        m_smooth = smooth;
+        m_swing.reset();
+    }
     m_motion.leaves = m_motion.apples = nullptr;
     if (auto leaves = setLeaves(tree, smooth); !leaves)
         return leaves;
     if (tree.foliage && tree.apples) {
-        auto apples = bindLoose(*tree.apples, tree.foliage->apples.size(), skeleton.size());
+        auto apples = bindLoose(tree.apples.vertexCount(), tree.foliage->apples.size(), skeleton.size());
         RAMURE_TRY(apples);
         m_motion.apples = std::make_shared<const Skin>(std::move(*apples));
     }
-    m_motion.mesh = tree.branches;
     m_leavesOf = tree.foliage;
     m_motion.leavesMesh = tree.leaves;
     m_motion.applesMesh = tree.apples;
-    m_smooth = smooth;
     return {};
 }
 
@@ -137,7 +162,7 @@ bool TreeRun::setPhysics(const PhysicsParams& params, const NodeAnimation& anima
 }
 
 /// Around all branches and apples, with room for leaves.
-static Box movedBox(const TreeBody& body, const std::vector<RigidTransform>& bones)
+static Box movedBox(const TreeBody& body, const Foliage* foliage, const std::vector<RigidTransform>& bones)
 {
     Box box;
     double thickest = 0.0;
@@ -148,8 +173,8 @@ static Box movedBox(const TreeBody& body, const std::vector<RigidTransform>& bon
         thickest = std::max(thickest, body.a0[slot]);
     }
     const std::size_t branches = body.p0.size();
-    for (std::size_t apple = 0; apple < body.applePosition.size(); ++apple)
-        box.add(bones[branches + apple].point(body.applePosition[apple]));
+    for (std::size_t apple = 0; foliage && apple < foliage->apples.size(); ++apple)
+        box.add(bones[branches + apple].point(foliage->apples[apple].position));
     return box.grown(thickest + leafReach * body.appleRadius);
 }
 
@@ -166,23 +191,36 @@ Expected<void> TreeRun::seek(std::int64_t step, Stand& stand, const Progress& pr
     return there;
 }
 
+Index TreeRun::fruitOfPhysics(Index apple) const
+{
+    if (!m_foliage || m_foliage->fruitOf.empty())
+        return apple;
+    return apple < m_foliage->fruitOf.size() ? m_foliage->fruitOf[apple] : noIndex;
+}
+
 std::vector<RigidTransform> TreeRun::bones()
 {
-    const TreeBody& body = m_cache->physics().body();
     const PhysicsState& state = m_cache->state();
     const Pose& pose = m_now.pose;
-    const std::size_t branches = pose.bones.size(), apples = body.appleSlot.size();
-    std::vector<RigidTransform> bones(branches + apples + (m_swing ? m_swing->size() : 0));
+    const std::size_t branches = pose.bones.size(), apples = m_foliage ? m_foliage->apples.size() : 0;
+    std::vector<RigidTransform> bones(branches + apples + (m_swing ? m_hanging.size() : 0));
     std::ranges::copy(pose.bones, bones.begin());
     for (std::size_t apple = 0; apple < apples; ++apple)
-        bones[branches + apple] = pose.bones[body.branchOf[body.appleSlot[apple]]];
+        bones[branches + apple] = pose.bones[m_foliage->apples[apple].branch];
     if (m_cache->step() != 0) // the beginning is the rest, to the last bit
         m_fruit.pose(m_now.fruit, std::span(bones).subspan(branches, apples));
     const std::vector<RigidTransform> loose = m_cache->physics().loosePoses(state);
-    for (std::size_t i = 0; i < loose.size(); ++i)
-        bones[branches + state.loose[i].apple] = loose[i];
-    if (m_swing && m_cache->step() != 0)
-        m_swing->pose(pose.bones, m_motion.method, m_now.bends, std::span(bones).subspan(branches + apples));
+    for (Index apple = 0; apple < apples && !loose.empty(); ++apple) {
+        const auto off = std::ranges::find(state.loose, fruitOfPhysics(apple), &LooseApple::apple);
+        if (off != state.loose.end())
+            bones[branches + apple] = loose[std::size_t(off - state.loose.begin())];
+    }
+    if (!m_swing || m_cache->step() == 0)
+        return bones;
+    m_leafBones.resize(m_swing->size());
+    m_swing->pose(pose.bones, m_motion.method, m_now.bends, m_leafBones);
+    for (std::size_t i = 0; i < m_hanging.size(); ++i)
+        bones[branches + apples + i] = m_leafBones[m_hanging[i]];
     return bones;
 }
 
@@ -208,7 +246,7 @@ Expected<NodeMotion> TreeRun::motionAt(double seconds, const TimelineSettings& t
     }
     const TreeBody& body = m_cache->physics().body();
     motion.bones = std::make_shared<const std::vector<RigidTransform>>(bones());
-    motion.box = movedBox(body, *motion.bones).grown(m_fruit.reach());
+    motion.box = movedBox(body, m_foliage.get(), *motion.bones).grown(m_fruit.reach());
     if (m_swing)
         motion.box = motion.box.grown(m_swing->reach());
     motion.figures = m_cache->physics().figures(m_cache->state());

@@ -38,6 +38,9 @@ public:
     [[nodiscard]] PhysicsCache& cache() { return *m_cache; }
     [[nodiscard]] const PhysicsCache& cache() const { return *m_cache; }
     [[nodiscard]] const PhysicsParams& params() const { return m_params; }
+    /// The number that the physics has for a fruit of the tree: it knows all that were placed, so that a day
+    /// is no other run. noIndex: it has none.
+    [[nodiscard]] Index fruitOfPhysics(Index apple) const;
     /// Returns true if parameters changed within the run.
     [[nodiscard]] bool isMixed() const { return m_mixed; }
 
@@ -57,7 +60,7 @@ private:
     void setTrackedPhysics(const PhysicsParams& params, const NodeAnimation& animation, double seconds);
 
     std::shared_ptr<const SimplifiedSkeleton> m_skeleton;
-    std::shared_ptr<const Foliage> m_foliage;
+    std::shared_ptr<const Foliage> m_weighed, m_foliage; ///< as it was placed, and on the day
     double m_alpha = 0.0;
     std::unique_ptr<PhysicsCache> m_cache;
     PhysicsParams m_params;
@@ -67,8 +70,10 @@ private:
     NodeMotion m_motion; ///< meshes and skins; the rest is of the moment asked for last
     bool m_smooth = false;
     LeafParams m_leaf;
-    std::shared_ptr<const Foliage> m_leavesOf;
-    std::optional<LeafSwing> m_swing; ///< only for trees with plant leaves
+    std::shared_ptr<const Foliage> m_leavesOf, m_swingOf;
+    std::optional<LeafSwing> m_swing; ///< of all leaves that were placed; only for trees with plant leaves
+    std::vector<Index> m_hanging;     ///< which of them hang on the day
+    std::vector<RigidTransform> m_leafBones;
     FruitSwing m_fruit;
     Stand m_now, m_earlier;
 };

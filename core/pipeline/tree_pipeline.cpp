@@ -37,7 +37,7 @@ struct MeshedBranches
 struct MeshedFoliage
 {
     std::shared_ptr<const Foliage> foliage;
-    std::shared_ptr<const TriangleMesh> leaves, apples;
+    DeferredMesh leaves, apples;
 };
 
 template <class T> std::size_t bytesOf(const std::vector<T>& list)
@@ -138,7 +138,7 @@ std::size_t bytesOf(const Foliage& f)
 }
 std::size_t bytesOf(const MeshedFoliage& f)
 {
-    return bytesOf(*f.foliage) + bytesOf(*f.leaves) + bytesOf(*f.apples);
+    return bytesOf(*f.foliage) + f.leaves.bytes() + f.apples.bytes();
 }
 
 SimplifiedSkeleton untouched(const Skeleton& skeleton)
@@ -219,23 +219,27 @@ Expected<Foliage> foliageOn(const Skeleton& skeleton, const NodeParams& params, 
     return placed;
 }
 
-/// \param isSketch of a draft. Views draw copies: of a plant's leaves a draft has but cards.
-Expected<MeshedFoliage> meshFoliage(const Skeleton& skeleton, const NodeParams& params,
-                                    const std::shared_ptr<const Foliage>& placed, bool isSketch,
-                                    const Progress& progress)
+/// \param isSketch of a draft. Views draw copies: of a plant's leaves a draft has but cards. A day of a year
+/// costs no mesh: both are merged when somebody looks at them.
+MeshedFoliage meshFoliage(const std::shared_ptr<const SimplifiedSkeleton>& tree, const NodeParams& params,
+                          const std::shared_ptr<const Foliage>& placed, bool isSketch)
 {
+    const Skeleton& skeleton = tree->skeleton;
     const FoliageModel model = isSketch ? FoliageModel::Rough : FoliageModel::Fine;
     const double alpha = trunkRadius(params);
     const auto foliage =
         hasDay(params.season)
             ? std::make_shared<const Foliage>(foliageOnDay(*placed, skeleton, params.season, alpha))
             : placed;
-    TriangleMesh leaves = buildLeaves(skeleton, *foliage, alpha, model, progress);
-    TriangleMesh apples = buildApples(skeleton, *foliage, alpha, FoliageModel::Fine, progress);
-    if (progress.cancelled())
-        return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
-    return MeshedFoliage{foliage, std::make_shared<const TriangleMesh>(std::move(leaves)),
-                         std::make_shared<const TriangleMesh>(std::move(apples))};
+    const auto later = [](const TriangleMesh& one, std::size_t count, auto make) {
+        const auto pieces = static_cast<Index>(count);
+        return DeferredMesh(pieces * one.vertexCount(), pieces * one.faceCount(), std::move(make));
+    };
+    return {foliage,
+            later(oneLeaf(foliage->form, alpha, model), foliage->leaves.size(),
+                  [=] { return buildLeaves(tree->skeleton, *foliage, alpha, model); }),
+            later(oneApple(foliage->fruit, alpha, FoliageModel::Fine), foliage->apples.size(),
+                  [=] { return buildApples(tree->skeleton, *foliage, alpha, FoliageModel::Fine); })};
 }
 
 } // namespace
@@ -479,9 +483,8 @@ private:
         RAMURE_TRY(placed);
         const bool isSketch = !bark && m_params.leaf.shape != LeafShape::Faithful;
         return cached(m_cache.foliage, StageHash(hash).add(m_hashes[Stage::Season]).value(), m_progress,
-                      [&] {
-                          return meshFoliage(skeleton, m_params, *placed, isSketch,
-                                             m_progress.part(0.95, 1.0));
+                      [&]() -> Expected<MeshedFoliage> {
+                          return meshFoliage(m_result.simplified, m_params, *placed, isSketch);
                       })
             .map([&](auto made) {
                 m_result.placed = *placed;

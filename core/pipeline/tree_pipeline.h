@@ -12,6 +12,7 @@
 #include "core/skeleton/sections.h"
 #include "core/skeleton/simplify.h"
 #include "core/surface/foliage/foliage.h"
+#include "core/surface/mesh/deferred_mesh.h"
 #include "core/surface/mesher/branch_mesh.h"
 #include "core/surface/proof/validate.h"
 #include <memory>
@@ -43,10 +44,9 @@ struct TreeResult
     /// Drafts only, in place of branches and report: open tubes to look at.
     std::shared_ptr<const TriangleMesh> draftTubes;
     std::shared_ptr<const Foliage> foliage;
-    std::shared_ptr<const TriangleMesh> leaves;
-    std::shared_ptr<const TriangleMesh> apples;
-    double sourceSeconds = 0.0; ///< time that its source took when it grew; 0: not known, or frozen
-    double seconds = 0.0;       ///< time this evaluation took, cache hits included
+    DeferredMesh leaves, apples; ///< merged; of a draft of plants' leaves cards
+    double sourceSeconds = 0.0;  ///< time that its source took when it grew; 0: not known, or frozen
+    double seconds = 0.0;        ///< time this evaluation took, cache hits included
 };
 
 /// Most triangles that a branch mesh may have by estimate: twice its cross-sections times their points.

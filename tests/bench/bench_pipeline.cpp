@@ -1,5 +1,6 @@
 // End to end: from parameters to the checked mesh, nothing in the cache, on one thread and on two.
 #include "core/base/parallel.h"
+#include "core/evaluate/evaluator.h"
 #include "core/pipeline/tree_pipeline.h"
 #include "tests/bench/bench_trees.h"
 #include <benchmark/benchmark.h>
@@ -42,6 +43,40 @@ BENCHMARK(BM_pipeline)
     ->Args({12, 2, 1})
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime()
+    ->UseRealTime();
+
+/// Days of one tree of a year, nothing of which is in the cache; argument: a second of its motion too.
+void BM_dayOfYear(benchmark::State& state)
+{
+    Scene scene;
+    Node tree;
+    tree.id = 1;
+    tree.params = bench::need(presetParams("EnglishOak"));
+    const ThreadLimit limit(2);
+    TreePipeline pipeline;
+    pipeline.setCacheSize(1);
+    Evaluator evaluator(pipelineSource(pipeline));
+    double day = 100.0;
+    std::size_t count = 0;
+    const auto next = [&] {
+        day = day >= 320.0 ? 100.0 : day + 1.0;
+        tree.params.season.day = day;
+        if (state.range(0) == 0)
+            count = bench::need(pipeline.evaluate(tree.params)).placed->leaves.size();
+        else
+            benchmark::DoNotOptimize(bench::need(evaluator.posedTree(tree, Stage::Foliage, 0.04, true)));
+    };
+    next();
+    for (auto _ : state)
+        next();
+    state.counters["leaves"] = static_cast<double>(count);
+}
+BENCHMARK(BM_dayOfYear)
+    ->ArgName("moves")
+    ->Arg(0)
+    ->Arg(1)
+    ->Iterations(60)
+    ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 
 } // namespace

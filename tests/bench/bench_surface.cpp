@@ -68,7 +68,7 @@ void BM_foliage(benchmark::State& state)
 }
 BENCHMARK(BM_foliage)->Arg(8)->Arg(12)->Unit(benchmark::kMicrosecond);
 
-/// 100,000 leaves on a day when they turn.
+/// Leaves on a day when they turn; the last argument is their number.
 void BM_foliageOnDay(benchmark::State& state)
 {
     const Skeleton skeleton = smallTree(state);
@@ -76,7 +76,7 @@ void BM_foliageOnDay(benchmark::State& state)
     maple.shape = LeafShape::Maple;
     Foliage placed = bench::need(placeFoliage(skeleton, FoliageParams(), maple, FruitParams(), 0.2));
     const std::size_t known = placed.leaves.size();
-    constexpr std::size_t count = 100'000;
+    const auto count = static_cast<std::size_t>(state.range(2));
     for (std::size_t i = known; i < count; ++i) { // no two with one address
         placed.leaves.push_back(placed.leaves[i - known]);
         placed.leaves.back().number += 1000;
@@ -88,7 +88,11 @@ void BM_foliageOnDay(benchmark::State& state)
         benchmark::DoNotOptimize(foliageOnDay(placed, skeleton, {double(state.range(1))}, 0.2).leaves.data());
     items(state, count);
 }
-BENCHMARK(BM_foliageOnDay)->Args({12, 298})->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_foliageOnDay)
+    ->Args({12, 298, 1'000})
+    ->Args({12, 298, 100'000})
+    ->Args({12, 298, 1'000'000})
+    ->Unit(benchmark::kMillisecond);
 
 /// All five maps at 1024 pixels a side.
 void BM_barkMaps(benchmark::State& state)

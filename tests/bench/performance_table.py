@@ -51,7 +51,7 @@ GROWING = [
     ("a quarter of a million metamers born", "BM_growHistory/28/1", 250),
     ("any age of an oak of 2,000 axes", "BM_skeletonAtAge", 33),
     ("1,000 edits find their places on 10,000 axes", "BM_editPlaces", 20),
-    ("100,000 leaves on a day when they turn", "BM_foliageOnDay", 4),
+    ("100,000 leaves on a day when they turn", "BM_foliageOnDay/12/298/100000", 4),
 ]
 GROWTH = [
     ("branch mesh", "BM_growthMesh"),

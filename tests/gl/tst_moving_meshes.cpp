@@ -73,7 +73,7 @@ Tree swayingTree(SkinMethod method)
     tree.skeleton = test::presetSkeleton({"SmallTree"}).value_or(Skeleton{});
     const auto made =
         std::make_shared<const BranchMesh>(buildBranchMesh(tree.skeleton, {}).value_or(BranchMesh{}));
-    tree.mesh = {made, &made->mesh};
+    tree.mesh = DeferredMesh::Pointer(made, &made->mesh);
     tree.skin = std::make_shared<const Skin>(
         bindBranches(*made, tree.skeleton, method != SkinMethod::Rigid).value_or(Skin{}));
     tree.bones = swaying(tree.skeleton, 0.12);
@@ -103,7 +103,7 @@ Tree bentWorn(SkinMethod method)
     const TriangleMesh worn = fittedToArm(test::torus(48, 24), params.joints);
     const auto shape =
         std::make_shared<const ArmShape>(armShape(params, &worn, ArmPart::Skin).value_or(ArmShape{}));
-    arm.mesh = {shape, &shape->mesh};
+    arm.mesh = DeferredMesh::Pointer(shape, &shape->mesh);
     arm.skin = {shape, &shape->skin};
     return arm;
 }

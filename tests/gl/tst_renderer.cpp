@@ -494,7 +494,7 @@ private slots:
         scene.meshes.pop_back();
         scene.meshes[0] = plain;
         for (MeshItem& item : scene.meshes)
-            item.outlined = std::make_shared<const OutlinedFaces>(outlinedWhole(*item.mesh, item.box, 0));
+            item.outlined = std::make_shared<const OutlinedFaces>(outlinedWhole(item.mesh, item.box, 0));
         const int whole = countWhere(picture(scene, camera), ink);
         QVERIFY2(whole > around / 2, qPrintable(QString::number(whole)));
     }

@@ -191,8 +191,8 @@ void TestExporter::oneTreeIsShared()
     QCOMPARE(namesOf(*set), (Names{"branches", "leaves", "fruit"}));
     const auto tree = m_pipeline.evaluate(scene.find(1)->params);
     QCOMPARE(set->meshes[0].mesh.get(), &tree->branches->mesh); // out of the cache, and not copied
-    QCOMPARE(set->meshes[1].mesh, tree->leaves);
-    QCOMPARE(set->meshes[2].mesh, tree->apples);
+    QCOMPARE(set->meshes[1].mesh, tree->leaves.pointer());
+    QCOMPARE(set->meshes[2].mesh, tree->apples.pointer());
 }
 
 void TestExporter::severalTreesGetNumbers()

@@ -30,6 +30,24 @@ template <class Item> void moveItems(std::vector<Item>& items, const MotionFrame
     }
 }
 
+/// bindRigidly of a merged mesh that is not made yet.
+Skin rigidCopies(const MeshItem& item)
+{
+    const std::vector<MeshCopy>& copies = item.copies->copies;
+    Skin skin;
+    skin.vertices = item.mesh.vertexCount();
+    skin.runs.resize(copies.size());
+    const auto perCopy = static_cast<Index>(skin.vertices / std::max<std::size_t>(1, copies.size()));
+    for (std::size_t i = 0; i < copies.size(); ++i) {
+        const Index branch = copies[i].branch;
+        const std::size_t piece = item.copies->pieceOf(i);
+        skin.runs[piece] = {static_cast<Index>(piece) * perCopy,
+                            {{branch, branch, branch}, {1.0F, 0.0F, 0.0F}}};
+        skin.bones = std::max(skin.bones, branch + 1);
+    }
+    return skin;
+}
+
 } // namespace
 
 bool MovingScene::moves(const RenderScene& rest, const MotionFrame& frame)
@@ -45,14 +63,15 @@ bool MovingScene::moves(const RenderScene& rest, const MotionFrame& frame)
            std::any_of(rest.points.begin(), rest.points.end(), moving);
 }
 
-std::shared_ptr<const Skin> MovingScene::rigidSkin(const std::shared_ptr<const TriangleMesh>& mesh)
+std::shared_ptr<const Skin> MovingScene::rigidSkin(const MeshItem& item)
 {
-    Bound& bound = m_bound[mesh.get()];
+    Bound& bound = m_bound[item.mesh.key().get()];
     bound.used = true;
     if (bound.skin)
         return bound.skin;
-    bound.mesh = mesh;
-    bound.skin = std::make_shared<const Skin>(bindRigidly(*mesh));
+    bound.mesh = item.mesh.key();
+    bound.skin =
+        std::make_shared<const Skin>(item.mesh.isMade() ? bindRigidly(*item.mesh) : rigidCopies(item));
     return bound.skin;
 }
 
@@ -60,7 +79,7 @@ std::shared_ptr<const Skin> MovingScene::rigidSkin(const std::shared_ptr<const T
 std::shared_ptr<const Skin> MovingScene::splitSkin(const MeshItem& item,
                                                    const std::shared_ptr<const Skin>& whole)
 {
-    Bound& bound = m_bound[item.mesh.get()];
+    Bound& bound = m_bound[item.mesh.key().get()];
     bound.used = true;
     if (bound.skin && bound.whole == whole)
         return bound.skin;
@@ -79,7 +98,7 @@ std::shared_ptr<const Skin> MovingScene::splitSkin(const MeshItem& item,
             skin->runs.push_back({v, runs[run].influence});
         last = run;
     }
-    bound = {item.mesh, std::move(skin), whole, true};
+    bound = {item.mesh.key(), std::move(skin), whole, true};
     return bound.skin;
 }
 
@@ -87,19 +106,20 @@ std::shared_ptr<const Skin> MovingScene::skinOf(const MeshItem& item, const Node
 {
     if (item.motion.skin) // of an arm: it is never at rest
         return item.motion.skin;
-    const std::pair<const TriangleMesh*, const std::shared_ptr<const Skin>&> known[] = {
-        {motion.mesh ? &motion.mesh->mesh : nullptr, motion.branches},
-        {motion.leavesMesh.get(), motion.leaves},
-        {motion.applesMesh.get(), motion.apples},
+    const std::pair<DeferredMesh, const std::shared_ptr<const Skin>&> known[] = {
+        {motion.mesh ? DeferredMesh::Pointer(motion.mesh, &motion.mesh->mesh) : nullptr, motion.branches},
+        {motion.leavesMesh, motion.leaves},
+        {motion.applesMesh, motion.apples},
     };
     for (const auto& [mesh, skin] : known)
-        if (skin && mesh == item.mesh.get())
+        if (skin && mesh == item.mesh)
             return skin;
     if (motion.mesh && motion.branches && item.split.from.get() == &motion.mesh->mesh)
         return splitSkin(item, motion.branches);
-    if (item.mesh->branch.size() != item.mesh->positions.size() || item.mesh->positions.empty())
+    if (item.mesh.vertexCount() == 0 || !item.hasBranches() ||
+        (item.mesh.isMade() && item.mesh->branch.size() != item.mesh->positions.size()))
         return nullptr;
-    auto skin = rigidSkin(item.mesh);
+    auto skin = rigidSkin(item);
     return skin->bones <= motion.bones->size() ? skin : nullptr; // of another skeleton: a draft, perhaps
 }
 

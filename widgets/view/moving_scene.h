@@ -21,16 +21,16 @@ public:
 private:
     struct Bound
     {
-        std::shared_ptr<const TriangleMesh> mesh;
+        std::shared_ptr<const void> mesh; ///< its key
         std::shared_ptr<const Skin> skin;
         std::shared_ptr<const Skin> whole; ///< what the skin of a split mesh was made of
         bool used = false;
     };
     std::shared_ptr<const Skin> skinOf(const MeshItem& item, const NodeMotion& motion);
-    std::shared_ptr<const Skin> rigidSkin(const std::shared_ptr<const TriangleMesh>& mesh);
+    std::shared_ptr<const Skin> rigidSkin(const MeshItem& item);
     std::shared_ptr<const Skin> splitSkin(const MeshItem& item, const std::shared_ptr<const Skin>& whole);
 
-    std::map<const TriangleMesh*, Bound> m_bound; ///< rigid skins and those of split meshes, made here
+    std::map<const void*, Bound> m_bound; ///< rigid skins and those of split meshes, made here
 };
 
 /// The scene with its meshes and lines deformed on the processor: to pick in. Takes some time.

@@ -20,7 +20,7 @@ void addBlocks(const TreeResult& tree, std::vector<const void*>& blocks)
          {static_cast<const void*>(tree.skeleton.get()), static_cast<const void*>(tree.simplified.get()),
           static_cast<const void*>(tree.sections.get()), static_cast<const void*>(tree.branches.get()),
           static_cast<const void*>(tree.draftTubes.get()), static_cast<const void*>(tree.foliage.get()),
-          static_cast<const void*>(tree.leaves.get()), static_cast<const void*>(tree.apples.get())})
+          tree.leaves.key().get(), tree.apples.key().get()})
         blocks.push_back(block);
 }
 

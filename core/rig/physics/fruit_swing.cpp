@@ -40,6 +40,7 @@ FruitSwing::FruitSwing(const Foliage& foliage, double alpha)
     for (const FoliageItem& fruit : foliage.apples) {
         const double own = length * double(fruit.size);
         m_feet.push_back(fruit.position + fruit.orientation * glm::dvec3(0.0, own, 0.0));
+        m_branches.push_back(fruit.branch);
         m_reach = std::max(m_reach, own);
     }
 }
@@ -50,7 +51,7 @@ std::vector<glm::dvec3> FruitSwing::carried(const TreeBody& body, const PhysicsS
     if (state.mode != PhysicsMode::Robust) // the faithful step's speeds are others
         return out;
     for (std::size_t i = 0; i < out.size(); ++i) {
-        const Index slot = body.appleSlot[i];
+        const Index slot = body.slotOf[m_branches[i]];
         out[i] = {state.channel(PhysicsState::VelX)[slot], state.channel(PhysicsState::VelY)[slot],
                   state.channel(PhysicsState::VelZ)[slot]};
     }

@@ -31,6 +31,7 @@ public:
 
 private:
     std::vector<glm::dvec3> m_feet; ///< tree space, at rest
+    std::vector<Index> m_branches;
     double m_reach = 0.0;
 };
 

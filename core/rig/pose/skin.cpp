@@ -361,15 +361,15 @@ Skin bindRigidly(const TriangleMesh& mesh)
     return skin;
 }
 
-Expected<Skin> bindLoose(const TriangleMesh& mesh, std::size_t pieces, Index firstBone)
+Expected<Skin> bindLoose(Index vertices, std::size_t pieces, Index firstBone)
 {
-    const bool fits = pieces == 0 ? mesh.positions.empty() : mesh.positions.size() % pieces == 0;
+    const bool fits = pieces == 0 ? vertices == 0 : vertices % pieces == 0;
     if (!fits)
         return mismatch();
     Skin skin;
-    skin.vertices = mesh.vertexCount();
+    skin.vertices = vertices;
     skin.bones = firstBone + static_cast<Index>(pieces);
-    const std::size_t perPiece = pieces == 0 ? 0 : mesh.positions.size() / pieces;
+    const std::size_t perPiece = pieces == 0 ? 0 : vertices / pieces;
     for (std::size_t i = 0; i < pieces; ++i)
         append(skin, static_cast<Index>(i * perPiece), follow(firstBone + static_cast<Index>(i)));
     return skin;

@@ -73,8 +73,9 @@ Expected<Skin> bindFoliage(const TriangleMesh& mesh, std::span<const FoliageItem
 
 /// Every vertex follows the branch that the mesh names for it.
 Skin bindRigidly(const TriangleMesh& mesh);
-/// Every piece follows a bone of its own: \p firstBone, firstBone + 1 … Errors: Invalid as above.
-Expected<Skin> bindLoose(const TriangleMesh& mesh, std::size_t pieces, Index firstBone);
+/// Every piece follows a bone of its own: \p firstBone, firstBone + 1 … \param vertices of all pieces, which
+/// have equally many. Errors: Invalid as above.
+Expected<Skin> bindLoose(Index vertices, std::size_t pieces, Index firstBone);
 
 /// Moves skins into one pose after the other; keeps its buffers.
 class Deformer

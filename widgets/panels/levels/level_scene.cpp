@@ -50,7 +50,7 @@ void drawSimplest(RenderScene& scene, const TreeResult& tree, double alpha, Foli
 {
     if (!tree.leaves || !tree.foliage || tree.foliage->leaves.empty())
         return;
-    const std::size_t each = tree.leaves->faceCount() / tree.foliage->leaves.size();
+    const std::size_t each = tree.leaves.faceCount() / tree.foliage->leaves.size();
     if (each == oneLeaf(tree.foliage->form, alpha, FoliageModel::Fine).faceCount())
         return;
     for (MeshItem& item : scene.meshes)

@@ -47,8 +47,8 @@ double roundedDown(double value)
 
 std::int64_t facesOf(const TreeResult& tree)
 {
-    return (tree.branches ? tree.branches->mesh.faceCount() : 0) +
-           (tree.leaves ? tree.leaves->faceCount() : 0) + (tree.apples ? tree.apples->faceCount() : 0);
+    return (tree.branches ? tree.branches->mesh.faceCount() : 0) + tree.leaves.faceCount() +
+           tree.apples.faceCount();
 }
 
 } // namespace

@@ -99,7 +99,7 @@ void addShape(RenderScene& scene, const std::shared_ptr<const SeenArm>& seen, co
     auto bones = std::make_shared<std::vector<RigidTransform>>();
     chain.pose(*bones);
     MeshItem item;
-    item.mesh = {seen, &seen->shape.mesh};
+    item.mesh = DeferredMesh::Pointer(seen, &seen->shape.mesh);
     item.motion = {{seen, &seen->shape.skin}, std::move(bones), params.skin.method};
     for (const glm::dvec3& point : chain.points())
         item.box.add(point);

@@ -16,7 +16,7 @@ constexpr std::size_t mostPoints = 120'000; ///< a camera looks at them within a
 void addPoints(const MeshItem& item, const glm::dmat4& world, std::size_t most,
                std::vector<glm::dvec3>& points)
 {
-    if (item.mesh->positions.size() <= most && !item.motion.moves()) {
+    if (item.mesh.vertexCount() <= most && !item.motion.moves()) {
         for (const glm::vec3& p : item.mesh->positions)
             points.emplace_back(world * glm::dvec4(glm::dvec3(p), 1.0));
         return;

@@ -40,7 +40,7 @@ GroundHeight::Stamp GroundHeight::stampOf(const Scene& scene, const RenderScene&
     }
     for (const MeshItem& item : built.meshes) {
         stamp.numbers.push_back(double(item.node));
-        stamp.held.push_back(item.mesh);
+        stamp.held.push_back(item.mesh.key());
     }
     return stamp;
 }

@@ -150,9 +150,12 @@ MeshCopies grassAround(const std::vector<Foot>& feet, const HeightOfGround& heig
     return made;
 }
 
-MeshCopies fallenLeaves(const Foliage& foliage, double alpha, const Foot& foot, const HeightOfGround& height)
+MeshCopies fallenLeaves(const Foliage& foliage, const Foliage& placed, double alpha, const Foot& foot,
+                        const HeightOfGround& height)
 {
-    constexpr double ofShed = 0.6, ofHanging = 0.01; // shares that lie there, of this year and of the last
+    // Shares that lie there: of this year, of the last where all have fallen, and for years. Worms and wind
+    // take leaves over winter.
+    constexpr double ofShed = 0.6, ofLast = 0.35, ofHanging = 0.01;
     MeshCopies made;
     LeafForm form = foliage.form;
     if (form.shape == LeafShape::Faithful || leafRow(form.shape).evergreen ||
@@ -161,19 +164,22 @@ MeshCopies fallenLeaves(const Foliage& foliage, double alpha, const Foot& foot, 
     const auto perShoot = double(form.perShoot);
     form.perShoot = 1;
     form.detail = 1;
-    const double reach = std::max(crownRadius(foliage, foot.place), 2.0 * foot.reach);
-    const auto fresh = std::min(std::size_t(ofShed * perShoot * double(foliage.shed)), mostLeaves);
+    const double reach = std::max(crownRadius(placed, foot.place), 2.0 * foot.reach);
+    const double shed = ofShed * double(foliage.shed - foliage.toCome),
+                 last = ofLast * double(foliage.toCome);
+    const auto fresh = std::min(std::size_t(perShoot * (shed + last)), mostLeaves);
+    const double oldShare = last / std::max(shed + last, 1.0);
     const auto kept = std::min(std::size_t(ofHanging * double(leafCount(foliage))), mostLeaves / 4);
     const glm::dvec3 autumn(leafRow(form.shape).autumn), old(112.0, 82.0, 54.0);
     const glm::dvec3 brightest(fallenMaterial().colour);
     Random random(2, RandomStream::Terrain);
     for (std::size_t i = 0; i < fresh + kept; ++i) {
-        const bool isFresh = i < fresh;
+        const bool isFresh = i < fresh, isOld = !isFresh || double(i) < oldShare * double(fresh);
         const double away = (isFresh ? 1.15 * reach : 2.4 * foot.reach) * std::sqrt(random.unit());
         const auto [sine, cosine] = maths::sincos(fullTurn * random.unit());
         const glm::dvec2 at(foot.place.x + away * cosine, foot.place.z + away * sine);
         const glm::dvec3 tone =
-            glm::mix(autumn, old, isFresh ? 0.7 * random.unit() : 0.5 + 0.5 * random.unit());
+            glm::mix(autumn, old, (isOld ? 0.8 : 0.0) + (isOld ? 0.2 : 0.7) * random.unit());
         const glm::dvec3 tint = glm::clamp(random.range(0.75, 1.0) * tone / brightest, 0.0, 1.0);
         const glm::dquat flat = turned(-0.5 * pi, {1.0, 0.0, 0.0});
         const glm::dquat tilt = turned(random.range(-0.45, 0.45), {1.0, 0.0, 0.0}) *

@@ -6,6 +6,7 @@
 #include "widgets/view/render/far_shape.h"
 #include "widgets/view/render/render_scene.h"
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <tuple>
@@ -140,6 +141,27 @@ std::vector<MeshCopy> spread(const std::vector<FoliageItem>& items, const std::v
 std::size_t MeshCopies::pieceOf(std::size_t copy) const
 {
     return copy * evenStep(copies.size()) % copies.size();
+}
+
+Box boxAround(const std::vector<FoliageItem>& items, const TriangleMesh& one)
+{
+    float reach = 0.0F;
+    for (const glm::vec3& corner : one.positions)
+        reach = std::max(reach, glm::length(corner));
+    glm::vec3 low(std::numeric_limits<float>::max()), high(-low);
+    for (const FoliageItem& item : items) {
+        const glm::vec3 centre(item.position);
+        const float far = 1.001F * item.size * reach;
+        if (glm::all(glm::greaterThan(centre - far, low)) && glm::all(glm::lessThan(centre + far, high)))
+            continue; // within
+        const glm::mat3 turn(glm::mat3_cast(item.orientation));
+        for (const glm::vec3& corner : one.positions) {
+            const glm::vec3 p = centre + turn * (item.size * corner);
+            low = glm::min(low, p);
+            high = glm::max(high, p);
+        }
+    }
+    return items.empty() || one.positions.empty() ? Box() : Box{glm::dvec3(low), glm::dvec3(high)};
 }
 
 MeshCopies leafCopies(const Foliage& foliage, double alpha, FoliageModel model,

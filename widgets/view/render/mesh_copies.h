@@ -3,6 +3,7 @@
 /// and checks use.
 #pragma once
 
+#include "core/math/box.h"
 #include "core/surface/foliage/foliage.h"
 #include <array>
 #include <cstdint>
@@ -46,6 +47,9 @@ struct MeshCopies
     /// Which of the merged mesh's pieces a copy is.
     [[nodiscard]] std::size_t pieceOf(std::size_t copy) const;
 };
+
+/// Around all copies of a mesh, as the merged mesh has it.
+Box boxAround(const std::vector<FoliageItem>& items, const TriangleMesh& one);
 
 /// Nothing where there are no items. \param shown per branch, whether it is; empty: all are.
 MeshCopies leafCopies(const Foliage& foliage, double alpha, FoliageModel model,

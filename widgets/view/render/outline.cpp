@@ -93,13 +93,14 @@ OutlinedFaces outlinedBranches(const TriangleMesh& mesh, const std::vector<bool>
 
 // Half of what is kept are the largest faces, a trunk's: gaps between those would be too wide to close. The
 // rest is spread evenly.
-OutlinedFaces outlinedWhole(const TriangleMesh& mesh, const Box& box, Index most)
+OutlinedFaces outlinedWhole(const DeferredMesh& whole, const Box& box, Index most)
 {
     OutlinedFaces faces;
     faces.box = box;
-    const Index count = mesh.faceCount();
+    const Index count = whole.faceCount();
     if (most == 0 || count <= most)
         return faces;
+    const TriangleMesh& mesh = *whole;
     const Index runs = (count + runLength - 1) / runLength;
     std::vector<std::pair<float, Index>> sizes; // twice a run's area, and which
     for (Index run = 0; run < runs; ++run) {

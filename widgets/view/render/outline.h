@@ -26,7 +26,7 @@ std::optional<OutlineExtent> outlineExtent(const RenderScene& scene, const Camer
 /// The runs of faces of some branches.
 OutlinedFaces outlinedBranches(const TriangleMesh& mesh, const std::vector<bool>& branches);
 /// All of a mesh; of one of many small faces about \p most, which close to the same outline. 0: always all.
-OutlinedFaces outlinedWhole(const TriangleMesh& mesh, const Box& box, Index most);
+OutlinedFaces outlinedWhole(const DeferredMesh& whole, const Box& box, Index most);
 
 /// Every function needs the context current in which the first was called.
 class Outline

@@ -51,13 +51,13 @@ void outlineSelected(RenderScene& built, ScenePartCache& cache, const Scene& sce
             const Node* node = scene.find(item.node);
             const bool isTree = node && node->kind == NodeKind::Tree;
             const Index most = isTree && !item.copies && !isBare(built, item.node) ? mostBark : 0;
-            item.outlined =
-                cache.get<OutlinedFaces>(ScenePart::Outlined, item.mesh, item.mesh, {double(most)},
-                                         [&] { return outlinedWhole(*item.mesh, item.box, most); });
+            item.outlined = cache.get<OutlinedFaces>(
+                ScenePart::Outlined, item.mesh.key(), item.mesh.key(), {double(most)},
+                [&] { return outlinedWhole(item.mesh, item.box, most); });
         } else if (item.node == branchNode && item.material.name == barkMaterial().name &&
                    item.mesh->branch.size() == item.mesh->positions.size()) {
             item.outlined = cache.get<OutlinedFaces>(
-                ScenePart::Outlined, item.mesh, tree->simplified, asNumbers(view.branches), [&] {
+                ScenePart::Outlined, item.mesh.key(), tree->simplified, asNumbers(view.branches), [&] {
                     return outlinedBranches(*item.mesh,
                                             branchFlags(tree->simplified->skeleton.size(), view.branches));
                 });

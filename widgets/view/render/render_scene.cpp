@@ -88,7 +88,7 @@ std::vector<glm::dvec3> RenderScene::framePoints() const
 {
     std::size_t all = 1;
     for (const MeshItem& item : meshes)
-        all += item.mesh->positions.size();
+        all += item.mesh.vertexCount();
     for (const LineItem& item : lines)
         all += 2 * item.lines->segments.size();
     const std::size_t usualStep = (all + mostSeen - 1) / mostSeen;

@@ -11,7 +11,7 @@
 #include "core/scene/scene.h"
 #include "core/surface/bark/bark_maps.h"
 #include "core/surface/foliage/leaf_maps.h"
-#include "core/surface/mesh/triangle_mesh.h"
+#include "core/surface/mesh/deferred_mesh.h"
 #include "widgets/view/render/item_wind.h"
 #include "widgets/view/render/light/crown_light.h"
 #include "widgets/view/render/mesh_copies.h"
@@ -97,7 +97,7 @@ struct OutlinedFaces
 /// it needs one texture coordinate per vertex.
 struct MeshItem
 {
-    std::shared_ptr<const TriangleMesh> mesh; ///< at rest
+    DeferredMesh mesh;                        ///< at rest
     std::shared_ptr<const MeshCopies> copies; ///< drawn in its place: the same, in pieces; null: it is drawn
     Box box;                                  ///< bounds of the mesh as it is now, in its own space
     SplitMesh split;                          ///< the mesh whose skin it follows if it has none of its own
@@ -120,6 +120,9 @@ struct MeshItem
     bool castsShadow = true;
     bool pickable = true; ///< false for the nodes that are locked
     bool framed = true;   ///< false: framing the whole scene leaves it out
+
+    /// Does the mesh say which branches it belongs to? One that is made later, of leaves, does.
+    [[nodiscard]] bool hasBranches() const { return !mesh.isMade() || !mesh->branch.empty(); }
 };
 enum class OutlinedLines : std::uint8_t { None, Selected, All };
 struct LineItem

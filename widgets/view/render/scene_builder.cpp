@@ -117,8 +117,14 @@ struct TreeItems
         mesh = shown(std::move(mesh));
         if (!mesh || mesh->empty())
             return nullptr;
+        MeshItem* item = addItem(std::move(mesh), std::move(material));
+        item->box = cache.box(item->mesh);
+        return item;
+    }
+    /// Without its box yet.
+    MeshItem* addItem(DeferredMesh mesh, Material material)
+    {
         MeshItem item;
-        item.box = cache.box(mesh);
         item.mesh = std::move(mesh);
         item.material = std::move(material);
         item.world = world;
@@ -126,13 +132,14 @@ struct TreeItems
         item.pickable = !node.locked;
         return &scene.meshes.emplace_back(std::move(item));
     }
-    /// Leaves or apples: drawn as copies.
-    void addFoliage(ScenePart part, std::shared_ptr<const TriangleMesh> mesh, Material material,
-                    FoliageModel model)
+    /// Leaves or apples: drawn as copies, so that nobody has to merge them.
+    void addFoliage(ScenePart part, DeferredMesh mesh, Material material, FoliageModel model)
     {
-        MeshItem* item = tree.foliage ? addMesh(std::move(mesh), std::move(material)) : nullptr;
-        if (!item)
+        if (isIsolated())
+            mesh = shown(mesh.pointer());
+        if (!tree.foliage || mesh.empty())
             return;
+        MeshItem* item = addItem(std::move(mesh), std::move(material));
         if (model == FoliageModel::Fine)
             item->images = imagesOf(cache, item->material);
         if (const LeafShape shape = tree.foliage->form.shape;
@@ -148,13 +155,23 @@ struct TreeItems
         // A picture takes the place of a fruit's colours; those of leaves are tones of theirs.
         const bool isPainted = part == ScenePart::AppleCopies && !item->material.pictures.colour.empty();
         numbers.insert(numbers.begin(), {alpha, double(model), isPainted ? 1.0 : 0.0});
-        item->copies = cache.get<MeshCopies>(part, tree.foliage, item->mesh, std::move(numbers), [&] {
+        item->copies = cache.get<MeshCopies>(part, tree.foliage, item->mesh.key(), std::move(numbers), [&] {
             const auto make = part == ScenePart::LeafCopies ? leafCopies : appleCopies;
             MeshCopies made = make(*tree.foliage, alpha, model, flags);
             if (isPainted)
                 made.colours.clear();
             return made;
         });
+        item->box = item->mesh.isMade() ? cache.box(item->mesh)
+                                        : *cache.get<Box>(ScenePart::MeshBox, tree.foliage, item->mesh.key(),
+                                                          {alpha}, [&] { return boxOf(part, alpha, model); });
+    }
+    [[nodiscard]] Box boxOf(ScenePart part, double alpha, FoliageModel model) const
+    {
+        const Foliage& foliage = *tree.foliage;
+        return part == ScenePart::LeafCopies
+                   ? boxAround(foliage.leaves, oneLeaf(foliage.form, alpha, model))
+                   : boxAround(foliage.apples, oneApple(foliage.fruit, alpha, model));
     }
     void addLines(std::shared_ptr<const LineSet> lines, bool throughSurfaces, bool pickable)
     {
@@ -215,7 +232,7 @@ struct TreeItems
             return;
         const double direction = node.params.physics.windDirection;
         const auto wind = cache.get<TreeWind>(
-            ScenePart::Wind, tree.simplified, tree.leaves, {double(view.wind), direction}, [&] {
+            ScenePart::Wind, tree.simplified, tree.leaves.key(), {double(view.wind), direction}, [&] {
                 return treeWind(view.wind, direction, *tree.skeleton, *tree.simplified, tree.leaves.get(),
                                 tree.foliage.get());
             });
@@ -223,7 +240,7 @@ struct TreeItems
             const bool hasBranches = item.copies || item.mesh->branch.size() == item.mesh->positions.size();
             if (wind->profile == WindProfile::None || !hasBranches)
                 continue;
-            item.motion.wind = cache.get<ItemWind>(ScenePart::WindOfItem, wind, item.mesh, {},
+            item.motion.wind = cache.get<ItemWind>(ScenePart::WindOfItem, wind, item.mesh.key(), {},
                                                    [&] { return windOf(wind, item); });
             item.box = item.box.grown(reach * wind->tree.height);
         }
@@ -460,8 +477,8 @@ struct ObjectItems
         item.material = nodeMaterial(node, params);
         item.images = imagesOf(cache, item.material);
         if (item.images && (item.mesh->uv.empty() || !item.mesh->uvTriangles.empty()))
-            item.mesh = cache.get<TriangleMesh>(ScenePart::ObjectTexture, item.mesh, item.mesh, {},
-                                                [&] { return splitByTexture(*item.mesh); });
+            item.mesh = cache.get<TriangleMesh>(ScenePart::ObjectTexture, item.mesh.key(), item.mesh.key(),
+                                                {}, [&] { return splitByTexture(*item.mesh); });
         item.world = world;
         item.node = node.id;
         item.pickable = !node.locked;

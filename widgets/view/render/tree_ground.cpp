@@ -138,7 +138,11 @@ void TreeGrounds::add(const Node& node, const NodeParams& params, const TreeResu
         }
     }
     if (tree.foliage && m_hasMeadow)
-        m_shedding.push_back({tree.foliage, trunkRadius(params), world, {m_foot, m_reach}});
+        m_shedding.push_back({tree.foliage,
+                              tree.placed ? tree.placed : tree.foliage,
+                              trunkRadius(params),
+                              world,
+                              {m_foot, m_reach}});
     m_node = node.id;
     m_world = world;
     m_ground = params.ground.nearby() ? std::nullopt : groundOf(params);
@@ -182,9 +186,11 @@ void TreeGrounds::addMeadow(bool isHill)
         const glm::dvec3 foot(tree.world * glm::dvec4(tree.foot.place, 1.0));
         const double below = (glm::inverse(tree.world) * glm::dvec4(foot.x, level, foot.z, 1.0)).y;
         const auto levelThere = [&](const glm::dvec2& at) { return isHill ? height(at) : below; };
-        addCopies(m_cache.get<MeshCopies>(
-                      ScenePart::FallenLeaves, tree.foliage, tree.foliage, numbers,
-                      [&] { return fallenLeaves(*tree.foliage, tree.alpha, tree.foot, levelThere); }),
+        addCopies(m_cache.get<MeshCopies>(ScenePart::FallenLeaves, tree.foliage, tree.foliage, numbers,
+                                          [&] {
+                                              return fallenLeaves(*tree.foliage, *tree.placed, tree.alpha,
+                                                                  tree.foot, levelThere);
+                                          }),
                   fallenMaterial(), tree.world);
     }
 }
@@ -195,7 +201,7 @@ void TreeGrounds::addCopies(std::shared_ptr<const MeshCopies> copies, Material m
     if (copies->copies.empty())
         return;
     MeshItem item;
-    item.mesh = {copies, &copies->shape};
+    item.mesh = DeferredMesh::Pointer(copies, &copies->shape);
     for (const MeshCopy& copy : copies->copies)
         item.box.add(glm::dvec3(copy.position));
     item.box = item.box.grown(copies->reach);

@@ -43,7 +43,7 @@ private:
     /// A tree whose leaves may have fallen.
     struct Shedding
     {
-        std::shared_ptr<const Foliage> foliage;
+        std::shared_ptr<const Foliage> foliage, placed;
         double alpha = 0.0; ///< m
         glm::dmat4 world{1.0};
         Foot foot; ///< in the tree's space

@@ -13,9 +13,9 @@ void add(PartCount& count, const PartCount& more)
     count.faces += more.faces;
 }
 
-PartCount countOf(const TriangleMesh* mesh)
+PartCount countOf(const DeferredMesh& mesh)
 {
-    return mesh ? PartCount{mesh->vertexCount(), mesh->faceCount()} : PartCount();
+    return {mesh.vertexCount(), mesh.faceCount()};
 }
 
 /// An arm has as many faces in every pose, and a shape wherever it stands: what follows the mouse is not
@@ -78,7 +78,7 @@ SceneCounts SceneCounter::count(const Scene& scene, const ExportOptions& options
             const auto known = before.find(node.id);
             if (known == before.end() || !sameShape(known->second.node, shape)) {
                 const auto mesh = now.solid(node);
-                const PartCount made = mesh ? countOf(mesh->get()) : PartCount();
+                const PartCount made = mesh ? countOf(*mesh) : PartCount();
                 m_shapes[node.id] = {std::move(shape), made};
             } else {
                 m_shapes.insert(before.extract(known));
@@ -92,11 +92,11 @@ SceneCounts SceneCounter::count(const Scene& scene, const ExportOptions& options
             continue;
         }
         if (options.parts & exportBranches)
-            addTo(ScenePart::Branches, countOf(&tree->branches->mesh));
+            addTo(ScenePart::Branches, countOf(DeferredMesh::Pointer(tree->branches, &tree->branches->mesh)));
         if (options.parts & exportLeaves)
-            addTo(ScenePart::Leaves, countOf(tree->leaves.get()));
+            addTo(ScenePart::Leaves, countOf(tree->leaves));
         if (options.parts & exportApples)
-            addTo(ScenePart::Apples, countOf(tree->apples.get()));
+            addTo(ScenePart::Apples, countOf(tree->apples));
     }
     return counts;
 }

@@ -20,7 +20,7 @@ Expected<void> TreeActor::prepare(const MotionTree& wanted, const TreeResult& sh
         return {};
     cache.setPull(wanted.pull, cache.step());
     for (const Index apple : wanted.shaken)
-        cache.shakeOff(apple, cache.step());
+        cache.shakeOff(m_run.fruitOfPhysics(apple), cache.step());
     return {};
 }
 

@@ -134,8 +134,8 @@ void TestSkin::foreignSkeletonsAreErrors()
     QVERIFY(!bindFoliage(leaf, stray, tree.mesh, tree.skeleton, true));
     const std::vector<FoliageItem> two(2, FoliageItem{0, {}, {1, 0, 0, 0}});
     QVERIFY(!bindFoliage(leaf, two, tree.mesh, tree.skeleton, true)); // three vertices for two leaves
-    QVERIFY(!bindLoose(leaf, 2, 0));
-    QCOMPARE(bindLoose(TriangleMesh{}, 0, 5)->runs.size(), std::size_t(0));
+    QVERIFY(!bindLoose(leaf.vertexCount(), 2, 0));
+    QCOMPARE(bindLoose(0, 0, 5)->runs.size(), std::size_t(0));
 }
 
 void TestSkin::influencesAreConvex()
@@ -334,7 +334,7 @@ void TestSkin::loosePiecesHaveTheirOwnBones()
         pieces.positions.emplace_back(float(i), 0.0F, 0.0F);
         pieces.normals.emplace_back(0.0F, 1.0F, 0.0F);
     }
-    const auto skin = bindLoose(pieces, 3, 4);
+    const auto skin = bindLoose(pieces.vertexCount(), 3, 4);
     QVERIFY(skin);
     QCOMPARE(skin->bones, Index(7));
     Bones pose(7);

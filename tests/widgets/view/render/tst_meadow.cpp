@@ -96,7 +96,8 @@ private slots:
     {
         const Foot foot{glm::dvec3(0.0), 0.4};
         const auto fallen = [&](LeafShape shape, std::size_t hanging, std::size_t shed) {
-            return fallenLeaves(crownOf(shape, hanging, shed), 0.3, foot, level).copies.size();
+            const Foliage crown = crownOf(shape, hanging, shed);
+            return fallenLeaves(crown, crown, 0.3, foot, level).copies.size();
         };
         QCOMPARE(fallen(LeafShape::Faithful, 1000, 0), std::size_t(0));
         QCOMPARE(fallen(LeafShape::Spruce, 1000, 500), std::size_t(0));
@@ -104,13 +105,37 @@ private slots:
         QVERIFY(fallen(LeafShape::Oak, 1000, 0) < fallen(LeafShape::Oak, 500, 500));
         QVERIFY(fallen(LeafShape::Oak, 0, 500) > 100); // a bare tree has lost them all
         QVERIFY(fallen(LeafShape::Oak, 3'000'000, 3'000'000) <= 6'250);
-        const MeshCopies lying = fallenLeaves(crownOf(LeafShape::Oak, 500, 500), 0.3, foot, level);
+        const Foliage half = crownOf(LeafShape::Oak, 500, 500);
+        const MeshCopies lying = fallenLeaves(half, half, 0.3, foot, level);
         for (const MeshCopy& leaf : lying.copies) {
             QVERIFY(leaf.position.y > 0.25f && leaf.position.y < 0.3f);
             const glm::quat turn(leaf.turn.w, leaf.turn.x, leaf.turn.y, leaf.turn.z);
             QVERIFY(std::abs(glm::length(turn) - 1.0f) < 1e-5f);
             QVERIFY(std::abs((turn * glm::vec3(0.0f, 0.0f, 1.0f)).y) > 0.7f); // it lies
         }
+    }
+
+    /// Before new leaves come, fewer of the last year lie there, as wide as the crown and all of them brown.
+    void lastYearsLeavesAreBrown()
+    {
+        const Foot foot{glm::dvec3(0.0), 0.4};
+        const Foliage summer = crownOf(LeafShape::Maple, 1000, 0),
+                      autumn = crownOf(LeafShape::Maple, 0, 1000);
+        Foliage march = autumn;
+        march.toCome = march.shed;
+        const MeshCopies fresh = fallenLeaves(autumn, summer, 0.3, foot, level),
+                         old = fallenLeaves(march, summer, 0.3, foot, level);
+        QVERIFY(old.copies.size() > 100 && old.copies.size() < fresh.copies.size());
+        const auto redness = [](const MeshCopy& leaf) {
+            return double(leaf.tint.r) / double(leaf.tint.b + 1);
+        };
+        const auto reddest = [&](const MeshCopies& of) {
+            return redness(*std::ranges::max_element(of.copies, {}, redness));
+        };
+        QVERIFY(reddest(old) < 0.8 * reddest(fresh));
+        QVERIFY(std::ranges::any_of(old.copies, [](const MeshCopy& leaf) {
+            return std::hypot(double(leaf.position.x), double(leaf.position.z)) > 2.5;
+        }));
     }
 };
 

@@ -13,7 +13,7 @@ void addPointedCurves(RenderScene& built, const SceneBuilder::ResultOf& resultOf
     if (!tree || !tree->simplified || (view.hoverBranches.size() > mostCurves && !view.hoverGoes))
         return;
     const auto bark = std::ranges::find_if(built.meshes, [&view](const MeshItem& item) {
-        return item.node == view.hoverNode && !item.isMark && !item.mesh->branch.empty();
+        return item.node == view.hoverNode && !item.isMark && item.hasBranches();
     });
     if (bark == built.meshes.end())
         return;

@@ -457,7 +457,7 @@ void Renderer::drawMesh(ShaderProgram& program, const Picture& picture, const Me
     m_cache.bindCrown(program, hasCrown ? item.crown : nullptr);
     if (hasCrown)
         program.set("uCrownPlace", glm::mat4(item.crown->place * glm::inverse(relative)));
-    setStates(program, picture.scene, item.node, !item.mesh->branch.empty());
+    setStates(program, picture.scene, item.node, item.hasBranches());
     // What lies on the level ground is as bright as that is, whose colour a landscape shows as it is.
     const bool isPlain = item.isGround && !picture.light.isNatural();
     program.set("uExposure", isPlain || picture.options.quality == Quality::Draft ? 0.0f : exposure);
@@ -472,7 +472,7 @@ void Renderer::drawMesh(ShaderProgram& program, const Picture& picture, const Me
     const bool pigments = item.material.pigments;
     program.set("uSheen", pigments ? surfaceSheen : glm::vec3(0.0f));
     program.set("uPassed", pigments ? glm::vec3(passedOn) : usualPassed);
-    program.set("uVariety", item.mesh->branch.empty() ? 0.0f : item.material.variety);
+    program.set("uVariety", item.hasBranches() ? item.material.variety : 0.0f);
     program.set("uTwoSided", item.material.twoSided);
     program.set("uPaint", int(item.paint));
     program.set("uOpacity", item.opacity);

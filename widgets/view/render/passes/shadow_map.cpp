@@ -112,7 +112,7 @@ std::optional<ShadowFit> ShadowMap::update(const RenderScene& scene, const glm::
 {
     std::vector<Caster> casters;
     for (const MeshItem& item : scene.meshes) {
-        if (item.castsShadow && !item.mesh->empty())
+        if (item.castsShadow && !item.mesh.empty())
             casters.push_back({&item, item.mesh, item.copies, item.images, item.motion, item.world});
     }
     if (casters.empty() || scene.casters.empty())

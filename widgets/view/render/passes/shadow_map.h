@@ -74,7 +74,7 @@ private:
     struct Caster
     {
         const MeshItem* item; ///< of the scene at hand
-        std::shared_ptr<const TriangleMesh> mesh;
+        DeferredMesh mesh;
         std::shared_ptr<const MeshCopies> copies;
         std::shared_ptr<const SurfaceImages> images;
         ItemMotion motion;
