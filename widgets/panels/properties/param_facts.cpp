@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 #include <QDate>
 #include <QLocale>
+#include <cmath>
 #include <string_view>
 
 namespace ramure {
@@ -92,7 +93,7 @@ QString paramMeaning(const ParamDef& def, const ParamValue& value)
 {
     const auto* number = std::get_if<double>(&value);
     if (number && def.unit == ParamUnit::Day)
-        return *number >= 1.0 ? QLocale().toString(QDate(2023, 1, 1).addDays(static_cast<int>(*number) - 1),
+        return *number >= 1.0 ? QLocale().toString(QDate(2023, 1, 1).addDays(std::lround(*number) - 1),
                                                    FactWords::tr("d MMMM", "a day of the year"))
                               : FactWords::tr("no day: see Season");
     if (!number || def.key != std::string_view("physics.windStrength"))

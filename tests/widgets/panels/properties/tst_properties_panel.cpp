@@ -7,6 +7,7 @@
 #include "widgets/panels/properties/color_editor.h"
 #include "widgets/panels/properties/grammar/grammar_edit.h"
 #include "widgets/panels/properties/group_section.h"
+#include "widgets/panels/properties/param_facts.h"
 #include "widgets/panels/properties/param_row.h"
 #include "widgets/panels/properties/picture_editor.h"
 #include "widgets/panels/properties/profile_curve.h"
@@ -580,6 +581,15 @@ private slots:
                 reached, [&](QWidget* widget) { return m_panel->row(def)->editor()->isAncestorOf(widget); });
             QVERIFY2(hit, def.key);
         }
+    }
+
+    /// Between two keys it is a part of a day.
+    void theDateIsThatOfTheDayInTheField()
+    {
+        const ParamDef& day = *findParam("season.day");
+        QCOMPARE(numberFormat(day, AngleUnit()).text(82.9), QStringLiteral("83"));
+        QCOMPARE(paramMeaning(day, 82.9), paramMeaning(day, 83.0));
+        QVERIFY(paramMeaning(day, 82.9) != paramMeaning(day, 82.0));
     }
 };
 
