@@ -225,13 +225,13 @@ static TriangleMesh umbel(const FruitRow& row, double stalk, int count)
     TriangleMesh mesh;
     for (int flower = 0; flower < count; ++flower) {
         const double lean = 0.5 * pi * spread * std::sqrt((flower + 0.5) / count);
-        const auto [leanSin, leanCos] = maths::sincos(lean);
-        const auto [aroundSin, aroundCos] = maths::sincos(goldenAngle * flower);
+        const auto leaning = maths::sincos(lean), around = maths::sincos(goldenAngle * flower);
         const Index first = mesh.vertexCount();
         const auto add = [&](double x, double y, double z) { // leaning about the foot
-            const double down = y - foot, out = leanCos * x - leanSin * down;
-            mesh.positions.emplace_back(aroundCos * out - aroundSin * z, foot + leanSin * x + leanCos * down,
-                                        aroundSin * out + aroundCos * z);
+            const double down = y - foot, out = leaning.cos * x - leaning.sin * down;
+            mesh.positions.emplace_back(around.cos * out - around.sin * z,
+                                        foot + leaning.sin * x + leaning.cos * down,
+                                        around.sin * out + around.cos * z);
         };
         add(0.0, low, 0.0);
         add(0.0, high, 0.0);

@@ -46,7 +46,7 @@ private slots:
                 throw std::runtime_error("no memory");
             return oneTriangle();
         });
-        QVERIFY_EXCEPTION_THROWN(std::ignore = mesh.pointer(), std::runtime_error);
+        QVERIFY_THROWS_EXCEPTION(std::runtime_error, std::ignore = mesh.pointer());
         QVERIFY(!mesh.isMade());
         QCOMPARE(mesh->faceCount(), Index(1));
         QCOMPARE(calls, 2);
