@@ -9135,6 +9135,14 @@
         <source>levels of detail have the leaves of one day: write the four seasons without levels, or one file of levels for each day</source>
         <translation>les niveaux de détail ont les feuilles d’un jour : écrivez les quatre saisons sans niveaux, ou un fichier de niveaux par jour</translation>
     </message>
+    <message>
+        <source>Red in autumn</source>
+        <translation>Rouge en automne</translation>
+    </message>
+    <message>
+        <source>On a day of the year: how red leaves turn, against those of the plant. At 0 red ones turn yellow, as a Norway maple beside a sugar maple.</source>
+        <translation>À un jour de l’année : combien les feuilles rougissent, par rapport à celles de la plante. À 0, les rouges jaunissent, comme un érable plane à côté d’un érable à sucre.</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>

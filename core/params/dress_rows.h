@@ -64,6 +64,11 @@ inline constexpr std::array dressRows{
         {"season.purple", foliageGroup, RAMURE_NOOP("Purple leaves"),
          RAMURE_NOOP("On a day of the year: leaves are dark red all summer, as those of a copper beech.")},
         ParamUnit::None, {}, Stage::Season, paramNone, treeOnly, isOfPlant),
+    row<&NodeParams::season, &SeasonParams::redness>(
+        {"season.redness", foliageGroup, RAMURE_NOOP("Red in autumn"),
+         RAMURE_NOOP("On a day of the year: how red leaves turn, against those of the plant. At 0 red ones turn yellow, as a Norway "
+                     "maple beside a sugar maple.")},
+        ParamUnit::Factor, {0, 3, 0, 2, 0.05, 2}, Stage::Season, paramNone, treeOnly, isOfPlant),
     row<&NodeParams::leaf, &LeafParams::shade>(
         {"foliage.shadeLeaves", foliageGroup, RAMURE_NOOP("Shade leaves"),
          RAMURE_NOOP("Area of a leaf inside the crown, where it is dark, relative to one in full sun: 1 the same, in nature 1.3 to 1.8. Shade leaves are darker, too.")},

@@ -95,6 +95,7 @@ constexpr std::array relevances{
     Relevance{"season.day", "foliage.leaf", yearlyLeaves},
     Relevance{"season.climate", "foliage.leaf", yearlyLeaves},
     Relevance{"season.purple", "foliage.leaf", yearlyLeaves},
+    Relevance{"season.redness", "foliage.leaf", yearlyLeaves},
     Relevance{"foliage.season", "foliage.leaf", realLeaves},
     Relevance{"foliage.leafStiffness", "foliage.leaf", realLeaves},
     Relevance{"foliage.leafFlutter", "foliage.leaf", realLeaves},

@@ -13,7 +13,8 @@ struct SeasonParams
 {
     double day = 0.0; ///< 1: the first of January .. 365; below 1: no day, LeafParams::season counts
     SeasonClimate climate = SeasonClimate::Oceanic;
-    bool purple = false; ///< leaves are dark red all summer, as those of a copper beech
+    bool purple = false;  ///< leaves are dark red all summer, as those of a copper beech
+    double redness = 1.0; ///< anthocyanin of leaves that turn, against that of their plant; 0: yellow ones
     bool operator==(const SeasonParams&) const = default;
 };
 

@@ -66,7 +66,7 @@ const std::array grownTable{
          .leaderUntil = 10, .apicalControl = 0.46, .phyllotaxis = P::Opposite, .axil = 52, .branching = 0.75, .autonomy = 0.45,
          .shadeTolerance = 0.75, .shedding = 0.45, .light = 0.22, .upright = 0.03, .wander = 0.3, .droop = 0.25, .pipeExponent = 2.05,
          .tipRadius = 0.0034, .girth = 0.4},
-        {0.13, 1.92, 5}},
+        {0.13, 1.92, 5}, 0.05},
     GrownSpecies{"JapaneseMaple", "Acer palmatum", RAMURE_NOOP("Level sprays on a low, forked trunk"), false, {8, 35, 90},
         {.age = 35, .height = 8.5, .crownWidth = 14, .crownBase = 0.15, .crownWidest = 0.5, .crownTop = 0.35, .maturity = 14, .density = 0.6,
          .leaderUntil = 6, .apicalControl = 0.45, .internode = 0.12, .phyllotaxis = P::Opposite, .axil = 52, .branching = 0.75, .autonomy = 0.5,
@@ -233,6 +233,7 @@ NodeParams grownParams(const GrownSpecies& species, const NodeParams& dress)
     params.generator.kind = EditOperation::Growth;
     params.weberPenn = {};
     params.growth = species.growth;
+    params.season.redness = species.redness;
     if (species.growth.habit == GrowthHabit::Palm) { // its fronds carry leaves and fruit of their own
         params.grammar = {};
         params.leaf.shape = LeafShape::Bamboo; // linear and evergreen

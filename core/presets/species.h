@@ -58,6 +58,7 @@ struct GrownSpecies
     std::array<int, 3> ages{}; ///< years: young, mature, old
     GrowthParams growth;       ///< with its axil in degrees
     GrownLeaves leaves;
+    double redness = 1.0; ///< SeasonParams
 };
 std::span<const GrownSpecies> grownSpecies();
 void setLeaves(NodeParams& params, const GrownLeaves& leaves);

@@ -53,6 +53,7 @@ struct Foliage
     std::shared_ptr<const std::vector<LeafPhase>> phases{};
     /// sRGB, 0..255, on a day of the year: how all leaves together look, and what shines through them.
     glm::vec3 meanColour{0.0F}, meanThrough{0.0F};
+    glm::vec3 fallenColour{0.0F}; ///< the same of leaves that have just fallen; 0: not known
 };
 
 /// Returns the number of leaves that hang: a shoot counts with all of its leaves.

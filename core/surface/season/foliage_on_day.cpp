@@ -148,24 +148,24 @@ private:
 class LeafPaint
 {
 public:
-    LeafPaint(const LeafRow& row, bool purple)
-        : m_palette(paletteOf(row.shape, purple))
+    LeafPaint(const LeafRow& row, const SeasonParams& season)
+        : m_palette(paletteOf(row.shape, season))
     {
-        if (row.evergreen && !purple)
-            m_own = glm::vec3(row.colour) / m_palette.at(leafGrown, 0.5F).reflected;
+        if (row.evergreen && !season.purple)
+            m_own = glm::vec3(row.colour) / m_palette->at(leafGrown, 0.5F).reflected;
     }
     [[nodiscard]] LeafColours of(const LeafState& state, float light) const
     {
         if (state.isBud)
             return {budColour, glm::vec3(0.0F)};
-        LeafColours colours = m_palette.at(state.age, light);
+        LeafColours colours = m_palette->at(state.age, light);
         colours.reflected = glm::min(m_own * colours.reflected, glm::vec3(255.0F));
         colours.transmitted = glm::min(m_own * colours.transmitted, glm::vec3(255.0F));
         return colours;
     }
 
 private:
-    const LeafPalette& m_palette;
+    std::shared_ptr<const LeafPalette> m_palette;
     glm::vec3 m_own{1.0F};
 };
 
@@ -243,8 +243,10 @@ Foliage foliageOnDay(const Foliage& placed, const Skeleton& skeleton, const Seas
     const auto phases = hasPhases
                             ? placed.phases
                             : std::make_shared<const std::vector<LeafPhase>>(phasesOf(placed, skeleton));
-    paintLeaves(*phases, LeafDay(plant, row, dates.value_or(summer), season.day),
-                LeafPaint(row, season.purple), out);
+    paintLeaves(*phases, LeafDay(plant, row, dates.value_or(summer), season.day), LeafPaint(row, season),
+                out);
+    if (!row.evergreen)
+        out.fallenColour = paletteOf(row.shape, season)->at(leafTurned, 0.5F).reflected;
     if (dates && !row.evergreen)
         fruitOnDay(placed, skeleton, plant, *dates, season.day, alpha, out);
     else

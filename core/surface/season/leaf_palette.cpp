@@ -1,8 +1,9 @@
 #include "core/surface/season/leaf_palette.h"
 
 #include <algorithm>
-#include <memory>
+#include <map>
 #include <mutex>
+#include <tuple>
 
 namespace ramure {
 namespace {
@@ -39,23 +40,28 @@ Pigments pigmentsAt(const PlantYear& plant, bool purple, float age, float light)
 
 } // namespace
 
-LeafPalette::LeafPalette(const PlantYear& plant, bool purple)
+LeafPalette::LeafPalette(const PlantYear& usual, bool purple, double redness)
 {
+    PlantYear plant = usual;
+    plant.autumn.anthocyanin *= float(redness);
     for (int age = 0; age < ages; ++age)
         for (int light = 0; light < lights; ++light)
             m_colours[std::size_t(age)][std::size_t(light)] = photographed(
                 pigmentColours(pigmentsAt(plant, purple, float(age) / steps, float(light) / (lights - 1))));
 }
 
-const LeafPalette& paletteOf(LeafShape shape, bool purple)
+std::shared_ptr<const LeafPalette> paletteOf(LeafShape shape, const SeasonParams& season)
 {
+    constexpr std::size_t most = 2 * std::size_t(leafShapeCount); // somebody may drag the redness
     static std::mutex mutex;
-    static std::array<std::unique_ptr<const LeafPalette>, 2 * std::size_t(leafShapeCount)> kept;
+    static std::map<std::tuple<LeafShape, bool, double>, std::shared_ptr<const LeafPalette>> kept;
     const std::lock_guard lock(mutex);
-    auto& palette = kept[2 * static_cast<std::size_t>(shape) + (purple ? 1 : 0)];
-    if (!palette)
-        palette = std::make_unique<const LeafPalette>(plantYear(shape), purple);
-    return *palette;
+    const std::tuple key(shape, season.purple, season.redness);
+    if (const auto found = kept.find(key); found != kept.end())
+        return found->second;
+    if (kept.size() >= most)
+        kept.clear();
+    return kept[key] = std::make_shared<const LeafPalette>(plantYear(shape), season.purple, season.redness);
 }
 
 LeafColours LeafPalette::at(float age, float light) const

@@ -2,9 +2,11 @@
 /// The colours of one plant's leaves by their age, from pigments, as photographs have them.
 #pragma once
 
+#include "core/params/season_params.h"
 #include "core/surface/season/leaf_pigments.h"
 #include "core/surface/season/phenology.h"
 #include <array>
+#include <memory>
 
 namespace ramure {
 
@@ -15,8 +17,8 @@ inline constexpr float leafUnfolded = 1.0F, leafGrown = 2.0F, leafTurned = 3.0F,
 class LeafPalette
 {
 public:
-    /// \param purple anthocyanin hides the green all summer
-    LeafPalette(const PlantYear& plant, bool purple);
+    /// \param purple anthocyanin hides the green all summer \param redness SeasonParams::redness
+    LeafPalette(const PlantYear& plant, bool purple, double redness = 1.0);
 
     /// \param light 0..1: leaves in the light turn redder
     [[nodiscard]] LeafColours at(float age, float light) const;
@@ -27,7 +29,8 @@ private:
     std::array<std::array<LeafColours, lights>, ages> m_colours;
 };
 
-/// Returns the palette of a plant, made when it is first asked for. From any thread. \pre not Faithful.
-const LeafPalette& paletteOf(LeafShape shape, bool purple);
+/// Returns the palette of a plant, from those made last where it is among them. From any thread. \pre not
+/// Faithful.
+std::shared_ptr<const LeafPalette> paletteOf(LeafShape shape, const SeasonParams& season);
 
 } // namespace ramure

@@ -170,7 +170,9 @@ MeshCopies fallenLeaves(const Foliage& foliage, const Foliage& placed, double al
     const auto fresh = std::min(std::size_t(perShoot * (shed + last)), mostLeaves);
     const double oldShare = last / std::max(shed + last, 1.0);
     const auto kept = std::min(std::size_t(ofHanging * double(leafCount(foliage))), mostLeaves / 4);
-    const glm::dvec3 autumn(leafRow(form.shape).autumn), old(112.0, 82.0, 54.0);
+    const bool isKnown = foliage.fallenColour != glm::vec3(0.0f);
+    const glm::dvec3 autumn(isKnown ? foliage.fallenColour : glm::vec3(leafRow(form.shape).autumn)),
+        old(112.0, 82.0, 54.0);
     const glm::dvec3 brightest(fallenMaterial().colour);
     Random random(2, RandomStream::Terrain);
     for (std::size_t i = 0; i < fresh + kept; ++i) {

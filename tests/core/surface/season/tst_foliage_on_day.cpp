@@ -231,6 +231,15 @@ private slots:
             for (const LeafShape red : {LeafShape::Maple, LeafShape::JapaneseMaple, LeafShape::Sweetgum,
                                         LeafShape::RedOak, LeafShape::Cherry})
                 QVERIFY(autumn(yellow) > autumn(red) + 8.0);
+        // A Norway maple beside a sugar maple.
+        NodeParams maple = treeOf(LeafShape::Maple);
+        const auto greenToRed = [&](double redness) {
+            maple.season.redness = redness;
+            const glm::vec3 mean = on(300, maple).meanColour;
+            return mean.g / mean.r;
+        };
+        QVERIFY2(greenToRed(0.0) > 0.75, qPrintable(QString::number(greenToRed(0.0))));
+        QVERIFY(greenToRed(1.0) < greenToRed(0.5) && greenToRed(0.5) < greenToRed(0.0));
         // Purple leaves hide their green.
         NodeParams purple = treeOf(LeafShape::Beech);
         purple.season.purple = true;
