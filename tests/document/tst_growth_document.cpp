@@ -2,6 +2,7 @@
 #include "core/qt/document/document.h"
 #include "core/qt/document/project/project_file.h"
 #include "core/scene/growth_spaces.h"
+#include "core/scene/standing_ground.h"
 #include "tests/support/suite.h"
 #include <QTemporaryDir>
 
@@ -66,6 +67,25 @@ private slots:
         QVERIFY(edit::setParam(document, {box}, *findParam("surface.color"), glm::dvec3(1, 0, 0)));
         QVERIFY(edit::setNodeVisible(document, {box}, false));
         QVERIFY(regrown.empty()); // nothing that matters to growth
+    }
+    /// The trunk of a tree that fills a solid is as thick as that is high, and its ground is measured around.
+    void groundsFollowTheSolids()
+    {
+        std::vector<Node> nodes{node(1, NodeKind::Tree, "Tree"), node(2, NodeKind::Primitive, "Crown"),
+                                node(3, NodeKind::Terrain, "Hill")};
+        nodes[0].params.colonisation.envelope = CrownEnvelope::Solid;
+        nodes[0].params.mesh.roots = 4;
+        nodes[1].parent = 1;
+        nodes[1].params.growthRole = GrowthRole::Envelope;
+        Document document;
+        document.reset(*Scene::fromNodes(nodes), {});
+        const StandingGround before = document.scene().find(1)->params.ground;
+        QVERIFY(before.hash != 0);
+        QVERIFY(edit::setParam(document, {2}, *findParam("tree.translation"), glm::dvec3(0, 5, 0)));
+        QVERIFY(!(document.scene().find(1)->params.ground == before));
+        QVERIFY(staleGrounds(document.scene()).empty());
+        document.undo();
+        QVERIFY(document.scene().find(1)->params.ground == before);
     }
     /// Of trees that grow by years, what one says of its crown concerns the others; its leaves do not.
     void neighboursFollowEachOther()

@@ -202,26 +202,25 @@ void Document::followSolids(const Change& edit)
                                 (edit.params.empty() && !edit.has(changeBranches)) ||
                                 std::ranges::any_of(edit.params, mayConcernOthers);
     const std::span<const NodeId> only = concernsOthers ? std::span<const NodeId>() : edit.nodes;
-    auto stale = staleGrowthSpaces(m_scene, only);
-    auto grounds = staleGrounds(m_scene, only);
-    if (stale.empty() && grounds.empty())
-        return;
-    Change change;
-    change.kinds = changeParams;
-    change.firstStale = stale.empty() ? Stage::Mesh : Stage::Skeleton;
-    change.revision = m_revision;
-    for (const auto& [id, link] : stale)
-        change.nodes.push_back(id);
-    for (const auto& [id, ground] : grounds)
-        if (!stale.contains(id))
+    const auto take = [this](auto&& stale, Stage firstStale, auto&& give) {
+        if (stale.empty())
+            return;
+        Change change;
+        change.kinds = changeParams;
+        change.firstStale = firstStale;
+        change.revision = m_revision;
+        for (const auto& [id, value] : stale)
             change.nodes.push_back(id);
-    emit aboutToBeChanged(change);
-    for (auto& [id, link] : stale)
-        setGrowthSpace(m_scene.find(id)->params, link);
-    for (auto& [id, ground] : grounds)
-        m_scene.find(id)->params.ground = std::move(ground);
-    settle(change);
-    emit changed(change);
+        emit aboutToBeChanged(change);
+        for (const auto& [id, value] : stale)
+            give(m_scene.find(id)->params, value);
+        settle(change);
+        emit changed(change);
+    };
+    take(staleGrowthSpaces(m_scene, only), Stage::Skeleton, setGrowthSpace);
+    // The ground under a trunk may depend on the solids that the tree fills.
+    take(staleGrounds(m_scene, only), Stage::Mesh,
+         [](NodeParams& params, const StandingGround& ground) { params.ground = ground; });
 }
 
 void Document::dropGone()
