@@ -9143,6 +9143,198 @@
         <source>On a day of the year: how red leaves turn, against those of the plant. At 0 red ones turn yellow, as a Norway maple beside a sugar maple.</source>
         <translation>À un jour de l’année : combien les feuilles rougissent, par rapport à celles de la plante. À 0, les rouges jaunissent, comme un érable plane à côté d’un érable à sucre.</translation>
     </message>
+    <message>
+        <source>USD</source>
+        <translation>USD</translation>
+    </message>
+    <message>
+        <source>USD, with materials, motion and variants</source>
+        <translation>USD, avec matériaux, mouvement et variantes</translation>
+    </message>
+    <message>
+        <source>USD package</source>
+        <translation>Paquet USD</translation>
+    </message>
+    <message>
+        <source>USD package (usdz), in one file</source>
+        <translation>Paquet USD (usdz), en un seul fichier</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; where a prim begins</source>
+        <translation>« %1 » là où commence un prim</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no name of a prim</source>
+        <translation>« %1 » n’est pas un nom de prim</translation>
+    </message>
+    <message>
+        <source>two prims have the name &quot;%1&quot;</source>
+        <translation>deux prims portent le nom « %1 »</translation>
+    </message>
+    <message>
+        <source>more prims than a file can have</source>
+        <translation>plus de prims qu’un fichier ne peut en avoir</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no type of an attribute</source>
+        <translation>« %1 » n’est pas un type d’attribut</translation>
+    </message>
+    <message>
+        <source>the attribute &quot;%1&quot; has two types</source>
+        <translation>l’attribut « %1 » a deux types</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no part of an attribute</source>
+        <translation>« %1 » n’est pas une partie d’attribut</translation>
+    </message>
+    <message>
+        <source>the attribute &quot;%1&quot; stands there twice</source>
+        <translation>l’attribut « %1 » y est deux fois</translation>
+    </message>
+    <message>
+        <source>a relationship leads to paths</source>
+        <translation>une relation mène à des chemins</translation>
+    </message>
+    <message>
+        <source>there is no prim %1</source>
+        <translation>il n’y a pas de prim %1</translation>
+    </message>
+    <message>
+        <source>the material %1 is no UsdPreviewSurface: its colour is left out</source>
+        <translation>le matériau %1 n’est pas un UsdPreviewSurface : sa couleur est laissée de côté</translation>
+    </message>
+    <message>
+        <source>only PNG, JPEG and EXR can be pictures of a USD file</source>
+        <translation>seuls PNG, JPEG et EXR peuvent être des images d’un fichier USD</translation>
+    </message>
+    <message>
+        <source>an unknown operation, or of another type</source>
+        <translation>une opération inconnue, ou d’un autre type</translation>
+    </message>
+    <message>
+        <source>a place that cannot be inverted</source>
+        <translation>un emplacement qui ne peut pas être inversé</translation>
+    </message>
+    <message>
+        <source>%1 values where there have to be %2</source>
+        <translation>%1 valeurs là où il doit y en avoir %2</translation>
+    </message>
+    <message>
+        <source>the file shows no mesh and no camera</source>
+        <translation>le fichier ne montre ni maillage ni caméra</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no axis that points up</source>
+        <translation>« %1 » n’est pas un axe qui pointe vers le haut</translation>
+    </message>
+    <message>
+        <source>the unit of the file is no length</source>
+        <translation>l’unité du fichier n’est pas une longueur</translation>
+    </message>
+    <message>
+        <source>another file is not read: %1</source>
+        <translation>un autre fichier n’est pas lu : %1</translation>
+    </message>
+    <message>
+        <source>a part of a place is left out: %1</source>
+        <translation>une partie d’un emplacement est laissée de côté : %1</translation>
+    </message>
+    <message>
+        <source>meshes with a skin are read as they rest, without their joints</source>
+        <translation>les maillages qui ont une peau sont lus au repos, sans leurs articulations</translation>
+    </message>
+    <message>
+        <source>surfaces of subdivision are read as the mesh that they are made of</source>
+        <translation>les surfaces de subdivision sont lues comme le maillage dont elles sont faites</translation>
+    </message>
+    <message>
+        <source>what the file hides is left out</source>
+        <translation>ce que le fichier cache est laissé de côté</translation>
+    </message>
+    <message>
+        <source>of variants only those are taken that the file chooses</source>
+        <translation>des variantes, seules celles que le fichier choisit sont prises</translation>
+    </message>
+    <message>
+        <source>a USD file says itself which axis points up and what its unit is</source>
+        <translation>un fichier USD dit lui-même quel axe pointe vers le haut et quelle est son unité</translation>
+    </message>
+    <message>
+        <source>a binary USD file: only USD as text can be read</source>
+        <translation>un fichier USD binaire : seul l’USD en texte peut être lu</translation>
+    </message>
+    <message>
+        <source>no USD file: its first line is not &quot;#usda 1.0&quot;</source>
+        <translation>pas un fichier USD : sa première ligne n’est pas « #usda 1.0 »</translation>
+    </message>
+    <message>
+        <source>%1 where &quot;%2&quot; has to stand</source>
+        <translation>%1 là où « %2 » doit être</translation>
+    </message>
+    <message>
+        <source>%1 where a word has to stand</source>
+        <translation>%1 là où doit être un mot</translation>
+    </message>
+    <message>
+        <source>%1 where a name has to stand</source>
+        <translation>%1 là où doit être un nom</translation>
+    </message>
+    <message>
+        <source>%1 where a text has to stand</source>
+        <translation>%1 là où doit être un texte</translation>
+    </message>
+    <message>
+        <source>a text without an end</source>
+        <translation>un texte sans fin</translation>
+    </message>
+    <message>
+        <source>%1 is not a finite number</source>
+        <translation>%1 n’est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>%1 where a number has to stand</source>
+        <translation>%1 là où doit être un nombre</translation>
+    </message>
+    <message>
+        <source>more numbers than a file can hold</source>
+        <translation>plus de nombres qu’un fichier ne peut en contenir</translation>
+    </message>
+    <message>
+        <source>%1 numbers where %2 have to stand</source>
+        <translation>%1 nombres là où il en faut %2</translation>
+    </message>
+    <message>
+        <source>a path of a file without an end</source>
+        <translation>un chemin de fichier sans fin</translation>
+    </message>
+    <message>
+        <source>a path without an end</source>
+        <translation>un chemin sans fin</translation>
+    </message>
+    <message>
+        <source>too many brackets</source>
+        <translation>trop de parenthèses</translation>
+    </message>
+    <message>
+        <source>a face of %1 corners</source>
+        <translation>une face de %1 sommets</translation>
+    </message>
+    <message>
+        <source>a list of the type %1</source>
+        <translation>une liste du type %1</translation>
+    </message>
+    <message>
+        <source>a number that is too large</source>
+        <translation>un nombre trop grand</translation>
+    </message>
+    <message>
+        <source>index %1 of %2</source>
+        <translation>indice %1 sur %2</translation>
+    </message>
+    <message>
+        <source>the picture &quot;%1&quot; is not there</source>
+        <translation>l’image « %1 » n’y est pas</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>

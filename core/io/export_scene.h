@@ -6,6 +6,7 @@
 #include "core/game_wind/wind_profile.h"
 #include "core/io/file_space.h"
 #include "core/io/mesh_file.h"
+#include "core/params/camera_params.h"
 #include "core/rig/pose/skin.h"
 #include "core/scene/world_transforms.h"
 #include <memory>
@@ -82,6 +83,14 @@ struct ExportCopies
     Index material = 0;
     std::vector<ExportCopy> copies;
     std::shared_ptr<const ExportSeasons> seasons{};
+    /// Per copy the bones of the node with which it goes; its place is then that at rest. Empty: it stays.
+    std::vector<SkinInfluence> follows{};
+};
+
+struct ExportCamera
+{
+    Index node = 0;
+    CameraParams lens;
 };
 
 /// Textures that a game looks up beside the meshes of one tree.
@@ -105,6 +114,7 @@ struct ExportScene
     std::vector<ExportMesh> meshes;   ///< branches, leaves, apples of the first tree, then the next, then all
                                       ///< other nodes that have a shape
     std::vector<ExportCopies> copies; ///< no format holds them: core/io/copy_list.h
+    std::vector<ExportCamera> cameras;
     std::vector<ExportPivots> pivots; ///< files beside the meshes': core/io/pivot_files.h
     std::vector<Material> materials;
     std::vector<ExportFrame> frames; ///< at least one; more are a clip

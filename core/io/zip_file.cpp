@@ -33,7 +33,23 @@ tl::unexpected<Error> zipError(const std::string& path, const char* what)
 using Source = std::unique_ptr<zip_source_t, decltype(&zip_source_free)>;
 using File = std::unique_ptr<zip_file_t, decltype(&zip_fclose)>;
 
-bool add(zip_t* archive, const ZipEntry& entry)
+/// A field that nobody reads moves the bytes to where they are to begin.
+/// \param place in the file where the entry begins; becomes that of the next one
+bool align(zip_t* archive, zip_uint64_t number, const ZipEntry& entry, std::size_t& place)
+{
+    constexpr std::size_t header = 30, fieldHeader = 4;
+    constexpr zip_uint16_t padding = 0x1986; // as in packages of USD
+    const std::size_t begin = place + header + entry.name.size() + fieldHeader;
+    const auto alignment = static_cast<std::size_t>(entry.alignment);
+    const std::string zeros((alignment - begin % alignment) % alignment, '\0');
+    place = begin + zeros.size() + entry.bytes.size();
+    return zip_file_extra_field_set(archive, number, padding, ZIP_EXTRA_FIELD_NEW,
+                                    reinterpret_cast<const zip_uint8_t*>(zeros.data()),
+                                    static_cast<zip_uint16_t>(zeros.size()), ZIP_FL_LOCAL) == 0;
+}
+
+/// \param place see align
+bool add(zip_t* archive, const ZipEntry& entry, std::size_t& place)
 {
     zip_source_t* bytes = zip_source_buffer(archive, entry.bytes.data(), entry.bytes.size(), 0);
     if (!bytes)
@@ -44,6 +60,8 @@ bool add(zip_t* archive, const ZipEntry& entry)
         return false;
     }
     const auto number = static_cast<zip_uint64_t>(at);
+    if (entry.alignment > 1 && !align(archive, number, entry, place))
+        return false;
     return zip_file_set_dostime(archive, number, 0, firstDate, 0) == 0 &&
            zip_set_file_compression(archive, number, entry.isPacked ? ZIP_CM_DEFLATE : ZIP_CM_STORE,
                                     entry.isPacked ? quickLevel : 0) == 0;
@@ -93,8 +111,9 @@ Expected<void> writeZip(const std::string& path, std::span<const ZipEntry> entri
     Progress packing = progress.part(0.0, 0.9);
     zip_register_progress_callback_with_state(archive, 0.01, &tellProgress, nullptr, &packing);
     zip_register_cancel_callback_with_state(archive, &isCancelled, nullptr, &packing);
+    std::size_t place = 0;
     for (const ZipEntry& entry : entries)
-        if (!add(archive, entry)) {
+        if (!add(archive, entry, place)) {
             const std::string why = zip_strerror(archive);
             zip_discard(archive);
             return zipError(path, why.c_str());
@@ -145,6 +164,12 @@ Expected<ZipReader> ZipReader::open(const std::string& path)
         return refuse(path, ErrorCode::Io, RAMURE_NOOP("cannot be read: %1"),
                       {std::generic_category().message(code == ZIP_ER_NOENT ? ENOENT : errno)});
     return refuse(path, ErrorCode::Syntax, RAMURE_NOOP("not a ZIP archive, or a broken one"));
+}
+
+std::string ZipReader::first() const
+{
+    const char* name = zip_get_name(m_archive->zip, 0, ZIP_FL_ENC_GUESS);
+    return name ? name : "";
 }
 
 bool ZipReader::has(const std::string& name) const

@@ -18,6 +18,7 @@ struct ZipEntry
     std::string name;
     std::string_view bytes; ///< not owned
     bool isPacked = true;   ///< deflated; else it stands in the file as it is
+    int alignment = 1;      ///< its bytes begin at a multiple of this; of entries that are not packed
 };
 
 /// The archive at once, with the beginning of 1980 as the date of all entries: the same entries make the same
@@ -34,6 +35,8 @@ public:
     ZipReader& operator=(ZipReader&&) noexcept;
     ~ZipReader();
 
+    /// The name of the first entry; empty: there is none.
+    [[nodiscard]] std::string first() const;
     [[nodiscard]] bool has(const std::string& name) const;
     /// Unpacks an entry piece by piece; \p take returns false to stop, which is not an error. Errors: Unknown
     /// (no such entry); Limit (more than \p mostBytes declared or unpacked, or packed so tightly that it can

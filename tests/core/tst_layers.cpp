@@ -112,6 +112,7 @@ constexpr const char* floors[] = {
     "core/io/formats/text",
     "core/io/formats/print",
     "core/io/formats/glb",
+    "core/io/formats/usd",
     "core/qt/base",
     "core/qt/document/project",
     "core/qt/document",

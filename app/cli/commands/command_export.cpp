@@ -30,7 +30,7 @@ constexpr CommandText exportText = {
     "world. Of several trees the objects are "
     "branches_1, leaves_1, fruit_1, branches_2 and so on; arms (their skin as it is "
     "at --time), terrains, primitives and imported meshes are objects with the names "
-    "of their nodes. With --frames a .glb moves: one file with skins and an animation; of other "
+    "of their nodes. With --frames a .glb or .usda moves: one file with skins and an animation; of other "
     "formats each frame has a file. Files are written under "
     "another name and renamed: an error or Ctrl+C "
     "leaves the old file as it was."};
@@ -47,6 +47,16 @@ struct ExportRequest
     [[nodiscard]] bool needsCheck() const { return requireValid || !report.isEmpty(); }
 };
 
+/// ".glb, .usda": of the formats that are written and hold this.
+std::string endingsWith(std::uint16_t holds)
+{
+    std::string out;
+    for (const FileFormat* format : fileFormats())
+        if (isFor(*format, FormatUse::Write) && (format->holds & holds) == holds)
+            out.append(out.empty() ? "." : ", .").append(format->ending);
+    return out;
+}
+
 /// Refuses options that the format of a file cannot hold: nothing else is written silently in their place.
 Expected<void> checkFormats(const ExportRequest& request)
 {
@@ -56,8 +66,9 @@ Expected<void> checkFormats(const ExportRequest& request)
         for (const ExportOption& option : exportOptions())
             if (option.is(ofFormats) && !((*known)->holds & option.holds) &&
                 !isUsual(option, request.options))
-                return fail(ErrorCode::Invalid, "--%1 %2 is for .glb files: \"%3\" is none",
-                            {option.name, optionText(option, request.options), file.toStdString()});
+                return fail(ErrorCode::Invalid, "--%1 %2 is for %3 files: \"%4\" is none",
+                            {option.name, optionText(option, request.options), endingsWith(option.holds),
+                             file.toStdString()});
     }
     return {};
 }
@@ -308,12 +319,13 @@ void addOptions(CommandLine& line)
     line.add({QStringLiteral("json")}, QStringLiteral("With --print, prints the report as JSON."));
     line.add({QStringLiteral("ascii")}, QStringLiteral("Writes a format that has both as text, not binary."));
     addMomentOptions(line, MomentOptions::Sequence);
-    line.add({QStringLiteral("wind-loop")},
-             QStringLiteral(
-                 "A .glb that moves for so long and then goes on from its beginning without a seam: the "
-                 "last key is the first one, the second before it blends into the motion before the "
-                 "first. It begins at --time; without it after 2 s, when the wind has taken hold."),
-             QStringLiteral("SECONDS"));
+    line.add(
+        {QStringLiteral("wind-loop")},
+        QStringLiteral(
+            "A .glb or .usda that moves for so long and then goes on from its beginning without a seam: the "
+            "last key is the first one, the second before it blends into the motion before the "
+            "first. It begins at --time; without it after 2 s, when the wind has taken hold."),
+        QStringLiteral("SECONDS"));
     line.add({QStringLiteral("separate")},
              QStringLiteral("Moves branches that collide apart before they are written; says how many."));
     line.add(
@@ -342,7 +354,7 @@ Expected<int> runExport(const CommandLine& line)
     if (const auto still = std::ranges::find_if(request->files, isStill);
         moments->closes && still != request->files.end())
         return fail(ErrorCode::Invalid,
-                    "--wind-loop: %1 cannot move; a .glb can, other formats take --frames",
+                    "--wind-loop: %1 cannot move; .glb, .usda and .usdz can, other formats take --frames",
                     {still->toStdString()});
     if (moments->isSequence() && request->needsCheck())
         return fail(ErrorCode::Invalid,

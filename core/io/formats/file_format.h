@@ -22,6 +22,7 @@ enum FormatHolds : std::uint16_t {
     holdsLevels = 64,      ///< levels of detail; else each is a file
     holdsCompressed = 128, ///< numbers made small: WriteOptions::compressed
     holdsVariants = 512,   ///< seasons of leaves: ExportMesh::seasons
+    holdsRiders = 1024,    ///< instances that go with the bones of a clip
     holdsWind = 256,       ///< data by which shaders of games move vertices: ExportMesh::wind
 };
 

@@ -2,14 +2,14 @@
 
 namespace ramure {
 
-extern const FileFormat objFormat, plyFormat, plyTextFormat, glbFormat, stlFormat, threeMfFormat,
-    animationFormat, arbaroFormat, ezTreeFormat;
+extern const FileFormat objFormat, plyFormat, plyTextFormat, glbFormat, stlFormat, threeMfFormat, usdaFormat,
+    usdzFormat, animationFormat, arbaroFormat, ezTreeFormat;
 
 std::span<const FileFormat* const> fileFormats()
 {
-    static constexpr const FileFormat* table[] = {&objFormat,       &plyFormat,    &plyTextFormat,
-                                                  &glbFormat,       &stlFormat,    &threeMfFormat,
-                                                  &animationFormat, &arbaroFormat, &ezTreeFormat};
+    static constexpr const FileFormat* table[] = {
+        &objFormat, &plyFormat,     &plyTextFormat,   &glbFormat,    &usdaFormat,  &usdzFormat,
+        &stlFormat, &threeMfFormat, &animationFormat, &arbaroFormat, &ezTreeFormat};
     return table;
 }
 

@@ -99,9 +99,8 @@ private slots:
         const auto mesh = readMeshFile("a.fbx");
         QVERIFY(!mesh);
         QCOMPARE(mesh.error().code, ErrorCode::Unknown);
-        QCOMPARE(
-            mesh.error().message(),
-            std::string("a.fbx: unknown file ending \".fbx\": .obj, .ply, .glb, .stl, .3mf can be read"));
+        QCOMPARE(mesh.error().message(), std::string("a.fbx: unknown file ending \".fbx\": .obj, .ply, .glb, "
+                                                     ".usda, .usdz, .stl, .3mf can be read"));
         QVERIFY(!readMeshFile("a"));
     }
     void missingFileAndFolder()

@@ -225,8 +225,8 @@ private slots:
     {
         const auto* tabs = child<QTabBar>("exportUses");
         QCOMPARE(tabs->count(), int(exportUses.size()));
-        const QList<QStringList> wanted{{"glb", "obj", "ply", "ply-text"},
-                                        {"glb", "obj"},
+        const QList<QStringList> wanted{{"glb", "obj", "ply", "ply-text", "usda", "usdz"},
+                                        {"glb", "usda", "usdz", "obj"},
                                         {"3mf", "stl"},
                                         {"glb"},
                                         {"png", "mp4", "webm"}};

@@ -28,7 +28,7 @@ const UseRow& rowOf(ExportUse use)
         {"game",
          QT_TRANSLATE_NOOP("ExportUses", "For a game"),
          QT_TRANSLATE_NOOP("ExportUses", "Levels of detail by budgets of triangles, a skin, a loop of wind"),
-         {QStringLiteral("glb"), QStringLiteral("obj")}},
+         {QStringLiteral("glb"), QStringLiteral("usda"), QStringLiteral("usdz"), QStringLiteral("obj")}},
         {"print",
          QT_TRANSLATE_NOOP("ExportUses", "For print"),
          QT_TRANSLATE_NOOP("ExportUses",

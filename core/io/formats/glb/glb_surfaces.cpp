@@ -164,12 +164,19 @@ Expected<std::string_view> PictureFolder::bytesOf(const Json& texture, const std
     return bytes;
 }
 
-/// The path of a file of the folder that holds these bytes.
 Expected<std::string> PictureFolder::keep(const std::string& name, std::string_view bytes)
 {
+    auto path = keepPicture(m_folder, name, bytes);
+    if (path)
+        m_files.insert(*path);
+    return path;
+}
+
+Expected<std::string> keepPicture(const std::string& folder, const std::string& name, std::string_view bytes)
+{
     std::error_code problem;
-    fs::create_directory(m_folder, problem); // what is wrong with it shows when a file is written
-    const fs::path stem = fs::path(m_folder) / fs::path(name).stem(), ending = fs::path(name).extension();
+    fs::create_directory(folder, problem); // what is wrong with it shows when a file is written
+    const fs::path stem = fs::path(folder) / fs::path(name).stem(), ending = fs::path(name).extension();
     for (int i = 1; i < 100; ++i) {
         std::string path = stem.string();
         if (i > 1)
@@ -180,7 +187,6 @@ Expected<std::string> PictureFolder::keep(const std::string& name, std::string_v
                 continue;
         } else if (auto written = writeFile(path, bytes); !written)
             return fail(std::move(written.error()));
-        m_files.insert(path);
         return path;
     }
     return fail(ErrorCode::Limit, RAMURE_NOOP("a hundred other pictures of this name are there"));

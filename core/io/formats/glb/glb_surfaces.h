@@ -18,8 +18,11 @@ struct Surface
 /// White and plain where there is no such material. Errors: Invalid, with the place inside.
 Expected<Surface> surfaceOf(const File& file, std::optional<std::size_t> material);
 
-/// Writes the pictures of materials into a folder beside the GLB, NAME_pictures, each once. A file of that
-/// name with other bytes stays: the new one gets a number behind its name.
+/// Writes a file into a folder, which is made if it is not there. A file of that name with other bytes stays:
+/// the new one gets a number behind its name. Returns its path. Errors: Io, Limit.
+Expected<std::string> keepPicture(const std::string& folder, const std::string& name, std::string_view bytes);
+
+/// Writes the pictures of materials into a folder beside the GLB, NAME_pictures, each once.
 class PictureFolder
 {
 public:

@@ -141,7 +141,7 @@ const ExportOption table[] = {
              "stand FILE_leaves.csv, a row for each leaf, fruit and flower with its node, shape, material, branch, colour "
              "and matrix (3 rows of 4), and FILE_leaves.json, the same as JSON, and FILE_leaves_birch.obj, "
              "FILE_fruit_acorn.obj and so on, the shapes that the rows name. A point of the shape times the matrix is the "
-             "point of the merged mesh.",
+             "point of the merged mesh. A .glb or .usda holds them itself; in a .usda that moves each leaf names its joint.",
      .flags = ofExport | notOfPrint | ofTrees,
      .place = at([](auto& o) -> auto& { return o.instances; }), .items = leafItems,
      .key = "instances", .label = RAMURE_NOOP("Leaves and fruit"),
@@ -173,7 +173,7 @@ const ExportOption table[] = {
      .tip = RAMURE_NOOP("Size of the pictures of bark and leaves that the program makes: inside a GLB, beside an OBJ"),
      .uses = forEveryUse},
     {.name = "joints", .values = "NUMBER|all",
-     .help = "Of each tree in a .glb with --frames, at most, or all: thin branches go with those that carry them, and it is "
+     .help = "Of each tree in a .glb or .usda with --frames, at most, or all: thin branches go with those that carry them, and it is "
              "said how far that is off.",
      .flags = ofExport | notOfPrint | ofClips,
      .place = at([](auto& o) -> auto& { return o.write.joints; }), .items = jointItems,
@@ -192,8 +192,8 @@ const ExportOption table[] = {
      .tip = RAMURE_NOOP("Rounds numbers to visible precision and packs them (EXT_meshopt_compression): without its pictures, the file is about a fifth as large. For web pages and engines that read it; Blender 3.4 does not."),
      .uses = forEveryUse},
     {.name = "variants",
-     .help = "Leaves and fruit of the trees of a .glb in four seasons (KHR_materials_variants): spring, summer, autumn and "
-             "winter, whatever the day. Leaves have _SEASON, a number by which shaders know when one turns: 0 is the first, "
+     .help = "Leaves and fruit of the trees of a .glb (KHR_materials_variants) or .usda in four seasons: spring, summer, autumn and "
+             "winter, whatever the day. Leaves of a .glb have _SEASON, a number by which shaders know when one turns: 0 is the first, "
              "1 the last.",
      .flags = ofExport | ofBatch | notOfPrint | ofFormats,
      .place = at([](auto& o) -> auto& { return o.variants; }),
@@ -212,7 +212,7 @@ const ExportOption table[] = {
      .uses = forGame},
     {.name = "levels", .values = "N",
      .help = "So many meshes of each tree, 1 to 8, for less and less triangles: fewer sides, cross-sections and twigs, fewer "
-             "and larger leaves. A .glb holds them all, as nodes branches_LOD0, branches_LOD1 and so on that MSFT_lod names; "
+             "and larger leaves. A .glb holds them all, as nodes branches_LOD0, branches_LOD1 and so on that MSFT_lod names, a .usda as variants; "
              "%1. Without --budget the first is the tree as it is, and each further one has a quarter of the triangles or "
              "less.",
      .inExport = "of other formats each is a file, FILE_LOD0, FILE_LOD1 and so on", .inBatch = "other files hold the tree alone",

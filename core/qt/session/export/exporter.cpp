@@ -366,7 +366,7 @@ Expected<void> addFineTree(ExportScene& out, const Candidate& tree, EvaluatedSce
     if (options.instances && meshes.foliage)
         takeInstances(out, tree, meshes,
                       {*meshes.foliage, posed->rest.simplified->skeleton, params, posed->motion,
-                       FoliageModel::Fine, options.texture});
+                       FoliageModel::Fine, options.texture, !options.clip.empty()});
     if (options.texture)
         if (auto done = addTexture(meshes, *posed->rest.texture, params, progress); !done)
             return done;
@@ -490,6 +490,8 @@ ExportScene bareScene(EvaluatedScene& now, const ExportOptions& options)
         numbers.emplace(node.id, static_cast<Index>(out.nodes.size()));
         out.nodes.push_back({node.name, parent == numbers.end() ? noIndex : parent->second,
                              now.params(node).skin.method, node.kind == NodeKind::Arm});
+        if (node.kind == NodeKind::Camera && isChosen(now.scene(), options, node))
+            out.cameras.push_back({static_cast<Index>(out.nodes.size() - 1), now.params(node).camera});
     }
     out.frames.push_back({now.seconds(), now.transforms(), {}});
     out.frames.back().bones.resize(out.nodes.size());
@@ -560,7 +562,7 @@ Expected<void> exportScene(EvaluatedScene scene, const ExportOptions& options, c
 {
     const auto format = findFormat(path, FormatUse::Write, options.write.ascii);
     RAMURE_TRY(format);
-    if (!options.clip.empty() && options.instances)
+    if (!options.clip.empty() && options.instances && ((*format)->holds & holdsRiders) == 0)
         return fail(ErrorCode::Invalid,
                     RAMURE_NOOP("instances of leaves do not move: merge them, or write one moment"));
     if (auto fine = checkLevelExport(options, **format); !fine)

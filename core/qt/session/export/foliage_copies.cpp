@@ -24,21 +24,22 @@ glm::dmat4 placeOf(const FoliageItem& item)
 }
 
 /// \param skin of the merged mesh, whose pieces are the items in their order; null: they rest.
-std::vector<ExportCopy> copiesOf(const FoliageInstances& all, const std::vector<FoliageItem>& items,
-                                 const Skin* skin)
+void addCopies(ExportCopies& out, const FoliageInstances& all, const std::vector<FoliageItem>& items,
+               const Skin* skin)
 {
     const NodeMotion& motion = all.motion;
-    const bool moves = skin && motion.bones && !items.empty();
-    const auto perItem = static_cast<Index>(moves ? skin->vertices / items.size() : 0);
-    std::vector<ExportCopy> copies;
-    copies.reserve(items.size());
+    const bool hasBones = skin && motion.bones && !items.empty(), moves = hasBones && !all.rides;
+    const auto perItem = static_cast<Index>(hasBones ? skin->vertices / items.size() : 0);
+    out.copies.reserve(items.size());
     for (const FoliageItem& item : items) {
-        const Index first = perItem * static_cast<Index>(copies.size());
+        const Index first = perItem * static_cast<Index>(out.copies.size());
         const glm::dmat4 place = placeOf(item);
-        copies.push_back({moves ? skinMatrix(skin->of(first), *motion.bones, motion.method) * place : place,
-                          item.tone * item.tint, item.branch, all.skeleton.key[item.branch], item.number});
+        out.copies.push_back(
+            {moves ? skinMatrix(skin->of(first), *motion.bones, motion.method) * place : place,
+             item.tone * item.tint, item.branch, all.skeleton.key[item.branch], item.number});
+        if (hasBones && all.rides)
+            out.follows.push_back(skin->of(first));
     }
-    return copies;
 }
 
 } // namespace
@@ -51,7 +52,7 @@ ExportCopies leafInstances(const FoliageInstances& all)
     if (all.texture && all.model == FoliageModel::Fine)
         addLeafTexture(shape, all.foliage.form);
     out.shape = std::make_shared<const TriangleMesh>(std::move(shape));
-    out.copies = copiesOf(all, all.foliage.leaves, all.motion.leaves.get());
+    addCopies(out, all, all.foliage.leaves, all.motion.leaves.get());
     return out;
 }
 
@@ -63,7 +64,7 @@ ExportCopies appleInstances(const FoliageInstances& all)
     if (all.texture && all.model == FoliageModel::Fine)
         addAppleTexture(shape, all.foliage.fruit);
     out.shape = std::make_shared<const TriangleMesh>(std::move(shape));
-    out.copies = copiesOf(all, all.foliage.apples, all.motion.apples.get());
+    addCopies(out, all, all.foliage.apples, all.motion.apples.get());
     return out;
 }
 

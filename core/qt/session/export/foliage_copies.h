@@ -17,7 +17,8 @@ struct FoliageInstances
     const NodeParams& params;
     const NodeMotion& motion; ///< without bones they are as they rest
     FoliageModel model;
-    bool texture; ///< the shapes have texture coordinates, where the model is fine
+    bool texture;       ///< the shapes have texture coordinates, where the model is fine
+    bool rides = false; ///< they stay at rest and say with which bones they go, if there are some
 };
 
 /// Each copy where its piece of the merged mesh is. Name, node and material are the caller's.

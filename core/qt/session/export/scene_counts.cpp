@@ -43,8 +43,12 @@ bool sameShape(const Node& a, const Node& b)
 
 bool isExported(const Scene& scene, const ExportOptions& options, const Node& node)
 {
-    const bool hasShape = node.kind == NodeKind::Tree || isShape(node.kind);
-    if (!hasShape || (!options.hidden && !scene.isShown(node.id)))
+    return (node.kind == NodeKind::Tree || isShape(node.kind)) && isChosen(scene, options, node);
+}
+
+bool isChosen(const Scene& scene, const ExportOptions& options, const Node& node)
+{
+    if (!options.hidden && !scene.isShown(node.id))
         return false;
     if (options.nodes.empty())
         return true;

@@ -12,6 +12,8 @@ namespace ramure {
 
 /// Has the node a shape, and do the options ask for it?
 bool isExported(const Scene& scene, const ExportOptions& options, const Node& node);
+/// The same of a node of any kind.
+bool isChosen(const Scene& scene, const ExportOptions& options, const Node& node);
 
 /// The parts of trees that are counted; other nodes are counted by their kind.
 enum class ScenePart : std::uint8_t { Branches, Leaves, Apples };
