@@ -6,7 +6,7 @@ import {execFileSync} from 'node:child_process';
 import {mkdirSync, readFileSync, rmSync, statSync} from 'node:fs';
 import {createRequire} from 'node:module';
 import {basename, join} from 'node:path';
-import {Box3} from 'three';
+import {AnimationMixer, Box3, LoopOnce, Vector3} from 'three';
 import {USDLoader} from 'three/examples/jsm/loaders/USDLoader.js';
 
 const require = createRequire(import.meta.url);
@@ -19,7 +19,8 @@ process.type = 'renderer';
 globalThis.window = globalThis;
 globalThis.document = {currentScript: null, createElementNS: () => ({addEventListener() {}, removeEventListener() {}})};
 const {default: load} = await import('tinyusdz/tinyusdz.js');
-const {TinyUSDZLoaderNative} = await load({wasmBinary: readFileSync(require.resolve('tinyusdz/tinyusdz.wasm'))});
+const {TinyUSDZLoaderNative} = await load({
+  wasmBinary: readFileSync(require.resolve('tinyusdz/tinyusdz.wasm')), print: () => {}, printErr: () => {}});
 
 const findings = [];
 const find = (condition, text) => condition || findings.push(text);
@@ -56,6 +57,47 @@ function seen(bytes, name) {
   });
   const size = new Box3().setFromObject(scene);
   return {meshes, triangles, skinned, clips: scene.animations.length, height: size.max.y - size.min.y};
+}
+
+const parsed = bytes => new USDLoader().parse(bytes.toString());
+function barkOf(scene) {
+  let bark;
+  scene.traverse(one => { if (one.isMesh && one.name.startsWith('branches')) bark = one; });
+  return bark;
+}
+
+// Skeleton and clip, played by three.js' own skinning: the farthest vertex from where a file of that moment has it, of the height.
+function replayed() {
+  const exported = (...options) => {
+    const path = join(folder, 'moment.usda');
+    ramure('export', 'preset:TinyTree', '-o', path, '--map-size', '0', '--set', 'skin.method=linear', ...options);
+    return readFileSync(path);
+  };
+  const playing = parsed(exported('--frames', '0:24', '--fps', '24', '--joints', 'all'));
+  const mixer = new AnimationMixer(playing);
+  const action = mixer.clipAction(playing.animations[0]);
+  action.clampWhenFinished = true; // else its last frame is its first
+  action.setLoop(LoopOnce).play();
+  const skinned = barkOf(playing);
+  let most = 0, height = 0;
+  for (const frame of [0, 7, 24]) {
+    const still = parsed(exported('--time', String(frame / 24)));
+    const bark = barkOf(still);
+    still.updateMatrixWorld(true);
+    bark.geometry.computeBoundingBox();
+    height = bark.geometry.boundingBox.max.y - bark.geometry.boundingBox.min.y;
+    mixer.setTime(frame / 24);
+    playing.updateMatrixWorld(true);
+    skinned.skeleton.update();
+    const [at, wanted] = [new Vector3(), new Vector3()];
+    const places = bark.geometry.attributes.position;
+    find(places.count === skinned.geometry.attributes.position.count, 'wind: other vertices');
+    for (let i = 0; i < places.count; ++i) {
+      skinned.getVertexPosition(i, at).applyMatrix4(skinned.matrixWorld);
+      most = Math.max(most, at.distanceTo(wanted.fromBufferAttribute(places, i).applyMatrix4(bark.matrixWorld)));
+    }
+  }
+  return most / height;
 }
 
 const all = JSON.parse(ramure('list', 'presets', '--json')).map(preset => preset.name);
@@ -114,8 +156,11 @@ for (const [what, to] of broken) {
   find(strictly(Buffer.from(own.replace(what, to)), 'own.usda').count === null, `tinyusdz takes a broken file: ${to}`);
 }
 
+const off = replayed();
+find(off <= 1e-4, `wind: a vertex is ${off} of the height from where we say that it is`);
+
 const result = findings.length ? `; FOUND: ${findings.join('; ')}` : '';
 console.log(`tinyusdz ${versionOf('tinyusdz')}: ${files.length} files, ${(facts.bytes / 1e6).toFixed(0)} MB, ${facts.strict} meshes, ` +
   `${broken.length} broken ones refused${result}`);
-console.log(`three ${versionOf('three')}: ${files.length} files of USD, ${Math.round(facts.triangles)} triangles`);
+console.log(`three ${versionOf('three')}: ${files.length} files of USD, ${Math.round(facts.triangles)} triangles; wind replayed within ${off.toExponential(1)} of the height`);
 if (findings.length > 0) process.exitCode = 1;

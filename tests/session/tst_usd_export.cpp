@@ -7,9 +7,10 @@
 #include "core/scene/demo_scenes.h"
 #include "tests/core/io/io_support.h"
 #include "tests/support/usd_rules.h"
-#include <QDir>
 #include <QTemporaryDir>
-#include <limits>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/matrix.hpp>
 
 namespace tst_usd_export {
 
@@ -51,6 +52,60 @@ std::uint32_t wordAt(const QByteArray& bytes, qsizetype at)
     std::memcpy(&word, bytes.constData() + at, sizeof word);
     return word;
 }
+
+/// The copies of one instancer, and the skeleton that moves them, as another program would play them.
+struct Played
+{
+    std::vector<glm::dvec3> places;
+    std::vector<std::string> joints, rides;        ///< of the skeleton; of copies
+    std::vector<glm::dmat4> binds;                 ///< of joints
+    std::vector<std::vector<glm::dmat4>> worlds{}; ///< of joints, per frame
+
+    Played(const QByteArray& bytes, const char* instancer)
+    {
+        const auto layer = usd::parseLayer(test::view(bytes), "t.usda");
+        const usd::Prim* copies = usd::primAt(layer->root, std::string("/Scene/TinyTree/") + instancer);
+        const auto& numbers = copies->attribute("positions")->value->numbers;
+        for (std::size_t i = 0; i < numbers.size(); i += 3)
+            places.emplace_back(glm::make_vec3(&numbers[i]));
+        const usd::Prim* skeleton = usd::primAt(layer->root, "/Scene/TinyTree/Body/Skeleton");
+        if (!skeleton)
+            return;
+        rides = copies->attribute("primvars:unreal:naniteAssembly:bindJoints")->value->texts;
+        joints = skeleton->attribute("joints")->value->texts;
+        for (std::size_t j = 0; j < joints.size(); ++j)
+            binds.emplace_back(
+                glm::make_mat4(&skeleton->attribute("bindTransforms")->value->numbers[16 * j]));
+        const usd::Prim* motion = skeleton->child("Animation");
+        for (const auto& [code, turns] : motion->attribute("rotations")->samples)
+            worlds.push_back(
+                posed(turns->numbers, motion->attribute("translations")->samples.at(code)->numbers));
+    }
+    [[nodiscard]] std::size_t number(const std::string& joint) const
+    {
+        return static_cast<std::size_t>(std::ranges::find(joints, joint) - joints.begin());
+    }
+    [[nodiscard]] std::vector<glm::dmat4> posed(const std::vector<double>& turns,
+                                                const std::vector<double>& moves) const
+    {
+        std::vector<glm::dmat4> out;
+        for (std::size_t j = 0; j < joints.size(); ++j) {
+            const glm::dquat turn(turns[4 * j], turns[4 * j + 1], turns[4 * j + 2], turns[4 * j + 3]);
+            glm::dmat4 local = glm::mat4_cast(turn);
+            local[3] = glm::dvec4(glm::make_vec3(&moves[3 * j]), 1.0);
+            const std::size_t slash = joints[j].rfind('/');
+            out.push_back(slash == std::string::npos ? local
+                                                     : out[number(joints[j].substr(0, slash))] * local);
+        }
+        return out;
+    }
+    /// Where a copy is at a frame.
+    [[nodiscard]] glm::dvec3 place(std::size_t copy, std::size_t frame) const
+    {
+        const std::size_t joint = number(rides[copy]);
+        return worlds[frame][joint] * glm::inverse(binds[joint]) * glm::dvec4(places[copy], 1.0);
+    }
+};
 
 } // namespace
 
@@ -152,6 +207,28 @@ private slots:
         const auto still = judged(sceneOf({treeNode(1, "TinyTree")}), options);
         QVERIFY2(still.broken.isEmpty(), stateOf(still).c_str());
         QCOMPARE(still.assemblies, 1);
+    }
+    void leavesGoWithTheirJoints()
+    {
+        Node tree = treeNode(1, "TinyTree");
+        tree.params.skin.method = SkinMethod::Rigid;
+        tree.params.leaf.shape = LeafShape::Faithful; // of those nothing flutters
+        const Scene scene = sceneOf({tree});
+        ExportOptions options = moving(0);
+        options.instances = true;
+        const Played clip(text(scene, options), "leaves");
+        options.clip.clear();
+        Evaluator evaluator(pipelineSource(m_pipeline), scene.timeline());
+        for (std::size_t frame = 0; frame <= 4; ++frame) {
+            QVERIFY(
+                exportScene(evaluator.at(scene, double(frame) / 8.0), options, path("t.usda").toStdString()));
+            const Played still(test::fileBytes(path("t.usda")), "leaves");
+            QCOMPARE(still.places.size(), clip.places.size());
+            double most = 0.0;
+            for (std::size_t i = 0; i < clip.places.size(); ++i)
+                most = std::max(most, glm::distance(clip.place(i, frame), still.places[i]));
+            QVERIFY2(most < 1e-4, qPrintable(QString::number(most)));
+        }
     }
     void levelsAndSeasonsAreVariants()
     {
