@@ -7700,8 +7700,8 @@
         <translation>Feuilles et fruits</translation>
     </message>
     <message>
-        <source>Merged: the file holds every leaf and every fruit. List of instances: it holds the rest, and beside it stand a table, FILE_leaves.csv, with a row for each leaf, fruit and flower (its shape, material, branch, colour and matrix), and one OBJ for each shape; in a GLB they stand inside. Much smaller, for programs that draw instances.</source>
-        <translation>Réunis : le fichier contient chaque feuille et chaque fruit. Liste d’instances : il contient le reste, et à côté se trouvent une table, FICHIER_leaves.csv, avec une ligne par feuille, fruit et fleur (forme, matériau, branche, couleur et matrice), et un OBJ par forme ; dans un GLB elles sont à l’intérieur. Bien plus petit, pour les programmes qui dessinent des instances.</translation>
+        <source>Merged: the file holds every leaf and every fruit. List of instances: it holds the rest, and beside it stand a table, FILE_leaves.csv, with a row for each leaf, fruit and flower (its shape, material, branch, colour and matrix), and one OBJ for each shape; in a GLB or USD file they stand inside. Much smaller, for programs that draw instances.</source>
+        <translation>Réunis : le fichier contient chaque feuille et chaque fruit. Liste d’instances : il contient le reste, et à côté se trouvent une table, FICHIER_leaves.csv, avec une ligne par feuille, fruit et fleur (forme, matériau, branche, couleur et matrice), et un OBJ par forme ; dans un GLB ou un fichier USD elles sont à l’intérieur. Bien plus petit, pour les programmes qui dessinent des instances.</translation>
     </message>
     <message>
         <source>None</source>

@@ -266,6 +266,25 @@ private slots:
         QVERIFY2(read, test::why(read));
         QVERIFY(read->objects.size() >= 12);
     }
+    void everySpeciesKeepsTheRules()
+    {
+        ExportOptions options = usual();
+        options.levels = {2, {5000, 1500}};
+        options.levels.cards = true;
+        int seen = 0;
+        for (std::size_t i = 0; i < presets().size(); i += test::isSanitized ? 40 : 1) {
+            const char* name = presets()[i].name;
+            if (!write(sceneOf({treeNode(1, name)}), options, "t.usda"))
+                continue; // so small a budget is refused
+            const QByteArray bytes = test::fileBytes(path("t.usda"));
+            const auto layer = usd::parseLayer(test::view(bytes), name);
+            QVERIFY2(layer, test::why(layer));
+            const auto rules = test::usdRules(*layer, m_folder.path());
+            QVERIFY2(rules.broken.isEmpty(), (std::string(name) + "\n" + stateOf(rules)).c_str());
+            ++seen;
+        }
+        QVERIFY(test::isSanitized || seen > 80);
+    }
     void everythingElseKeepsTheRules()
     {
         for (const DemoScene& demo : demoScenes()) {

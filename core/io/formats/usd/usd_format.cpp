@@ -49,12 +49,29 @@ Expected<void> writeUsda(const std::string& path, const ExportScene& scene, cons
     return out->commit();
 }
 
+/// More bytes than the text will have, so that it never moves to larger room.
+std::size_t roomOf(const usd::Plan& plan)
+{
+    constexpr std::size_t perVertex = 200, perFace = 120, perCopy = 400;
+    std::size_t room = 0;
+    for (const usd::PlannedNode& node : plan.nodes) {
+        for (const usd::PlannedMesh& mesh : node.meshes)
+            room += node.sameAs == noIndex ? perVertex * mesh.from->mesh->positions.size() +
+                                                 perFace * mesh.from->mesh->triangles.size()
+                                           : 0;
+        for (const usd::PlannedCopies& copies : node.copies)
+            room += node.sameAs == noIndex ? perCopy * copies.from->copies.size() : 0;
+    }
+    return room;
+}
+
 Expected<void> writeUsdz(const std::string& path, const ExportScene& scene, const WriteOptions& options,
                          const Progress& progress)
 {
     const auto plan = usd::planOf(scene, options, progress.part(0.0, 0.3));
     RAMURE_TRY(plan);
     usd::Text text(nullptr, progress);
+    text.reserve(roomOf(*plan));
     usd::writeLayer(text, scene, *plan, progress.part(0.3, 0.8));
     if (progress.cancelled())
         return cancelled();

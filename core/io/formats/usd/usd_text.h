@@ -105,6 +105,8 @@ public:
 
     /// True where nobody waits for the rest.
     [[nodiscard]] bool isStopped() const { return m_progress.cancelled() || (m_file && !m_file->isGood()); }
+    /// Room for so many bytes in memory.
+    void reserve(std::size_t bytes) { m_text.reserve(bytes); }
     /// What stayed in memory.
     [[nodiscard]] std::string take() && { return std::move(m_text); }
     /// Hands the rest to the file.

@@ -147,7 +147,7 @@ const ExportOption table[] = {
      .key = "instances", .label = RAMURE_NOOP("Leaves and fruit"),
      .tip = RAMURE_NOOP("Merged: the file holds every leaf and every fruit. List of instances: it holds the rest, and beside "
                         "it stand a table, FILE_leaves.csv, with a row for each leaf, fruit and flower (its shape, material, "
-                        "branch, colour and matrix), and one OBJ for each shape; in a GLB they stand inside. Much smaller, "
+                        "branch, colour and matrix), and one OBJ for each shape; in a GLB or USD file they stand inside. Much smaller, "
                         "for programs that draw instances."),
      .uses = forBlender | forWeb},
     {.name = "texture",
