@@ -5,6 +5,7 @@
 #include "core/base/utf8.h"
 #include "core/base/version.h"
 #include "core/io/formats/file_format.h"
+#include "core/qt/session/export/document_source.h"
 #include "core/qt/session/export/exporter.h"
 #include "core/qt/session/jobs/job.h"
 #include "core/qt/session/jobs/recompute.h"

@@ -9335,6 +9335,62 @@
         <source>the picture &quot;%1&quot; is not there</source>
         <translation>l’image « %1 » n’y est pas</translation>
     </message>
+    <message>
+        <source>PC2 point cache</source>
+        <translation>Cache de points PC2</translation>
+    </message>
+    <message>
+        <source>PC2, points in motion, with an OBJ</source>
+        <translation>PC2, points en mouvement, avec un OBJ</translation>
+    </message>
+    <message>
+        <source>only a tree that grows by years and branches can grow as one mesh</source>
+        <translation>seul un arbre qui pousse année par année et se ramifie peut pousser en un seul maillage</translation>
+    </message>
+    <message>
+        <source>the step &quot;%1&quot; is not part of the tree&apos;s life: it cannot grow with it</source>
+        <translation>l’étape « %1 » ne fait pas partie de la vie de l’arbre : elle ne peut pas pousser avec lui</translation>
+    </message>
+    <message>
+        <source>2 to %1 key shapes expected</source>
+        <translation>de 2 à %1 formes clés attendues</translation>
+    </message>
+    <message>
+        <source>the growth begins at 0.25 years or later, and before the tree&apos;s own age</source>
+        <translation>la croissance commence à 0,25 an ou plus tard, et avant l’âge de l’arbre</translation>
+    </message>
+    <message>
+        <source>nothing has grown</source>
+        <translation>rien n’a poussé</translation>
+    </message>
+    <message>
+        <source>None: it has its age</source>
+        <translation>Aucune : il a son âge</translation>
+    </message>
+    <message>
+        <source>From the first year on</source>
+        <translation>À partir de la première année</translation>
+    </message>
+    <message>
+        <source>A tree that grows by years, as one mesh that grows from its first year to its age when it plays: the same vertices and triangles at every age, with key shapes (morph targets) between which engines mix. Leaves open and close at each key shape.</source>
+        <translation>Un arbre qui pousse année par année, en un seul maillage qui pousse en jouant de sa première année à son âge : les mêmes sommets et triangles à tout âge, avec des formes clés (morph targets) que les moteurs mélangent. Les feuilles s’ouvrent et se ferment à chaque forme clé.</translation>
+    </message>
+    <message>
+        <source>%1 key shapes: between two of them no living branch is more than %2 m from its place</source>
+        <translation>%1 formes clés : entre deux d’entre elles, aucune branche vivante n’est à plus de %2 m de sa place</translation>
+    </message>
+    <message>
+        <source>this format cannot hold a tree that grows as one mesh</source>
+        <translation>ce format ne peut pas contenir un arbre qui pousse en un seul maillage</translation>
+    </message>
+    <message>
+        <source>only the finished mesh can grow as one mesh</source>
+        <translation>seul le maillage fini peut pousser en un seul maillage</translation>
+    </message>
+    <message>
+        <source>a tree that grows as one mesh has no levels, instances, seasons, wind or clip besides</source>
+        <translation>un arbre qui pousse en un seul maillage n’a en plus ni niveaux, ni instances, ni saisons, ni vent, ni animation</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>

@@ -65,11 +65,19 @@ std::vector<MeshPart> FlatScene::parts() const
     return out;
 }
 
+/// Null: the mesh is as it is.
+static const ExportShape* shapeAt(const ExportMesh& mesh, std::size_t time)
+{
+    if (!mesh.shapes || time >= mesh.shapes->at.size() || mesh.shapes->at[time] == noIndex)
+        return nullptr;
+    return &mesh.shapes->shapes[mesh.shapes->at[time]];
+}
+
 FlatScene flattened(const ExportScene& scene, std::size_t frame)
 {
     FlatScene flat;
     for (const ExportMesh& each : scene.meshes) {
-        const ExportFrame& now = scene.frames[frame];
+        const ExportFrame& now = scene.frames[std::min(frame, scene.frames.size() - 1)];
         const ExportNode& node = scene.nodes[each.node];
         std::shared_ptr<const TriangleMesh> mesh = each.mesh;
         const auto become = [&mesh](TriangleMesh&& other) {
@@ -77,6 +85,13 @@ FlatScene flattened(const ExportScene& scene, std::size_t frame)
         };
         if (const auto& bones = now.bones[each.node]; each.skin && bones)
             become(deformed(*mesh, *each.skin, *bones, node.method));
+        if (const ExportShape* shape = shapeAt(each, frame)) {
+            TriangleMesh form = *mesh;
+            form.positions = shape->positions;
+            if (!shape->normals.empty())
+                form.normals = shape->normals;
+            become(std::move(form));
+        }
         const glm::dmat4& world = now.transforms[each.node].geometry;
         const glm::dmat4 place = scene.space.isOwn() ? world : scene.space.matrix() * world;
         if (node.isArm)

@@ -45,6 +45,21 @@ struct ExportSeasons
     std::vector<float> phases{};           ///< per piece when it turns, 0 first .. 1 last; empty: unknown
 };
 
+/// A form of a mesh: other places of the same vertices.
+struct ExportShape
+{
+    std::string name;
+    std::vector<glm::vec3> positions, normals; ///< as many as the mesh has; no normals: those of the mesh
+};
+
+/// Forms that a mesh has at other times. In between, vertices move in straight lines.
+struct ExportShapes
+{
+    std::vector<ExportShape> shapes;
+    std::vector<float> seconds; ///< rising from 0
+    std::vector<Index> at;      ///< by time the number of its shape; noIndex: the mesh as it is
+};
+
 struct ExportMesh
 {
     std::string name; ///< "branches", "leaves", "apples"; of several trees "branches_1", "branches_2" ...;
@@ -60,6 +75,7 @@ struct ExportMesh
     Index pieces = 0;       ///< leaves or fruit that it holds
     std::shared_ptr<const WindColumns> wind{};      ///< data for wind in games; null: none
     std::shared_ptr<const ExportSeasons> seasons{}; ///< null: nothing is known of them
+    std::shared_ptr<const ExportShapes> shapes{};   ///< null: it keeps its form
 };
 
 /// One leaf, fruit or flower.
@@ -146,7 +162,7 @@ struct FlatScene
 
     [[nodiscard]] std::vector<MeshPart> parts() const; ///< valid as long as this
 };
-/// The meshes in their pose and in their place at one of the frames.
+/// The meshes in their pose and in their place at one of the frames, and in one of their shapes.
 FlatScene flattened(const ExportScene& scene, std::size_t frame = 0);
 
 } // namespace ramure

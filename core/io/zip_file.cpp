@@ -30,7 +30,7 @@ tl::unexpected<Error> zipError(const std::string& path, const char* what)
     return refuse(path, ErrorCode::Io, RAMURE_NOOP("the archive cannot be written: %1"), {what});
 }
 
-using Source = std::unique_ptr<zip_source_t, decltype(&zip_source_free)>;
+using ZipSource = std::unique_ptr<zip_source_t, decltype(&zip_source_free)>;
 using File = std::unique_ptr<zip_file_t, decltype(&zip_fclose)>;
 
 /// A field that nobody reads moves the bytes to where they are to begin.
@@ -99,7 +99,7 @@ Expected<void> writeZip(const std::string& path, std::span<const ZipEntry> entri
 {
     zip_error_t problem;
     zip_error_init(&problem);
-    const Source bytes(zip_source_buffer_create(nullptr, 0, 0, &problem), &zip_source_free);
+    const ZipSource bytes(zip_source_buffer_create(nullptr, 0, 0, &problem), &zip_source_free);
     if (!bytes)
         throw std::bad_alloc();
     zip_source_keep(bytes.get()); // closing the archive lets go of it once

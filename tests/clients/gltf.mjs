@@ -183,6 +183,58 @@ async function replayed() {
   told('three', versionOf('three'), frames.length + 1, `replayed within ${(most / height).toExponential(1)} of the height`);
 }
 
+// A tree that grows as one mesh is at each key where the point cache has it, whose samples are its years.
+async function grown() {
+  const loader = new GLTFLoader();
+  const tree = ['preset:EnglishOak', '--set', 'growth.age=31', '--growth', '1', '--growth-speed', '1', '--part', 'branches',
+    '--growth-triangles', '20000', '--map-size', '0'];
+  const path = exported('grown.glb', ...tree), leafy = exported('grown-leaves.glb', ...tree.filter(one => one !== '--part' &&
+    one !== 'branches'));
+  for (const file of [path, leafy]) {
+    const {issues} = await validator.validateBytes(new Uint8Array(arrayOf(file)), {maxIssues: 20});
+    const bad = issues.messages.filter(message => message.severity < 2);
+    find(bad.length === 0, `${file}: ${bad.slice(0, 3).map(message => `${message.code} ${message.pointer}`).join(', ')}`);
+  }
+  exported('grown.pc2', ...tree, '--growth-keys', '32'); // a key for each year
+  const cache = readFileSync(join(folder, 'grown.pc2'));
+  const [points, samples] = [cache.readInt32LE(16), cache.readInt32LE(28)];
+  find(samples === 31, `${samples} samples of 31 years`);
+  const at = (sample, point) => new three.Vector3(...[0, 4, 8].map(byte => cache.readFloatLE(32 + 12 * (sample * points + point) + byte)));
+  const {scene, animations} = await new Promise((resolve, reject) => loader.parse(arrayOf(path), '', resolve, reject));
+  const mixer = new three.AnimationMixer(scene);
+  const action = mixer.clipAction(animations[0]);
+  action.clampWhenFinished = true;
+  action.setLoop(three.LoopOnce).play();
+  let mesh;
+  scene.traverse(one => { if (one.isMesh) mesh = one; });
+  const places = mesh.geometry.attributes.position;
+  const numbers = new Map(); // of the points by where they are at last
+  for (let point = 0; point < points; ++point) numbers.set(at(samples - 1, point).toArray().join(), point);
+  let height = 0, girth = 0, most = 0, between = [];
+  const keys = animations[0].tracks[0].times;
+  const moved = new three.Vector3();
+  for (let year = 0; year < samples; ++year) {
+    mixer.setTime(year);
+    scene.updateMatrixWorld(true);
+    const isKey = keys.some(key => Math.abs(key - year) < 1e-6);
+    for (let v = 0; v < places.count; ++v) {
+      const wanted = at(year, numbers.get([places.getX(v), places.getY(v), places.getZ(v)].join()));
+      const miss = mesh.getVertexPosition(v, moved).distanceTo(wanted);
+      if (year === samples - 1) {
+        height = Math.max(height, wanted.y);
+        if (Math.abs(wanted.y - 1.3) < 0.3) girth = Math.max(girth, Math.min(Math.hypot(wanted.x, wanted.z), 0.5));
+      }
+      if (isKey) most = Math.max(most, miss);
+      else between.push(miss);
+    }
+  }
+  between = between.sort((a, b) => a - b);
+  const share = part => (100 * between[Math.floor(part * between.length)] / height).toFixed(2);
+  find(most <= 0.005 * girth, `at a key ${most} m from where we say that it is, with a trunk of ${girth} m`);
+  told('three', versionOf('three'), 2, `grows within ${(most / girth).toExponential(1)} of the trunk's radius at ${keys.length} keys; ` +
+    `between them half of the points are within ${share(0.5)} % of the height, nine tenths within ${share(0.9)} %`);
+}
+
 // What is compressed is what was there: as many triangles, as far as they reached.
 async function unpacked() {
   await MeshoptDecoder.ready;
@@ -212,7 +264,7 @@ async function unpacked() {
   told('three', versionOf('three'), files.length, `compressed files are the same trees, up to ${most.toFixed(1)} times smaller`);
 }
 
-for (const judge of [validated, solid, levelled, replayed, unpacked]) {
+for (const judge of [validated, solid, levelled, replayed, grown, unpacked]) {
   const before = findings.length;
   try {
     await judge();

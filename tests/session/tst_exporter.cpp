@@ -1,5 +1,6 @@
 #include "core/presets/presets.h"
 #include "core/qt/document/commands.h"
+#include "core/qt/session/export/document_source.h"
 #include "core/qt/session/export/exporter.h"
 #include "core/surface/foliage/place_foliage.h"
 #include "core/surface/mesh/transformed.h"

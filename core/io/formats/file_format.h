@@ -23,6 +23,7 @@ enum FormatHolds : std::uint16_t {
     holdsCompressed = 128, ///< numbers made small: WriteOptions::compressed
     holdsVariants = 512,   ///< seasons of leaves: ExportMesh::seasons
     holdsRiders = 1024,    ///< instances that go with the bones of a clip
+    holdsShapes = 2048,    ///< forms of a mesh between which it moves: ExportMesh::shapes
     holdsWind = 256,       ///< data by which shaders of games move vertices: ExportMesh::wind
 };
 

@@ -3,13 +3,13 @@
 namespace ramure {
 
 extern const FileFormat objFormat, plyFormat, plyTextFormat, glbFormat, stlFormat, threeMfFormat, usdaFormat,
-    usdzFormat, animationFormat, arbaroFormat, ezTreeFormat;
+    usdzFormat, pointCacheFormat, animationFormat, arbaroFormat, ezTreeFormat;
 
 std::span<const FileFormat* const> fileFormats()
 {
     static constexpr const FileFormat* table[] = {
-        &objFormat, &plyFormat,     &plyTextFormat,   &glbFormat,    &usdaFormat,  &usdzFormat,
-        &stlFormat, &threeMfFormat, &animationFormat, &arbaroFormat, &ezTreeFormat};
+        &objFormat, &plyFormat,     &plyTextFormat,    &glbFormat,       &usdaFormat,   &usdzFormat,
+        &stlFormat, &threeMfFormat, &pointCacheFormat, &animationFormat, &arbaroFormat, &ezTreeFormat};
     return table;
 }
 

@@ -1,6 +1,7 @@
 // What the export dialog does about sequences and pictures.
 #include "core/io/formats/file_format.h"
 #include "core/qt/document/document.h"
+#include "core/qt/session/export/document_source.h"
 #include "core/qt/session/export/exporter.h"
 #include "widgets/base/fields/level_form.h"
 #include "widgets/base/texts/core_text.h"

@@ -1,6 +1,7 @@
 #include "widgets/dialogs/export/export_task.h"
 
 #include "core/qt/document/document.h"
+#include "core/qt/session/export/document_source.h"
 #include "core/qt/session/export/exporter.h"
 #include "core/rig/physics/animated_physics.h"
 #include <map>

@@ -1,6 +1,7 @@
 #include "core/base/file_writer.h"
 #include "core/io/formats/glb/glb_packed.h"
 
+#include <glm/common.hpp>
 #include <limits>
 
 namespace ramure::glb {
@@ -50,6 +51,19 @@ std::size_t Buffer::addRounded(std::span<float> values, std::size_t components, 
     if (m_isPacked)
         return addPacked(packedFloats(values, components, bits), target);
     return addView({reinterpret_cast<const char*>(values.data()), values.size_bytes()}, target);
+}
+
+std::size_t Buffer::addPositions(std::vector<glm::vec3>& positions)
+{
+    const std::size_t number = addFloats(positions, fineBits, "VEC3");
+    glm::vec3 low = positions.front(), high = positions.front();
+    for (const glm::vec3& p : positions) {
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+    }
+    accessor(number)["min"] = {low.x, low.y, low.z};
+    accessor(number)["max"] = {high.x, high.y, high.z};
+    return number;
 }
 
 std::size_t Buffer::addDirections(const std::vector<glm::vec3>& directions, bool isFine)

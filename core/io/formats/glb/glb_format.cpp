@@ -8,6 +8,7 @@
 #include "core/io/formats/glb/glb_motion.h"
 #include "core/io/formats/glb/glb_packed.h"
 #include "core/io/formats/glb/glb_reader.h"
+#include "core/io/formats/glb/glb_shapes.h"
 #include "core/io/formats/glb/glb_variants.h"
 #include "core/math/finite.h"
 #include "core/rig/arm/arm_chain.h"
@@ -33,14 +34,7 @@ using glb::Target;
 constexpr const char* instancing = "EXT_mesh_gpu_instancing";
 constexpr const char* manifold = "EXT_mesh_manifold";
 constexpr const char* levels = "MSFT_lod";
-/// Of numbers in a compressed file: places within 1/65,000 of how far they are from the origin, sizes and
-/// colours.
-constexpr int fineBits = 17, coarseBits = 12;
-
-Json numbersOf(const glm::vec3& v)
-{
-    return {v.x, v.y, v.z};
-}
+using glb::coarseBits, glb::fineBits;
 
 template <class T> bool areEqual(const std::shared_ptr<const T>& a, const std::shared_ptr<const T>& b)
 {
@@ -53,6 +47,7 @@ struct Written
     std::shared_ptr<const TriangleMesh> mesh;
     std::shared_ptr<const WindColumns> wind;      ///< may be null
     std::shared_ptr<const ExportSeasons> seasons; ///< may be null
+    std::shared_ptr<const ExportShapes> shapes;   ///< may be null
     bool textured, coloured;
     std::size_t material;
     std::size_t number = 0; ///< in the file
@@ -61,7 +56,7 @@ struct Written
     bool operator==(const Written& other) const
     {
         return textured == other.textured && material == other.material && areEqual(mesh, other.mesh) &&
-               areEqual(wind, other.wind) && seasons == other.seasons;
+               areEqual(wind, other.wind) && seasons == other.seasons && shapes == other.shapes;
     }
 };
 
@@ -309,7 +304,8 @@ private:
                                     : holderOf(from.node, from.name, glm::dmat4(1.0), from.finest != noIndex);
         RAMURE_TRY(holder);
         m_meshNode.push_back(*holder);
-        return addOnce(*holder, {mesh, from.wind, from.seasons, textured, coloured, *number}, from.name);
+        return addOnce(*holder, {mesh, from.wind, from.seasons, from.shapes, textured, coloured, *number},
+                       from.name);
     }
 
     /// What is in the buffer already is only named: equal trees share one mesh, wherever they stand.
@@ -317,12 +313,14 @@ private:
     {
         const auto known = std::ranges::find(m_written, written);
         m_nodes[node]["mesh"] = known == m_written.end() ? m_meshes.size() : known->number;
+        if (written.shapes)
+            m_animation.shapes(node, *written.shapes);
         if (known != m_written.end())
             return {};
         written.number = m_meshes.size();
         m_written.push_back(written);
         RAMURE_TRY(addMesh(name, *written.mesh, written.textured, written.material, nullptr,
-                           written.wind.get(), written.seasons.get()));
+                           written.wind.get(), written.seasons.get(), written.shapes.get()));
         return addVariants(written);
     }
 
@@ -355,7 +353,8 @@ private:
 
     Expected<void> addMesh(const std::string& name, const TriangleMesh& mesh, bool textured,
                            std::size_t material, const ExportMesh* skinned = nullptr,
-                           const WindColumns* wind = nullptr, const ExportSeasons* seasons = nullptr)
+                           const WindColumns* wind = nullptr, const ExportSeasons* seasons = nullptr,
+                           const ExportShapes* shapes = nullptr)
     {
         if (!std::ranges::all_of(mesh.positions, &isFinite<3, float>) ||
             !std::ranges::all_of(mesh.normals, &isFinite<3, float>) ||
@@ -370,7 +369,7 @@ private:
             glb::addAges(vertices, mesh, *bark);
         const glb::Packed triangles = m_buffer.isPacked() ? glb::packedTriangles(vertices) : glb::Packed();
         const std::size_t count = vertices.positions.size();
-        Json attributes{{"POSITION", addPositions(vertices.positions)}};
+        Json attributes{{"POSITION", m_buffer.addPositions(vertices.positions)}};
         if (!vertices.normals.empty())
             attributes["NORMAL"] = m_buffer.addDirections(vertices.normals, wind != nullptr);
         if (!vertices.tangents.empty())
@@ -406,6 +405,8 @@ private:
             out["extensions"][manifold] = closed(vertices, positions, view);
         if (wind)
             out["extras"]["wind"] = glb::windExtras(*wind);
+        if (shapes)
+            glb::addShapes(out, m_buffer, *shapes, mesh, vertices.from);
         m_meshes.push_back(std::move(out));
         return {};
     }
@@ -436,19 +437,6 @@ private:
         }
         if (auto numbers = ofVertices(wind.numbers); !numbers.empty())
             attributes["_WIND"] = m_buffer.addFloats(numbers, fineBits, "VEC4");
-    }
-
-    std::size_t addPositions(std::vector<glm::vec3>& positions)
-    {
-        const std::size_t accessor = m_buffer.addFloats(positions, fineBits, "VEC3");
-        glm::vec3 low = positions.front(), high = positions.front();
-        for (const glm::vec3& p : positions) {
-            low = glm::min(low, p);
-            high = glm::max(high, p);
-        }
-        m_buffer.accessor(accessor)["min"] = numbersOf(low);
-        m_buffer.accessor(accessor)["max"] = numbersOf(high);
-        return accessor;
     }
 
     /// The same triangles with the vertices that texture and colours part as one.
@@ -495,7 +483,8 @@ private:
                 attributes["_SEASON"] = m_buffer.addFloats(phases, coarseBits, "SCALAR", Target::None);
             ofShape = std::make_shared<const ExportSeasons>(ExportSeasons{from.seasons->variants, {}});
         }
-        return addOnce(*holder, {from.shape, nullptr, ofShape, textured, coloured, *number}, from.name);
+        return addOnce(*holder, {from.shape, nullptr, ofShape, nullptr, textured, coloured, *number},
+                       from.name);
     }
 
     Json placesOf(const ExportCopies& from)
@@ -525,7 +514,7 @@ private:
         if (lines.lines.empty())
             return;
         std::vector<glm::vec3> places = lines.positions;
-        const std::size_t positions = addPositions(places);
+        const std::size_t positions = m_buffer.addPositions(places);
         const std::size_t indices = m_buffer.addAccessor(m_buffer.addValues(lines.lines, Target::Indices),
                                                          Number::Int, "SCALAR", 2 * lines.lines.size());
         constexpr int mode = 1; // LINES
@@ -581,7 +570,7 @@ const FileFormat glbFormat = {
     .choice = RAMURE_NOOP("GLB (glTF), with materials and motion"),
     .help = "glTF 2.0 with materials and pictures inside: nodes as in the scene, closed meshes told as such",
     .holds = holdsObjects | holdsTexture | holdsLines | holdsCopies | holdsClip | holdsLevels |
-             holdsCompressed | holdsWind | holdsVariants,
+             holdsCompressed | holdsWind | holdsVariants | holdsShapes,
     .read = &readGlb,
     .import = &importGlb,
     .write = &exportGlb,

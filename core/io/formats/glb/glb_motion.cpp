@@ -142,12 +142,8 @@ void Animation::channel(Json& node, std::size_t number, const char* path, const 
         values, [&](const Value& value) { return glm::distance(value, values.front()) <= unseen; });
     if (!moves() || isStill)
         return;
-    if (!m_input) {
-        m_input =
-            m_buffer.addAccessor(m_buffer.addValues(m_seconds), Number::Float, "SCALAR", m_seconds.size());
-        m_buffer.accessor(*m_input)["min"] = Json::array({m_seconds.front()});
-        m_buffer.accessor(*m_input)["max"] = Json::array({m_seconds.back()});
-    }
+    if (!m_input)
+        m_input = addInput(m_seconds);
     const std::size_t output =
         m_buffer.addAccessor(m_buffer.addValues(values), Number::Float, type, values.size());
     m_channels.push_back({{"sampler", m_samplers.size()}, {"target", {{"node", number}, {"path", path}}}});
@@ -185,6 +181,30 @@ void Animation::place(Json& node, std::size_t number, std::span<const RigidTrans
     keepTogether(turns);
     channel(node, number, "translation", "VEC3", moved);
     channel(node, number, "rotation", "VEC4", turns);
+}
+
+std::size_t Animation::addInput(const std::vector<float>& seconds)
+{
+    const std::size_t input =
+        m_buffer.addAccessor(m_buffer.addValues(seconds), Number::Float, "SCALAR", seconds.size());
+    m_buffer.accessor(input)["min"] = Json::array({seconds.front()});
+    m_buffer.accessor(input)["max"] = Json::array({seconds.back()});
+    return input;
+}
+
+void Animation::shapes(std::size_t number, const ExportShapes& shapes)
+{
+    const std::size_t count = shapes.shapes.size();
+    std::vector<float> weights(shapes.seconds.size() * count, 0.0F);
+    for (std::size_t i = 0; i < shapes.at.size(); ++i)
+        if (shapes.at[i] != noIndex)
+            weights[i * count + shapes.at[i]] = 1.0F;
+    const std::size_t input = addInput(shapes.seconds);
+    const std::size_t output =
+        m_buffer.addAccessor(m_buffer.addValues(weights), Number::Float, "SCALAR", weights.size());
+    m_channels.push_back(
+        {{"sampler", m_samplers.size()}, {"target", {{"node", number}, {"path", "weights"}}}});
+    m_samplers.push_back({{"input", input}, {"output", output}});
 }
 
 void Animation::addTo(Json& root)

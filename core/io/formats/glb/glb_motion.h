@@ -51,12 +51,15 @@ public:
     Expected<void> place(Json& node, std::size_t number, std::span<const glm::dmat4> places);
     /// The same of a joint.
     void place(Json& node, std::size_t number, std::span<const RigidTransform> places);
+    /// The weights of a node's key shapes, each 1 at the times when the mesh has it.
+    void shapes(std::size_t number, const ExportShapes& shapes);
     void addTo(Json& root);
 
 private:
     template <class Value>
     void channel(Json& node, std::size_t number, const char* path, const char* type,
                  const std::vector<Value>& values);
+    std::size_t addInput(const std::vector<float>& seconds);
     [[nodiscard]] bool moves() const { return m_seconds.size() > 1; }
 
     Buffer& m_buffer;

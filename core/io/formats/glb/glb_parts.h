@@ -24,6 +24,10 @@ enum class Number : int {
     Signed16 = 5122
 };
 
+/// Of numbers in a compressed file: places within 1/65,000 of how far they are from the origin, sizes and
+/// colours.
+inline constexpr int fineBits = 17, coarseBits = 12;
+
 /// Values as EXT_meshopt_compression has them.
 struct Packed
 {
@@ -61,6 +65,8 @@ public:
         return addAccessor(addRounded(numbers, V::length(), bits, target), Number::Float, type,
                            values.size());
     }
+    /// Places or ways, with the box about them, which readers want.
+    std::size_t addPositions(std::vector<glm::vec3>& positions);
     /// Adds directions of unit length. \param isFine if compressed, they are right within a hundredth of a
     /// degree instead of one degree. \return the number of the accessor.
     std::size_t addDirections(const std::vector<glm::vec3>& directions, bool isFine = false);

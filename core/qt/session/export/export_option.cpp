@@ -30,6 +30,8 @@ constexpr OptionItem jointItems[] = {{"64", 64, jointLabel},
                                      {"256", 256, jointLabel},
                                      {"all", 0, RAMURE_NOOP("All branches")}};
 constexpr OptionItem compressItems[] = {{"none", 0}, {"meshopt", 1}};
+constexpr OptionItem growthItems[] = {{"none", 0, RAMURE_NOOP("None: it has its age")},
+                                      {"1", 1, RAMURE_NOOP("From the first year on")}};
 const auto windItems = [] {
     std::vector<OptionItem> items{{"none", std::int64_t(WindProfile::None), RAMURE_NOOP("None")}};
     for (const WindProfileFacts& facts : windProfiles())
@@ -234,6 +236,30 @@ const ExportOption table[] = {
              "leaves, cut out by their opacity. For formats with pictures, and leaves without pictures of their own.",
      .flags = ofExport | ofBatch | ofTrees | ofFormats, .place = at([](auto& o) -> auto& { return o.levels.cards; }),
      .hashed = "leaf-cards", .holds = holdsTexture | holdsObjects},
+    {.name = "growth", .values = "YEARS",
+     .help = "Of trees in a .glb or .pc2 that grow by years: one mesh that grows from this age to the tree's own as it plays. "
+             "Its vertices and triangles stay the same; a .glb has key shapes (morph targets), a .pc2 the places of its "
+             "points and the mesh as an .obj beside it. Leaves open and close: each key shape has its own.",
+     .flags = ofExport | notOfPrint | ofTrees | ofFormats,
+     .place = at([](auto& o) -> auto& { return o.growthFrom; }), .items = growthItems,
+     .least = 1, .most = 1999, .expected = "years, 1 to 1999",
+     .holds = holdsShapes, .key = "growth", .label = RAMURE_NOOP("Growth"),
+     .tip = RAMURE_NOOP("A tree that grows by years, as one mesh that grows from its first year to its age when it plays: the same vertices and triangles at every age, with key shapes (morph targets) between which engines mix. Leaves open and close at each key shape."),
+     .uses = forBlender | forGame | forWeb},
+    {.name = "growth-speed", .values = "YEARS", .help = "With --growth: years that go by in a second; without it 5.",
+     .flags = ofExport | notOfPrint | ofTrees | ofFormats,
+     .place = at([](auto& o) -> auto& { return o.growthSpeed; }),
+     .least = 1, .most = 1000, .expected = "years a second, 1 to 1000", .holds = holdsShapes},
+    {.name = "growth-keys", .values = "N",
+     .help = "With --growth: most key shapes, 2 to 32, at the ages that tell most; without it 12. How far a branch is from its "
+             "place between two is said.",
+     .flags = ofExport | notOfPrint | ofTrees | ofFormats,
+     .place = at([](auto& o) -> auto& { return o.growthKeys; }),
+     .least = 2, .most = 32, .expected = "2 to 32", .holds = holdsShapes},
+    {.name = "growth-triangles", .values = "N", .help = "With --growth: triangles of the mesh, about; without it 60,000.",
+     .flags = ofExport | notOfPrint | ofTrees | ofFormats,
+     .place = at([](auto& o) -> auto& { return o.growthTriangles; }),
+     .least = 500, .most = 5'000'000, .expected = "500 to 5,000,000 triangles", .holds = holdsShapes},
     {.name = "up", .values = "y|z", .help = "The axis of the mesh file that points up; in the program it is y.",
      .flags = ofExport | ofImport,
      .place = at([](auto& o) -> auto& { return o.space.up; }), .items = upItems,

@@ -31,6 +31,10 @@ struct ExportOptions
     std::vector<double> clip; ///< s, further times: trees and arms of ExportModel::Mesh then have skins
     LevelOptions levels;      ///< levels of trees, see ExportModel::Mesh
     bool variants = false;    ///< leaves and fruit in four seasons
+    double growthFrom = 0.0;  ///< years: trees grow as one mesh from this age on; 0: they have their age
+    double growthSpeed = 5.0; ///< years a second
+    int growthKeys = 12;      ///< most key shapes of it
+    std::int64_t growthTriangles = 60'000;
     WindProfile wind = WindProfile::None; ///< data of trees by which games move them
     WriteOptions write;
     FileSpace space;    ///< the axes and the unit of the file

@@ -5,9 +5,9 @@
 #include "core/io/formats/text/material_file.h"
 #include "core/io/pivot_files.h"
 #include "core/params/source_facts.h"
-#include "core/qt/document/document.h"
 #include "core/qt/session/export/export_bones.h"
 #include "core/qt/session/export/foliage_copies.h"
+#include "core/qt/session/export/growth_export.h"
 #include "core/qt/session/export/level_export.h"
 #include "core/qt/session/export/scene_counts.h"
 #include "core/qt/session/export/season_export.h"
@@ -417,6 +417,8 @@ Expected<void> addLevels(ExportScene& out, const Candidate& tree, EvaluatedScene
 Expected<void> addTree(ExportScene& out, const Candidate& tree, EvaluatedScene& scene,
                        const ExportOptions& options, const Progress& progress)
 {
+    if (options.growthFrom > 0.0)
+        return addGrowth(out, tree.number, tree.suffix, scene.params(*tree.node), options, progress);
     if (options.levels.isWanted())
         return addLevels(out, tree, scene, options, progress);
     if (options.model == ExportModel::Mesh)
@@ -503,30 +505,6 @@ ExportScene bareScene(EvaluatedScene& now, const ExportOptions& options)
 
 } // namespace
 
-static Expected<TreeResult> currentResult(const Document& document, NodeId id)
-{
-    const NodeResult* result = document.result(id);
-    if (!result || !document.isCurrent(id))
-        return fail(ErrorCode::Invalid, RAMURE_NOOP("the tree is still being computed"));
-    if (result->error)
-        return fail(*result->error);
-    return result->tree;
-}
-
-TreeSource documentSource(const Document& document)
-{
-    std::map<NodeId, Expected<TreeResult>> results;
-    for (const Node& node : document.scene().nodes())
-        if (node.kind == NodeKind::Tree)
-            results.emplace(node.id, currentResult(document, node.id));
-    return [kept = std::move(results)](const Node& node, Stage, const Progress&) -> Expected<TreeResult> {
-        const auto found = kept.find(node.id);
-        if (found == kept.end())
-            return fail(ErrorCode::Unknown, RAMURE_NOOP("there is no node %1"), {std::to_string(node.id)});
-        return found->second;
-    };
-}
-
 Expected<ExportScene> collectExport(EvaluatedScene scene, const ExportOptions& options,
                                     const Progress& progress)
 {
@@ -567,8 +545,8 @@ Expected<void> exportScene(EvaluatedScene scene, const ExportOptions& options, c
                     RAMURE_NOOP("instances of leaves do not move: merge them, or write one moment"));
     if (auto fine = checkLevelExport(options, **format); !fine)
         return fine;
-    if (auto fine = checkWindExport(options, **format); !fine)
-        return fine;
+    RAMURE_TRY(checkWindExport(options, **format));
+    RAMURE_TRY(checkGrowthExport(options, **format));
     ExportOptions wanted = options;
     constexpr int pictured = holdsTexture | holdsObjects;
     wanted.levels.cards = wanted.levels.cards && ((*format)->holds & pictured) == pictured;

@@ -13,12 +13,7 @@
 
 namespace ramure {
 
-class Document;
 struct FileFormat;
-
-/// The results the document has. Error Invalid: a tree's result is missing, a draft, older than its
-/// parameters, or its parameters gave an error (that error).
-TreeSource documentSource(const Document& document);
 
 /// Collects the scene at its time and at those of the clip. Shapes come from the parameters at its time.
 /// Errors: those of its trees (path = name of the tree and the parameter key if there are several trees);

@@ -2,6 +2,7 @@
 
 #include "core/params/source_facts.h"
 #include "core/qt/base/system_path.h"
+#include "core/qt/session/export/document_source.h"
 #include "core/qt/session/export/exporter.h"
 #include "core/rig/physics/physics_bake.h"
 
