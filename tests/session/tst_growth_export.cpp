@@ -133,6 +133,17 @@ private slots:
             QVERIFY(glm::distance(valueAt<glm::vec3>(bytes, last + 12 * v), rest[v]) < 1e-5F);
     }
 
+    void usdHasPointsOverTime()
+    {
+        QVERIFY(write(sceneOf("EnglishOak", 12.0), growing(), "t.usda"));
+        const QByteArray text = test::fileBytes(path("t.usda"));
+        QCOMPARE(text.count("point3f[] points.timeSamples"), 6);
+        QCOMPARE(text.count("normal3f[] normals.timeSamples"), 1);
+        QVERIFY(text.contains("endTimeCode = 52.8")); // eleven years, five a second, 24 frames a second
+        const auto read = readMeshFile(path("t.usda").toStdString());
+        QVERIFY2(read, test::why(read).constData());
+    }
+
     /// A clip is a cache, too.
     void aTreeInTheWindIsAPointCache()
     {

@@ -100,7 +100,7 @@ FileRates usdRates(bool texture, double digits)
 }
 
 constexpr std::uint16_t held = holdsObjects | holdsTexture | holdsSpace | holdsLines | holdsCopies |
-                               holdsClip | holdsLevels | holdsVariants | holdsRiders;
+                               holdsClip | holdsLevels | holdsVariants | holdsRiders | holdsShapes;
 
 } // namespace
 

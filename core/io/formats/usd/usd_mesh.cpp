@@ -184,6 +184,47 @@ void writeMesh(Text& text, const TriangleMesh& mesh, bool textured, bool twoSide
     text.line("uniform token subdivisionScheme = \"none\"");
 }
 
+void writeShapes(Text& text, const TriangleMesh& mesh, const ExportShapes& shapes, double rate)
+{
+    // Between two moments of the same form it stays as it is.
+    std::vector<std::size_t> moments;
+    for (std::size_t i = 0; i < shapes.at.size(); ++i)
+        if (i == 0 || i + 1 == shapes.at.size() || shapes.at[i] != shapes.at[i - 1] ||
+            shapes.at[i] != shapes.at[i + 1])
+            moments.push_back(i);
+    const auto write = [&](const char* head, auto&& sample) {
+        text.openBlock(std::string(head) + ".timeSamples = {");
+        for (const std::size_t i : moments)
+            sample(double(shapes.seconds[i]) * rate,
+                   shapes.at[i] == noIndex ? nullptr : &shapes.shapes[shapes.at[i]]);
+        text.close();
+    };
+    const auto pointsOf = [&](const ExportShape* shape) -> const std::vector<glm::vec3>& {
+        return shape ? shape->positions : mesh.positions;
+    };
+    const auto normalsOf = [&](const ExportShape* shape) -> const std::vector<glm::vec3>& {
+        return shape && !shape->normals.empty() ? shape->normals : mesh.normals;
+    };
+    write("float3[] extent", [&](double code, const ExportShape* shape) {
+        Box box;
+        for (const glm::vec3& p : pointsOf(shape))
+            box.take(p);
+        const glm::vec3 corners[] = {glm::vec3(box.low), glm::vec3(box.high)};
+        text.sample(code, 2, [&](char* to, std::size_t i) { return appendTuple(to, corners[i]); });
+    });
+    if (writing::hasNormals(mesh) &&
+        std::ranges::any_of(shapes.shapes, [](const ExportShape& shape) { return !shape.normals.empty(); }))
+        write("normal3f[] normals", [&](double code, const ExportShape* shape) {
+            const std::vector<glm::vec3>& normals = normalsOf(shape);
+            text.sample(code, normals.size(),
+                        [&](char* to, std::size_t i) { return appendRoundedTuple(to, normals[i]); });
+        });
+    write("point3f[] points", [&](double code, const ExportShape* shape) {
+        const std::vector<glm::vec3>& points = pointsOf(shape);
+        text.sample(code, points.size(), [&](char* to, std::size_t i) { return appendTuple(to, points[i]); });
+    });
+}
+
 glm::vec3 meanOf(const TriangleMesh& mesh)
 {
     glm::dvec3 sum(0.0);

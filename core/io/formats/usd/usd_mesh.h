@@ -32,6 +32,8 @@ struct Colours
 
 /// Points, faces, normals, coordinates, colours. \param textured with texture coordinates
 void writeMesh(Text& text, const TriangleMesh& mesh, bool textured, bool twoSided, const Colours& colours);
+/// Points, normals and extents over time. \param rate codes a second
+void writeShapes(Text& text, const TriangleMesh& mesh, const ExportShapes& shapes, double rate);
 /// A colour of sRGB bytes, linear.
 glm::vec3 linearColour(const glm::u8vec3& colour);
 /// Mean of the colours of a mesh, linear; white of none.

@@ -301,6 +301,11 @@ private:
         for (const ExportFrame& frame : frames)
             m_plan.codes.push_back(std::round(1e6 * (frame.seconds - frames.front().seconds) * m_plan.rate) /
                                    1e6);
+        m_plan.lastCode = m_plan.codes.back();
+        for (const ExportMesh& mesh : m_scene.meshes)
+            if (mesh.shapes)
+                m_plan.lastCode =
+                    std::max(m_plan.lastCode, double(mesh.shapes->seconds.back()) * m_plan.rate);
     }
 
     const ExportScene& m_scene;

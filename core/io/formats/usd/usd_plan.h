@@ -70,7 +70,8 @@ struct Plan
     int lastLevel = 0;
     /// Of the frames: from 0 on, one frame a code where they are evenly spaced.
     std::vector<double> codes;
-    double rate = 24.0; ///< codes a second
+    double rate = 24.0;    ///< codes a second
+    double lastCode = 0.0; ///< of the frames and of key shapes; 0: nothing moves
 };
 
 /// Errors: Invalid, a coordinate is not a finite number; those of Materials and rigOf; Cancelled.

@@ -70,7 +70,7 @@ public:
     }
 
 private:
-    [[nodiscard]] bool isClip() const { return m_scene.frames.size() > 1; }
+    [[nodiscard]] bool moves() const { return m_plan.lastCode > 0.0; }
 
     void writeHead()
     {
@@ -78,12 +78,12 @@ private:
         m_text.line("(");
         m_text.line("    defaultPrim = \"Scene\"");
         m_text.line("    doc = \"Ramure " RAMURE_VERSION "\"");
-        if (isClip()) {
-            m_text.line("    endTimeCode = " + shortText(m_plan.codes.back()));
+        if (moves()) {
+            m_text.line("    endTimeCode = " + shortText(m_plan.lastCode));
             m_text.line("    framesPerSecond = " + shortText(m_plan.rate));
         }
         m_text.line("    metersPerUnit = " + shortText(lengthUnits[m_scene.space.unit].metres));
-        if (isClip()) {
+        if (moves()) {
             m_text.line("    startTimeCode = 0");
             m_text.line("    timeCodesPerSecond = " + shortText(m_plan.rate));
         }
@@ -381,6 +381,8 @@ private:
         if (from.isLevel)
             m_text.line("custom double ramure:screenCoverage = " + shortText(from.coverage));
         usd::writeMesh(m_text, *shape, mesh.worn.textured, material.twoSided, mesh.worn.colours);
+        if (from.shapes)
+            writeShapes(m_text, *shape, *from.shapes, m_plan.rate);
         if (from.seasons)
             writePhases(m_text, *from.seasons, shape->vertexCount());
         if (mesh.hasSkin)

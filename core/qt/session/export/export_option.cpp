@@ -237,8 +237,8 @@ const ExportOption table[] = {
      .flags = ofExport | ofBatch | ofTrees | ofFormats, .place = at([](auto& o) -> auto& { return o.levels.cards; }),
      .hashed = "leaf-cards", .holds = holdsTexture | holdsObjects},
     {.name = "growth", .values = "YEARS",
-     .help = "Of trees in a .glb or .pc2 that grow by years: one mesh that grows from this age to the tree's own as it plays. "
-             "Its vertices and triangles stay the same; a .glb has key shapes (morph targets), a .pc2 the places of its "
+     .help = "Of trees in a .glb, .usda, .usdz or .pc2 that grow by years: one mesh that grows from this age to the tree's own as it plays. "
+             "Its vertices and triangles stay the same; a .glb has key shapes (morph targets), a USD file time samples, a .pc2 the places of its "
              "points and the mesh as an .obj beside it. Leaves open and close: each key shape has its own.",
      .flags = ofExport | notOfPrint | ofTrees | ofFormats,
      .place = at([](auto& o) -> auto& { return o.growthFrom; }), .items = growthItems,
