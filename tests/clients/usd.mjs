@@ -121,6 +121,7 @@ files.push(
   {name: 'arm.usda', input: 'demo:Arm', options: ['--frames', '0:24'], meshes: 2, skinned: 1, clips: 1},
   {name: 'six-trees.usda', input: 'demo:Recipes', options: ['--budget', '5000']},
   {name: 'moving-tree.usdz', input: 'demo:MovingTree', options: ['--frames', '0:8', '--joints', '64']}, // it plays no matrices of text
+  {name: 'grown.usdz', input: 'preset:EnglishOak', options: ['--set', 'growth.age=20', '--growth', '1', '--growth-triangles', '6000']},
   {name: 'moving-cylinder.usda', input: 'demo:MovingCylinder', options: ['--frames', '0:24']});
 
 const facts = {bytes: 0, triangles: 0, strict: 0};
