@@ -9391,6 +9391,14 @@
         <source>a tree that grows as one mesh has no levels, instances, seasons, wind or clip besides</source>
         <translation>un arbre qui pousse en un seul maillage n’a en plus ni niveaux, ni instances, ni saisons, ni vent, ni animation</translation>
     </message>
+    <message>
+        <source>the file shows no mesh of its own, only those of other files: %1</source>
+        <translation>le fichier ne montre aucun maillage à lui, seulement ceux d’autres fichiers : %1</translation>
+    </message>
+    <message>
+        <source>a %1 is no mesh: it is left out</source>
+        <translation>%1 n’est pas un maillage : il est laissé de côté</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>

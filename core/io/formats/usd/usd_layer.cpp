@@ -386,12 +386,15 @@ private:
         const std::vector<std::string> paths = found->second.texts;
         for (const std::string& path : paths) {
             if (!path.starts_with('/')) {
-                m_notes.push_back(prim.name + ": " + path);
+                m_notes.push_back(path);
                 continue;
             }
             if (!seen.insert(path).second)
                 continue;
             const Prim* from = primAt(m_layer.root, path);
+            const bool isClass = *arc == 'i' || *arc == 's'; // of classes nobody says that they are there
+            if (!from && isClass)
+                continue;
             if (!from) {
                 auto error = fail(ErrorCode::Invalid, RAMURE_NOOP("there is no prim %1"), {path});
                 error.value().line = prim.line;
@@ -487,6 +490,8 @@ Expected<Layer> composed(const Layer& layer, std::vector<std::string>& notes)
 {
     Layer out = layer;
     Composer composer(layer, notes);
+    if (const auto others = layer.root.metadata.find("subLayers"); others != layer.root.metadata.end())
+        notes = others->second.texts;
     for (auto& child : out.root.children) {
         child = std::make_shared<Prim>(*child);
         RAMURE_TRY(composer.compose(*child, "/" + child->name, 1));

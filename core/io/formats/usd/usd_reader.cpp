@@ -117,6 +117,11 @@ public:
         for (const auto& child : m_root.children)
             if (hasShape(*child))
                 tops.push_back(child.get());
+        std::set<std::string> others(m_opened.notes.begin(), m_opened.notes.end());
+        if (tops.empty() && !others.empty())
+            return fail(ErrorCode::Invalid,
+                        RAMURE_NOOP("the file shows no mesh of its own, only those of other files: %1"),
+                        {*others.begin()});
         if (tops.empty())
             return fail(ErrorCode::Invalid, RAMURE_NOOP("the file shows no mesh and no camera"));
         RAMURE_TRY(readSpace());
@@ -434,9 +439,14 @@ private:
 
     void tell()
     {
-        for (const std::string& text : m_opened.notes)
+        for (const std::string& text : std::set(m_opened.notes.begin(), m_opened.notes.end()))
             note(RAMURE_NOOP("another file is not read: %1"), {text});
-        for (const std::string& text : m_operations)
+        std::set<std::string> types;
+        for (const auto& child : m_root.children)
+            gatherOthers(*child, types);
+        for (const std::string& type : types)
+            note(RAMURE_NOOP("a %1 is no mesh: it is left out"), {type});
+        for (const std::string& text : std::set(m_operations.begin(), m_operations.end()))
             note(RAMURE_NOOP("a part of a place is left out: %1"), {text});
         if (m_hasSkin)
             note(RAMURE_NOOP("meshes with a skin are read as they rest, without their joints"), {}, remark);
@@ -453,6 +463,18 @@ private:
         for (Note& each : m_out.notes)
             if (each.file.empty())
                 each.file = m_path;
+    }
+    /// The types of shapes and lights that are not read.
+    static void gatherOthers(const Prim& prim, std::set<std::string>& types)
+    {
+        static const std::set<std::string_view> known{
+            "Cube",        "Sphere",    "Cylinder",     "Cone",       "Capsule",  "Plane",
+            "BasisCurves", "Points",    "NurbsCurves",  "NurbsPatch", "Volume",   "TetMesh",
+            "SphereLight", "DomeLight", "DistantLight", "RectLight",  "DiskLight"};
+        if (isSeen(prim) && known.contains(prim.type))
+            types.insert(prim.type);
+        for (const auto& child : prim.children)
+            gatherOthers(*child, types);
     }
     static bool hasSets(const Prim& prim)
     {

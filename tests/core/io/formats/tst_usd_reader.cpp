@@ -118,6 +118,17 @@ private slots:
         QCOMPARE(readMeshFile(path).error().code, ErrorCode::Version);
         QCOMPARE(readMeshFile(file("binary.usda", "PXR-USDC and so on")).error().code, ErrorCode::Version);
     }
+    void filesThatAreOnlyPartsSayWhatTheyLack()
+    {
+        for (const char* text : {"#usda 1.0\n( subLayers = [ @./far.usda@ ] )\ndef Xform \"a\" { }",
+                                 "#usda 1.0\ndef \"a\" ( prepend payload = @./far.usda@</b> ) { }"}) {
+            const auto read = readMeshFile(file("part.usda", text));
+            QVERIFY(!read && read.error().args.front() == "./far.usda");
+        }
+        // A class that is not there is none that is missed.
+        QVERIFY(readMeshFile(file(
+            "class.usda", foreign().replace("references = </World/Quad>", "inherits = </_class_Quad>"))));
+    }
     void aFileOfAnotherProgram()
     {
         const auto nodes = importObjects(file("foreign.usda", foreign()));
@@ -130,7 +141,7 @@ private slots:
         QVERIFY(quad.params.surface.color == glm::dvec3(1.0, 0.0, 0.0));
         const Node& eye = nodes->nodes[2];
         QVERIFY(eye.kind == NodeKind::Camera && std::abs(eye.params.camera.angleRad - 0.471) < 1e-3);
-        QVERIFY(nodes->notes.size() >= 3); // another file, subdivision, what is hidden
+        QVERIFY(nodes->notes.size() >= 4); // another file, a lamp, subdivision, what is hidden
         const auto read = readMeshFile(file("foreign.usda", foreign()));
         QVERIFY2(read, test::why(read));
         QCOMPARE(read->objects.size(), std::size_t(1));
