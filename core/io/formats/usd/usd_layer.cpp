@@ -2,6 +2,7 @@
 
 #include "core/io/formats/usd/usd_scanner.h"
 #include <algorithm>
+#include <filesystem>
 #include <set>
 
 namespace ramure::usd {
@@ -9,6 +10,7 @@ namespace {
 
 constexpr int deepest = 128;
 constexpr std::size_t mostPrims = 1'000'000;
+constexpr int deepestSubLayer = 8;
 
 /// Reads prims and what is in them. Each function leaves a problem in the scanner and returns false.
 class LayerReader
@@ -335,9 +337,10 @@ void redirect(Prim& prim, const std::string& from, const std::string& to)
 class Composer
 {
 public:
-    Composer(const Layer& layer, std::vector<std::string>& notes)
+    Composer(const Layer& layer, std::vector<std::string>& notes, const LayerSource& others)
         : m_layer(layer)
         , m_notes(notes)
+        , m_others(others)
     {
     }
 
@@ -378,25 +381,37 @@ private:
         }
     }
 
+    /// The prim that a reference leads to, here or in another file, with its path there; null: there is none.
+    std::pair<const Prim*, std::string> primOf(const std::string& text)
+    {
+        if (text.starts_with('/'))
+            return {primAt(m_layer.root, text), text};
+        const std::size_t end = std::min(text.find('<'), text.size());
+        const auto other = m_others ? m_others(text.substr(0, end)) : nullptr;
+        if (!other)
+            return {};
+        const std::string path =
+            end < text.size() ? text.substr(end + 1) : "/" + other->root.said("defaultPrim");
+        return {path.size() > 1 ? primAt(other->root, path) : nullptr, path};
+    }
+
     Expected<void> follow(Prim& prim, const std::string& own, const char* arc, std::set<std::string>& seen)
     {
         const auto found = prim.metadata.find(arc);
         if (found == prim.metadata.end())
             return {};
         const std::vector<std::string> paths = found->second.texts;
-        for (const std::string& path : paths) {
-            if (!path.starts_with('/')) {
-                m_notes.push_back(path);
+        for (const std::string& text : paths) {
+            if (!seen.insert(text).second)
                 continue;
-            }
-            if (!seen.insert(path).second)
-                continue;
-            const Prim* from = primAt(m_layer.root, path);
+            const auto [from, path] = primOf(text);
             const bool isClass = *arc == 'i' || *arc == 's'; // of classes nobody says that they are there
-            if (!from && isClass)
+            if (!from && !text.starts_with('/'))
+                m_notes.push_back(text.substr(0, text.find('<')));
+            if (!from && (isClass || !text.starts_with('/')))
                 continue;
             if (!from) {
-                auto error = fail(ErrorCode::Invalid, RAMURE_NOOP("there is no prim %1"), {path});
+                auto error = fail(ErrorCode::Invalid, RAMURE_NOOP("there is no prim %1"), {text});
                 error.value().line = prim.line;
                 return error;
             }
@@ -416,6 +431,7 @@ private:
 
     const Layer& m_layer;
     std::vector<std::string>& m_notes;
+    const LayerSource& m_others;
     std::size_t m_count = 0;
 };
 
@@ -486,17 +502,65 @@ Expected<Layer> parseLayer(std::string_view text, const std::string& file, const
     return fail(std::move(error));
 }
 
-Expected<Layer> composed(const Layer& layer, std::vector<std::string>& notes)
+/// Prims of layers below this one, which are weaker.
+static void addSubLayers(Prim& root, const Prim& of, std::vector<std::string>& notes,
+                         const LayerSource& others, int depth)
 {
-    Layer out = layer;
-    Composer composer(layer, notes);
-    if (const auto others = layer.root.metadata.find("subLayers"); others != layer.root.metadata.end())
-        notes = others->second.texts;
+    const auto names = of.metadata.find("subLayers");
+    for (const std::string& name :
+         names == of.metadata.end() ? std::vector<std::string>() : names->second.texts) {
+        const auto other = others && depth < deepestSubLayer ? others(name) : nullptr;
+        if (!other) {
+            notes.push_back(name);
+            continue;
+        }
+        Prim prims = other->root;
+        prims.metadata.clear();
+        merge(root, prims);
+        addSubLayers(root, other->root, notes, others, depth + 1);
+    }
+}
+
+Expected<Layer> composed(const Layer& layer, std::vector<std::string>& notes, const LayerSource& others)
+{
+    Layer whole = layer;
+    addSubLayers(whole.root, layer.root, notes, others, 0);
+    Layer out = whole;
+    Composer composer(whole, notes, others);
     for (auto& child : out.root.children) {
         child = std::make_shared<Prim>(*child);
         RAMURE_TRY(composer.compose(*child, "/" + child->name, 1));
     }
     return out;
+}
+
+static void relocate(Prim& prim, const std::string& asset, const std::filesystem::path& folder)
+{
+    const auto moved = [&](const std::string& name) { return (folder / name).lexically_normal().string(); };
+    for (const char* arc : {"inherits", "references", "payload", "specializes", "subLayers"})
+        if (const auto found = prim.metadata.find(arc); found != prim.metadata.end())
+            for (std::string& text : found->second.texts)
+                text = text.starts_with('/') ? asset + "<" + text : moved(text);
+    for (auto& [name, attribute] : prim.attributes)
+        if (attribute.type == "asset" && attribute.value) {
+            auto own = std::make_shared<Value>(*attribute.value);
+            for (std::string& text : own->texts)
+                text = text.empty() ? text : moved(text);
+            attribute.value = std::move(own);
+        }
+    for (const auto& child : prim.children)
+        relocate(*child, asset, folder);
+    for (Prim::VariantSet& set : prim.sets)
+        for (auto& [name, body] : set.variants) {
+            auto own = std::make_shared<Prim>(*body);
+            relocate(*own, asset, folder);
+            body = std::move(own);
+        }
+}
+
+void relocate(Layer& layer, const std::string& asset)
+{
+    relocate(layer.root, asset, std::filesystem::path(asset).parent_path());
 }
 
 const Prim* primAt(const Prim& root, std::string_view path)

@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/base/progress.h"
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -78,9 +79,15 @@ int componentsOf(std::string_view type);
 /// them); Cancelled.
 Expected<Layer> parseLayer(std::string_view text, const std::string& file, const Progress& progress = {});
 
-/// The layer as it is seen: variants chosen, references inside the layer resolved. \param notes get what is
-/// left out: references to other files. Errors: Invalid (a reference to a prim that there is not), Limit.
-Expected<Layer> composed(const Layer& layer, std::vector<std::string>& notes);
+/// Another layer by the name of its file, as it stands in metadata; null: it cannot be read.
+using LayerSource = std::function<std::shared_ptr<const Layer>(const std::string& asset)>;
+/// Makes the names of files in a layer, and its paths to its own prims, those of the layer that refers to it.
+/// \param asset its own name, as that one has it
+void relocate(Layer& layer, const std::string& asset);
+
+/// The layer as it is seen: variants chosen, references resolved. \param notes get what is left out: other
+/// files. Errors: Invalid (a reference to a prim of this file that there is not), Limit.
+Expected<Layer> composed(const Layer& layer, std::vector<std::string>& notes, const LayerSource& others = {});
 
 /// Finds the prim of a path such as "/Scene/Oak"; null: there is none.
 const Prim* primAt(const Prim& root, std::string_view path);

@@ -259,13 +259,15 @@ private:
         const double film = number("verticalAperture", 15.2908), focal = number("focalLength", 50.0);
         NodeParams params = node.params;
         params.camera.angleRad = 2.0 * maths::atan2(0.5 * film, focal);
-        params.camera.fStop = number("fStop", 0.0);
-        params.camera.focus = m_metres * number("focusDistance", params.camera.focus / m_metres);
         if (checkParams(params))
-            node.params = std::move(params);
+            node.params = params;
         else
             note(RAMURE_NOOP("the camera %1 has no angle that can be kept: it gets the usual one"),
                  {node.name});
+        params.camera.fStop = number("fStop", 0.0);
+        params.camera.focus = m_metres * number("focusDistance", 0.0);
+        if (params.camera.fStop > 0.0 && checkParams(params)) // else everything is sharp
+            node.params = std::move(params);
     }
 
     /// The faces of a mesh, those of each material together where pictures make that matter.

@@ -220,7 +220,12 @@ bool Scanner::plain(Value& out)
     if (!asset(text))
         return false;
     std::string inside;
-    return peek() != '<' || path(inside);
+    if (peek() != '<')
+        return true;
+    if (!path(inside))
+        return false;
+    text += "<" + inside;
+    return true;
 }
 
 bool Scanner::list(Value& out, int depth)

@@ -9,6 +9,7 @@ namespace ramure::usd {
 namespace {
 
 constexpr std::uint64_t mostBytes = std::uint64_t(1) << 30;
+constexpr std::size_t mostLayers = 256; ///< that a file refers to
 constexpr std::uint64_t mostPictureBytes = std::uint64_t(256) << 20;
 
 std::string folderOf(const std::string& path)
@@ -70,6 +71,18 @@ Expected<std::string> layerText(const std::string& path, OpenStage& out, const P
     return entryOf(*archive, first, mostBytes, progress);
 }
 
+/// Null where it cannot be read.
+std::shared_ptr<const Layer> otherLayer(const PictureSource& files, const std::string& asset,
+                                        const Progress& progress)
+{
+    const auto text = files.bytes(asset);
+    auto layer = text ? parseLayer(*text, asset, {progress.stop, {}}) : fail(text.error());
+    if (!layer)
+        return nullptr;
+    relocate(*layer, asset);
+    return std::make_shared<const Layer>(std::move(*layer));
+}
+
 } // namespace
 
 Expected<OpenStage> openStage(const std::string& path, const Progress& progress)
@@ -79,7 +92,13 @@ Expected<OpenStage> openStage(const std::string& path, const Progress& progress)
     RAMURE_TRY(text);
     const auto layer = parseLayer(*text, path, progress.part(0.1, 0.4));
     RAMURE_TRY(layer);
-    auto seen = composed(*layer, out.notes);
+    std::map<std::string, std::shared_ptr<const Layer>> known;
+    auto seen = composed(*layer, out.notes, [&](const std::string& asset) {
+        const auto [place, isNew] = known.try_emplace(asset);
+        if (isNew && known.size() <= mostLayers)
+            place->second = otherLayer(out.pictures, asset, progress);
+        return place->second;
+    });
     RAMURE_TRY(seen);
     out.layer = std::move(*seen);
     return out;

@@ -5,6 +5,7 @@
 #include "core/surface/mesh/normals.h"
 #include "tests/core/io/io_support.h"
 #include "tests/support/solids.h"
+#include <QDir>
 #include <QTemporaryDir>
 
 namespace tst_usd_reader {
@@ -60,7 +61,7 @@ class TestUsdReader : public QObject
 
     QTemporaryDir m_folder;
 
-    [[nodiscard]] std::string file(const char* name, const QByteArray& bytes) const
+    std::string file(const char* name, const QByteArray& bytes) const
     {
         const QString path = m_folder.filePath(QLatin1String(name));
         test::writeBytes(path, bytes);
@@ -128,6 +129,30 @@ private slots:
         // A class that is not there is none that is missed.
         QVERIFY(readMeshFile(file(
             "class.usda", foreign().replace("references = </World/Quad>", "inherits = </_class_Quad>"))));
+    }
+    void otherFilesAreFollowed()
+    {
+        QVERIFY(QDir(m_folder.path()).mkpath(QStringLiteral("parts/deep")));
+        const QByteArray mesh = "{ int[] faceVertexCounts = [3] int[] faceVertexIndices = [0, 1, 2] "
+                                "point3f[] points = [(0, 0, 0), (1, 0, 0), (0, 1, 0)] }";
+        file("parts/part.usda", "#usda 1.0\n( defaultPrim = \"P\" subLayers = [ @./deep/more.usda@ ] )\n"
+                                "def Xform \"P\" { def Mesh \"m\" " +
+                                    mesh +
+                                    "def \"copy\" ( references = </P/m> ) { }\n"
+                                    "def \"lost\" ( references = @./binary.usdc@ ) { } }");
+        file("parts/deep/more.usda", "#usda 1.0\ndef Mesh \"Alone\" " + mesh);
+        file("parts/binary.usdc", "PXR-USDC");
+        const std::string whole =
+            file("whole.usda", "#usda 1.0\n( metersPerUnit = 1 subLayers = [ @./parts/deep/more.usda@ ] )\n"
+                               "def \"A\" ( references = @./parts/part.usda@ ) { }\n"
+                               "def \"B\" ( prepend payload = @./parts/part.usda@</P/m> ) { }\n"
+                               "def \"C\" ( references = @./whole.usda@</B> ) { }");
+        const auto read = readMeshFile(whole);
+        QVERIFY2(read, test::why(read));
+        QCOMPARE(read->objects.size(), std::size_t(5)); // m, copy, B, C and Alone
+        QVERIFY(std::ranges::any_of(read->notes, [](const auto& note) {
+            return note.find("parts/binary.usdc") != std::string::npos;
+        }));
     }
     void aFileOfAnotherProgram()
     {
