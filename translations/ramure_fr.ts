@@ -9399,6 +9399,10 @@
         <source>a %1 is no mesh: it is left out</source>
         <translation>%1 n’est pas un maillage : il est laissé de côté</translation>
     </message>
+    <message>
+        <source>a shape without a size</source>
+        <translation>une forme sans taille</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>

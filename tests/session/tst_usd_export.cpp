@@ -230,6 +230,20 @@ private slots:
             QVERIFY2(most < 1e-4, qPrintable(QString::number(most)));
         }
     }
+    void anOakOfInstancesIsSmall()
+    {
+        Node oak = treeNode(1, "EnglishOak1995");
+        oak.params.mesh.targetTriangles = 60'000;
+        ExportOptions options;
+        options.instances = true;
+        options.write.mapSize = 0;
+        const QByteArray bytes = text(sceneOf({oak}), options);
+        const auto layer = usd::parseLayer(test::view(bytes), "t.usda");
+        const auto leaves = usd::primAt(layer->root, "/Scene/EnglishOak1995/leaves")->attribute("ids");
+        QVERIFY(leaves->value->numbers.size() >= 50'000);
+        QVERIFY2(bytes.size() < 200 * qsizetype(leaves->value->numbers.size()),
+                 qPrintable(QString::number(bytes.size())));
+    }
     void levelsAndSeasonsAreVariants()
     {
         ExportOptions options = usual();

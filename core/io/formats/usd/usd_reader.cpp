@@ -49,7 +49,7 @@ bool isSeen(const Prim& prim)
 
 bool isShape(const Prim& prim)
 {
-    return prim.type == "Mesh" || prim.type == "PointInstancer" || prim.type == "Camera";
+    return usd::isSurface(prim) || prim.type == "PointInstancer" || prim.type == "Camera";
 }
 
 bool hasShape(const Prim& prim)
@@ -222,7 +222,7 @@ private:
             addCamera(node, prim);
         if (prim.type == "PointInstancer")
             return addCopies(prim, id, material, rest);
-        if (prim.type == "Mesh")
+        if (usd::isSurface(prim))
             RAMURE_TRY(addMesh(prim, id, material, rest));
         for (const auto& child : prim.children)
             RAMURE_TRY(add(*child, id, material, rest));
@@ -277,8 +277,8 @@ private:
         RAMURE_TRY(shape);
         for (const std::string& text : shape->notes)
             note("%1", {prim.name + ": " + text});
-        if (const std::string scheme = prim.text("subdivisionScheme");
-            scheme != "none" && scheme != "bilinear")
+        const std::string scheme = prim.text("subdivisionScheme");
+        if (prim.type == "Mesh" && scheme != "none" && scheme != "bilinear")
             m_isSmooth = true;
         m_hasSkin = m_hasSkin || prim.attribute("primvars:skel:jointIndices");
         std::vector<Piece> out{{material, {}, {}}};
@@ -374,7 +374,7 @@ private:
         RAMURE_TRY(own);
         const glm::dmat4 local = above * *own;
         material = boundTo(prim, std::move(material));
-        if (prim.type == "Mesh") {
+        if (usd::isSurface(prim)) {
             auto pieces = piecesOf(prim, material);
             RAMURE_TRY(pieces);
             for (Piece& piece : *pieces) {
@@ -470,9 +470,8 @@ private:
     static void gatherOthers(const Prim& prim, std::set<std::string>& types)
     {
         static const std::set<std::string_view> known{
-            "Cube",        "Sphere",    "Cylinder",     "Cone",       "Capsule",  "Plane",
-            "BasisCurves", "Points",    "NurbsCurves",  "NurbsPatch", "Volume",   "TetMesh",
-            "SphereLight", "DomeLight", "DistantLight", "RectLight",  "DiskLight"};
+            "Capsule", "BasisCurves", "Points",    "NurbsCurves",  "NurbsPatch", "Volume",
+            "TetMesh", "SphereLight", "DomeLight", "DistantLight", "RectLight",  "DiskLight"};
         if (isSeen(prim) && known.contains(prim.type))
             types.insert(prim.type);
         for (const auto& child : prim.children)

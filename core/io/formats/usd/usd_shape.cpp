@@ -2,6 +2,7 @@
 
 #include "core/io/formats/glb/glb_mesh_reader.h"
 #include "core/io/mesh_mending.h"
+#include "core/surface/primitives/primitive_mesh.h"
 #include <algorithm>
 #include <cmath>
 
@@ -64,6 +65,49 @@ glm::vec3 vec3At(const std::vector<double>& numbers, std::size_t i)
 {
     return {static_cast<float>(numbers[3 * i]), static_cast<float>(numbers[3 * i + 1]),
             static_cast<float>(numbers[3 * i + 2])};
+}
+
+/// A shape that its measures say, about its origin.
+struct Form
+{
+    std::string_view type;
+    PrimitiveShape shape;
+};
+constexpr Form forms[] = {{"Cube", PrimitiveShape::Box},
+                          {"Sphere", PrimitiveShape::Sphere},
+                          {"Cylinder", PrimitiveShape::Cylinder},
+                          {"Cone", PrimitiveShape::Cone},
+                          {"Plane", PrimitiveShape::Plane}};
+
+Expected<Shape> formOf(const Prim& prim)
+{
+    const auto measure = [&](const char* name, double usual) {
+        const auto said = numbersOf(prim, name, 1);
+        return said && !said->empty() ? said->front() : usual;
+    };
+    PrimitiveParams params;
+    params.shape = std::ranges::find(forms, prim.type, &Form::type)->shape;
+    params.sides = 32;
+    params.radius = measure("radius", 1.0);
+    params.height = measure("height", 2.0);
+    params.size = prim.type == "Plane" ? glm::dvec3(measure("width", 2.0), 1.0, measure("length", 2.0))
+                                       : glm::dvec3(measure("size", 2.0));
+    const std::string axis = prim.text("axis");
+    params.axis = axis == "X" ? PrimitiveAxis::X : axis == "Y" ? PrimitiveAxis::Y : PrimitiveAxis::Z;
+    if (!(params.radius > 0.0 && params.height > 0.0 && params.size.x > 0.0 && params.size.z > 0.0))
+        return fail(ErrorCode::Invalid, RAMURE_NOOP("a shape without a size"));
+    Shape out;
+    out.mesh = primitiveSolid(params);
+    const bool stands = params.shape == PrimitiveShape::Cylinder || params.shape == PrimitiveShape::Cone;
+    for (glm::vec3& p : out.mesh.positions)
+        p[int(params.axis)] -= stands ? float(0.5 * params.height) : 0.0F;
+    out.faces = out.mesh.triangles.size();
+    for (Index i = 0; i < out.mesh.faceCount(); ++i)
+        out.faceOf.push_back(i);
+    const auto colour = numbersOf(prim, "primvars:displayColor", 3);
+    if (colour && colour->size() >= 3)
+        out.mesh.colours.assign(out.faces, glb::srgb(glm::clamp(vec3At(*colour, 0), 0.0F, 1.0F)));
+    return out;
 }
 
 class ShapeReader
@@ -258,9 +302,15 @@ Expected<std::vector<Index>> indicesOf(const Prim& prim, const std::string& name
     return out;
 }
 
+bool isSurface(const Prim& prim)
+{
+    return prim.type == "Mesh" ||
+           std::ranges::any_of(forms, [&](const Form& f) { return prim.type == f.type; });
+}
+
 Expected<Shape> shapeOf(const Prim& prim)
 {
-    auto shape = ShapeReader(prim).run();
+    auto shape = prim.type == "Mesh" ? ShapeReader(prim).run() : formOf(prim);
     if (!shape && shape.error().line == 0)
         shape.error().line = prim.line;
     return shape;

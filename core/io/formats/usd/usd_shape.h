@@ -17,8 +17,11 @@ struct Shape
     std::vector<std::string> notes; ///< what was left out
 };
 
+/// A mesh, or a cube, sphere, cylinder, cone or plane.
+bool isSurface(const Prim& prim);
+
 /// Faces are cut into triangles; colours are those of primvars:displayColor. Errors, with the line: Invalid
-/// (an index out of range, lists that do not fit, a list of another type), Limit.
+/// (an index out of range, lists that do not fit, a list of another type, no size), Limit. \pre isSurface
 Expected<Shape> shapeOf(const Prim& prim);
 
 /// The numbers of an attribute. \param components that each element has to have. Empty where there is none.

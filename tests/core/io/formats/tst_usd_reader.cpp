@@ -130,6 +130,26 @@ private slots:
         QVERIFY(readMeshFile(file(
             "class.usda", foreign().replace("references = </World/Quad>", "inherits = </_class_Quad>"))));
     }
+    void simpleShapesAreMeshes()
+    {
+        const auto boxOf = [&](const char* text) {
+            const auto read =
+                readMeshFile(file("shape.usda", QByteArray("#usda 1.0\n( metersPerUnit = 1 )\n") + text));
+            if (!read)
+                qFatal("%s", test::why(read).constData());
+            glm::vec3 low(1e9F), high(-1e9F);
+            for (const glm::vec3& p : read->objects.at(0).mesh.positions) {
+                low = glm::min(low, p);
+                high = glm::max(high, p);
+            }
+            return std::pair(low, high);
+        };
+        QCOMPARE(boxOf("def Cube \"a\" { }"), std::pair(glm::vec3(-1.0F), glm::vec3(1.0F)));
+        const auto [low, high] = boxOf("def Cylinder \"a\" { double radius = 0.5 double height = 4 }");
+        QVERIFY(std::abs(low.z + 2.0F) < 1e-6F && std::abs(high.z - 2.0F) < 1e-6F && high.x <= 0.5F);
+        QVERIFY(boxOf("def Sphere \"a\" { double radius = 3 }").second.y > 2.9F);
+        QVERIFY(!readMeshFile(file("shape.usda", "#usda 1.0\ndef Cone \"a\" { double radius = 0 }")));
+    }
     void otherFilesAreFollowed()
     {
         QVERIFY(QDir(m_folder.path()).mkpath(QStringLiteral("parts/deep")));
