@@ -191,8 +191,8 @@ std::uint64_t estimatedFileBytes(const Scene& scene, const ExportOptions& option
                                  const std::string& path)
 {
     const auto format = findFormat(path, FormatUse::Write, options.write.ascii);
-    if (!format || options.model != ExportModel::Mesh)
-        return 0;
+    if (!format || options.model != ExportModel::Mesh || options.growthFrom > 0.0)
+        return 0; // leaves of other ages are not counted yet
     ExportOptions held = options;
     if (options.instances)
         held.parts &= exportBranches;
