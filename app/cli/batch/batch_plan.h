@@ -30,7 +30,7 @@ struct BatchPlan
     QString table;  ///< its file's name without the folder, for messages
     QString folder; ///< where files go
     QSize picture{512, 512};
-    ExportOptions options;        ///< levels and wind are those of .glb files alone
+    ExportOptions options;        ///< levels and wind are those of files that hold them
     std::vector<BatchRow> rows;   ///< of the shard
     QSet<QString> foreignFolders; ///< into which rows of other shards write, see folderOf()
     std::size_t whole = 0;        ///< rows of the table

@@ -111,6 +111,12 @@ QJsonObject countsOf(EvaluatedScene& now, const ExportScene& written, const std:
     return counts;
 }
 
+bool holdsLevelsIn(const QString& file)
+{
+    const auto format = findFormat(systemPath(file), FormatUse::Write);
+    return format && ((*format)->holds & holdsLevels) != 0;
+}
+
 /// Are levels the only meshes? Then the whole tree, many times as large, is neither made nor proved.
 bool isOfLevelsAlone(const BatchPlan& plan, const BatchRow& row, const Scene& scene)
 {
@@ -119,7 +125,7 @@ bool isOfLevelsAlone(const BatchPlan& plan, const BatchRow& row, const Scene& sc
             return file.endsWith(QLatin1String(ending), Qt::CaseInsensitive);
         });
     };
-    const auto meshes = has(".glb");
+    const auto meshes = std::ranges::count_if(row.files, &holdsLevelsIn);
     return plan.options.levels.isWanted() && !plan.options.levels.beginsWhole() && meshes > 0 &&
            meshes + has(".png") + has("/") == row.files.size() &&
            std::ranges::none_of(
@@ -246,13 +252,13 @@ RowMaker::~RowMaker() = default;
 ExportOptions RowMaker::optionsFor(const QString& path) const
 {
     ExportOptions options = m_plan.options;
-    options.parts = usualParts(**findFormat(systemPath(path), FormatUse::Write));
+    const FileFormat& format = **findFormat(systemPath(path), FormatUse::Write);
+    options.parts = usualParts(format);
     options.texture = true;
-    // Others would be several files, of which no name is known.
-    if (!path.endsWith(QLatin1String(".glb"), Qt::CaseInsensitive)) {
+    if (!holdsLevelsIn(path)) // they would be several files, of which no name is known
         options.levels = {};
+    if ((format.holds & holdsWind) == 0)
         options.wind = WindProfile::None;
-    }
     return options;
 }
 

@@ -40,8 +40,8 @@ glm::vec2 placeInPalette(const glm::u8vec3& colour)
     int cell = 0;
     for (int k = 0; k < 3; ++k)
         cell = levels * cell + (colour[k] * (levels - 1) + 127) / 255;
-    return {(float(cell % paletteWidth) + 0.5F) / float(paletteWidth),
-            (float(cell / paletteWidth) + 0.5F) / float(paletteHeight)};
+    const int column = cell % paletteWidth, row = cell / paletteWidth;
+    return {(float(column) + 0.5F) / float(paletteWidth), (float(row) + 0.5F) / float(paletteHeight)};
 }
 
 bool Materials::isPictured(const Material& material) const
