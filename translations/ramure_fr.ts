@@ -9056,10 +9056,6 @@
         <translation>il n’y a rien au-dessus du roulis</translation>
     </message>
     <message>
-        <source>the picture of twigs has %1 to %2 pixels a side, a power of two, not %3</source>
-        <translation>l’image de rameaux a de %1 à %2 pixels de côté, une puissance de deux, pas %3</translation>
-    </message>
-    <message>
         <source>Shade leaves</source>
         <translation>Feuilles d’ombre</translation>
     </message>
@@ -9402,6 +9398,30 @@
     <message>
         <source>a shape without a size</source>
         <translation>une forme sans taille</translation>
+    </message>
+    <message>
+        <source>the picture of cards has %1 to %2 pixels a side, a power of two, not %3</source>
+        <translation>l’image des cartes a de %1 à %2 pixels de côté, une puissance de deux, et non %3</translation>
+    </message>
+    <message>
+        <source>a tree of nothing has no billboard</source>
+        <translation>un arbre de rien n’a pas de billboard</translation>
+    </message>
+    <message>
+        <source>Unreal Engine</source>
+        <translation>Unreal Engine</translation>
+    </message>
+    <message>
+        <source>Godot</source>
+        <translation>Godot</translation>
+    </message>
+    <message>
+        <source>Collision for</source>
+        <translation>Collision pour</translation>
+    </message>
+    <message>
+        <source>Adds convex pieces around the trunk and thick limbs, under the names by which the engine takes them for what bodies bump into.</source>
+        <translation>Ajoute des pièces convexes autour du tronc et des grosses branches, sous les noms auxquels le moteur reconnaît ce que heurtent les corps.</translation>
     </message>
 </context>
 <context>
@@ -12402,6 +12422,14 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
         <source>Where not all leaves are there, crossed cards show pictures of this tree&apos;s own twigs in the place of fewer and larger leaves: outlines stay, and the picture needs its opacity. For GLB and OBJ with pictures, and leaves without pictures of their own.</source>
         <translation>Là où il n’y a pas toutes les feuilles, des cartes croisées montrent des images des rameaux de cet arbre à la place de feuilles moins nombreuses et plus grandes : les contours restent, et l’image a besoin de son opacité. Pour les GLB et OBJ avec images, et les feuilles sans images à elles.</translation>
     </message>
+    <message>
+        <source>A billboard as the last level</source>
+        <translation>Un billboard comme dernier niveau</translation>
+    </message>
+    <message>
+        <source>One level more, for trees that are far away: three crossed cards with pictures of the whole tree, six triangles, in the place of bark, leaves and fruit. For GLB and OBJ with pictures.</source>
+        <translation>Un niveau de plus, pour les arbres lointains : trois cartes croisées avec des images de l’arbre entier, six triangles, à la place de l’écorce, des feuilles et des fruits. Pour GLB et OBJ avec images.</translation>
+    </message>
 </context>
 <context>
     <name>ramure::LevelModel</name>
@@ -12488,6 +12516,10 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
 left</source>
         <translation>Feuilles
 restantes</translation>
+    </message>
+    <message>
+        <source>A billboard: crossed cards with pictures of the whole tree</source>
+        <translation>Un billboard : des cartes croisées avec des images de l’arbre entier</translation>
     </message>
 </context>
 <context>

@@ -22,8 +22,9 @@ Expected<ExportOptions> exportOptionsOf(const CommandLine& line, OptionFlag who,
     if (who == ofImport)
         return out;
     const bool hasLevels = line.has("levels") || line.has("budget");
-    if (line.has("switch") && !hasLevels)
-        return fail(ErrorCode::Invalid, "--switch needs --levels");
+    for (const char* name : {"switch", "billboard"})
+        if (line.has(name) && !hasLevels)
+            return fail(ErrorCode::Invalid, "--%1 needs --levels", {name});
     if (!line.has("levels"))
         out.levels.count = static_cast<std::int64_t>(out.levels.budgets.size());
     if (hasLevels)

@@ -72,7 +72,10 @@ struct ExportMesh
     int level = 0;                      ///< 0 the finest
     Index finest = noIndex; ///< number of the mesh in whose place it can be shown; noIndex: it is one
     double coverage = 0.0;  ///< share of the screen down to which this level suffices and is needed
-    Index pieces = 0;       ///< leaves or fruit that it holds
+    /// Of a level but the first, where it takes over: the share of the picture's height that the tree has,
+    /// and the distance in m. 0: unknown.
+    double share = 0.0, distance = 0.0;
+    Index pieces = 0;                               ///< leaves or fruit that it holds
     std::shared_ptr<const WindColumns> wind{};      ///< data for wind in games; null: none
     std::shared_ptr<const ExportSeasons> seasons{}; ///< null: nothing is known of them
     std::shared_ptr<const ExportShapes> shapes{};   ///< null: it keeps its form

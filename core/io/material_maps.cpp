@@ -249,7 +249,7 @@ static int sizeOfSprays(int size)
         std::bit_floor(static_cast<unsigned>(std::clamp(size, leastSpraySize, mostSpraySize))));
 }
 
-Expected<MadeSprays> makeMaps(const SprayAtlas& sprays, int size, const Progress& progress)
+Expected<MadeSprays> makeMaps(const CardAtlas& sprays, int size, const Progress& progress)
 {
     const auto maps = sprayMaps(sprays, sizeOfSprays(size), progress);
     RAMURE_TRY(maps);
@@ -260,7 +260,6 @@ Expected<MadeSprays> makeMaps(const SprayAtlas& sprays, int size, const Progress
         opacity.push_back(pixel.a);
     }
     MadeSprays out;
-    out.cutoff = maps->cutoff;
     const int side = maps->size;
     const std::span<const std::uint8_t> cut{&maps->colour.front().x, 4 * maps->colour.size()};
     const std::tuple<std::string*, PictureBytes> files[] = {
@@ -276,10 +275,9 @@ Expected<MadeSprays> makeMaps(const SprayAtlas& sprays, int size, const Progress
     return out;
 }
 
-std::string sprayFileName(const SprayAtlas& sprays, int size, const char* map)
+std::string sprayFileName(const CardAtlas& sprays, int size, const char* map)
 {
-    return std::string("sprays_")
-        .append(findParam("foliage.leaf")->items[static_cast<std::size_t>(sprays.form.shape)].name)
+    return std::string(sprays.name)
         .append("_")
         .append(eightDigits(sprays.hash))
         .append("_")
@@ -289,7 +287,7 @@ std::string sprayFileName(const SprayAtlas& sprays, int size, const char* map)
         .append(".png");
 }
 
-Expected<std::vector<std::string>> writeMaps(const std::string& folder, const SprayAtlas& sprays, int size,
+Expected<std::vector<std::string>> writeMaps(const std::string& folder, const CardAtlas& sprays, int size,
                                              const Progress& progress)
 {
     const auto maps = makeMaps(sprays, size, progress);

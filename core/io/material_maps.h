@@ -5,7 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/base/progress.h"
-#include "core/lod/leaf_sprays.h"
+#include "core/lod/card_atlas.h"
 #include "core/params/bark_params.h"
 #include "core/params/leaf_params.h"
 #include "core/params/picture_params.h"
@@ -56,19 +56,18 @@ Expected<std::string> pictureBytes(const std::string& path);
 /// file, unreadable; not written).
 Expected<void> copyPictures(const std::string& folder, const PictureParams& pictures);
 
-/// The pictures of twigs on cards: colour (with opacity, and alone), opacity and normal.
+/// The pictures on cards: colour (with opacity, and alone), opacity and normal.
 struct MadeSprays
 {
     std::string cut, colour, opacity, normal; ///< the bytes of PNG files
-    float cutoff = 0.5F;                      ///< see SprayMaps
 };
 /// Makes them in memory. \param size pixels a side; the nearest power of two is taken. Errors: Limit,
 /// Cancelled.
-Expected<MadeSprays> makeMaps(const SprayAtlas& sprays, int size, const Progress& progress = {});
+Expected<MadeSprays> makeMaps(const CardAtlas& sprays, int size, const Progress& progress = {});
 /// "sprays_oak_1f3a9c04_1024_colour.png"
-std::string sprayFileName(const SprayAtlas& sprays, int size, const char* map);
+std::string sprayFileName(const CardAtlas& sprays, int size, const char* map);
 /// Writes colour, opacity and normal into a folder, as writeMaps() does. Errors: Io, Cancelled.
-Expected<std::vector<std::string>> writeMaps(const std::string& folder, const SprayAtlas& sprays, int size,
+Expected<std::vector<std::string>> writeMaps(const std::string& folder, const CardAtlas& sprays, int size,
                                              const Progress& progress = {});
 
 /// Writes the pictures of a leaf in the same way. Errors: Invalid (the faithful leaf, the size), Io.

@@ -1,41 +1,13 @@
 #include "core/lod/billboard_picture.h"
 
-#include "core/math/reproducible.h"
+#include "core/math/srgb.h"
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
 
 namespace ramure {
 namespace {
-
-/// Of sRGB bytes (IEC 61966-2-1).
-const std::array<double, 256>& linearOf()
-{
-    static const std::array<double, 256> table = [] {
-        std::array<double, 256> made{};
-        for (std::size_t i = 0; i < made.size(); ++i) {
-            const double s = double(i) / 255.0;
-            made[i] = s <= 0.04045 ? s / 12.92 : maths::pow((s + 0.055) / 1.055, 2.4);
-        }
-        return made;
-    }();
-    return table;
-}
-
-std::uint8_t srgbOf(double linear)
-{
-    // The nearest of the table: no power for every pixel.
-    const auto& table = linearOf();
-    const auto above = std::ranges::lower_bound(table, linear);
-    if (above == table.begin())
-        return 0;
-    if (above == table.end())
-        return 255;
-    const auto number = above - table.begin();
-    return static_cast<std::uint8_t>(*above - linear < linear - *(above - 1) ? number : number - 1);
-}
 
 glm::dvec3 normalOf(const glm::u8vec4& bytes)
 {
@@ -88,13 +60,12 @@ Level levelOf(const BillboardPicture& picture, const PixelRect& within)
 {
     Level out{within.width, within.height, {}};
     out.means.resize(std::size_t(within.width) * std::size_t(within.height));
-    const auto& linear = linearOf();
     for (int y = 0; y < within.height; ++y)
         for (int x = 0; x < within.width; ++x) {
             const std::size_t i = picture.at(within.x + x, within.y + y);
             const glm::u8vec4 &colour = picture.colour[i], &normal = picture.normal[i];
             const double weight = colour.a / 255.0;
-            out.at(x, y) = {weight * glm::dvec3(linear[colour.r], linear[colour.g], linear[colour.b]),
+            out.at(x, y) = {weight * glm::dvec3(linearOf(colour.r), linearOf(colour.g), linearOf(colour.b)),
                             weight * normalOf(normal), weight * normal.a, weight};
         }
     return out;
@@ -119,7 +90,6 @@ BillboardPicture shrunk(const BillboardPicture& large, int each)
 {
     BillboardPicture out(large.width / each, large.height / each);
     std::vector<std::uint8_t> depths;
-    const auto& linear = linearOf();
     for (int y = 0; y < out.height; ++y)
         for (int x = 0; x < out.width; ++x) {
             glm::dvec3 light(0.0), normal(0.0);
@@ -132,7 +102,7 @@ BillboardPicture shrunk(const BillboardPicture& large, int each)
                     if (c.a == 0)
                         continue;
                     const double weight = c.a / 255.0;
-                    light += weight * glm::dvec3(linear[c.r], linear[c.g], linear[c.b]);
+                    light += weight * glm::dvec3(linearOf(c.r), linearOf(c.g), linearOf(c.b));
                     normal += weight * normalOf(large.normal[i]);
                     depths.push_back(large.normal[i].a);
                     covered += weight;

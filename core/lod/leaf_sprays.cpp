@@ -1,11 +1,14 @@
 #include "core/lod/leaf_sprays.h"
 
 #include "core/math/box.h"
-#include "core/math/stage_hash.h"
+#include "core/params/param_def.h"
+#include "core/surface/foliage/leaf_table.h"
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <numeric>
+#include <string>
 
 namespace ramure {
 namespace {
@@ -65,54 +68,58 @@ std::vector<FoliageItem> framesOf(std::span<const FoliageItem> leaves, std::span
     return out;
 }
 
-/// The leaves of a cluster in the space of its spray. Their tones are relative to their brightest.
-TriangleMesh twigOf(std::span<const FoliageItem> leaves, const LeafCluster& cluster, const FoliageItem& spray,
-                    const TriangleMesh& leaf, const glm::vec3& brightest)
+/// The leaves of a cluster in the space of its spray. \param brightest their tones are relative to it.
+std::vector<FoliageItem> leavesOf(std::span<const FoliageItem> leaves, const LeafCluster& cluster,
+                                  const FoliageItem& spray, const glm::vec3& brightest)
 {
-    TriangleMesh out;
+    std::vector<FoliageItem> out;
     const glm::dquat back = glm::conjugate(spray.orientation);
     const double scale = 1.0 / double(spray.size);
-    const auto take = [&](const FoliageItem& item) {
-        const glm::dvec3 at = scale * (back * (item.position - spray.position));
-        const glm::dquat turn = back * item.orientation;
-        const auto first = out.vertexCount();
-        for (std::size_t v = 0; v < leaf.positions.size(); ++v) {
-            out.positions.emplace_back(at +
-                                       turn * (scale * double(item.size) * glm::dvec3(leaf.positions[v])));
-            out.normals.emplace_back(turn * glm::dvec3(leaf.normals[v]));
-            out.uv.push_back(leaf.uv[v]);
-        }
-        const glm::vec3 tone = glm::min(toneOf(item) / brightest, 1.0F);
-        for (std::size_t f = 0; f < leaf.triangles.size(); ++f) {
-            out.triangles.push_back(leaf.triangles[f] + first);
-            const glm::vec3 own = leaf.colours.empty() ? glm::vec3(255.0F) : glm::vec3(leaf.colours[f]);
-            out.colours.emplace_back(tone * own + 0.5F);
-        }
-    };
-    for (const Index m : cluster.members)
-        take(leaves[m]);
+    for (const Index m : cluster.members) {
+        FoliageItem item = leaves[m];
+        item.position = scale * (back * (item.position - spray.position));
+        item.orientation = back * item.orientation;
+        item.size *= static_cast<float>(scale);
+        item.tint = glm::min(toneOf(item) / brightest, 1.0F);
+        item.tone = 1.0F;
+        out.push_back(item);
+    }
     return out;
 }
 
-std::uint64_t hashOf(const SprayAtlas& atlas)
+Box boxOf(const ShownSurface& twig)
 {
-    StageHash hash(1);
-    hash.add(std::uint64_t(atlas.form.shape)).add(std::uint64_t(atlas.form.turns));
-    const auto addAll = [&hash](const auto& values) {
-        hash.add(std::string_view(reinterpret_cast<const char*>(values.data()),
-                                  values.size() * sizeof(values[0])));
-    };
-    for (const TriangleMesh& twig : atlas.twigs) {
-        addAll(twig.positions);
-        addAll(twig.colours);
+    Box box;
+    for (const FoliageItem& item : twig.copies)
+        for (const glm::vec3& at : twig.mesh->positions)
+            box.add(item.position + item.orientation * (double(item.size) * glm::dvec3(at)));
+    return box;
+}
+
+/// The first lies across Z and has the left half of the twig's cell, the second lies across X.
+void addCards(CardAtlas& atlas, std::size_t twig, std::size_t count)
+{
+    std::size_t across = 1;
+    while (across * across < count)
+        ++across;
+    const Box box = boxOf(atlas.surfaces[twig]);
+    const glm::dvec3 half = glm::max(0.5 * (1.0 + freeRim) * box.size(), glm::dvec3(1e-9));
+    const double cell = 1.0 / double(across), gutter = 0.5 * cardGutter / 1024.0;
+    for (const bool isSide : {false, true}) {
+        ShownCard card{twig, twig + 1, {}, box.centre(), {isSide ? half.z : half.x, half.y}};
+        if (isSide)
+            card.frame = {{0.0, 0.0, 1.0}, {0.0, 1.0, 0.0}, {-1.0, 0.0, 0.0}};
+        const glm::dvec2 corner(cell * (double(twig % across) + (isSide ? 0.5 : 0.0)),
+                                cell * double(twig / across));
+        card.low = corner + gutter;
+        card.high = corner + glm::dvec2(0.5 * cell, cell) - gutter;
+        atlas.cards.push_back(card);
     }
-    return hash.value();
 }
 
 /// Clusters whose leaves are spread as those of most are: the middle ones, by their extent for their area.
-std::array<std::size_t, SprayAtlas::count> typicalOf(std::span<const FoliageItem> leaves,
-                                                     std::span<const LeafCluster> clusters,
-                                                     std::span<const FoliageItem> sprays)
+std::vector<std::size_t> typicalOf(std::span<const FoliageItem> leaves, std::span<const LeafCluster> clusters,
+                                   std::span<const FoliageItem> sprays)
 {
     std::vector<std::pair<double, std::size_t>> order;
     for (std::size_t c = 0; c < clusters.size(); ++c) {
@@ -122,50 +129,14 @@ std::array<std::size_t, SprayAtlas::count> typicalOf(std::span<const FoliageItem
         order.emplace_back(squares / std::max(double(sprays[c].size) * double(sprays[c].size), 1e-300), c);
     }
     std::ranges::sort(order);
-    std::array<std::size_t, SprayAtlas::count> out{};
-    constexpr std::array quantiles{0.42, 0.48, 0.54, 0.60};
-    for (std::size_t k = 0; k < out.size(); ++k)
-        out[k] = order[static_cast<std::size_t>(quantiles[k] * double(order.size()))].second;
+    std::vector<std::size_t> out;
+    for (std::size_t k = 0; k < sharedTwigs; ++k)
+        out.push_back(
+            order[static_cast<std::size_t>((0.42 + 0.06 * double(k)) * double(order.size()))].second);
     return out;
 }
 
 } // namespace
-
-SprayFrame sprayFrame(const TriangleMesh& twig)
-{
-    Box box;
-    for (const glm::vec3& at : twig.positions)
-        box.add(glm::dvec3(at));
-    if (box.empty())
-        return {};
-    return {box.centre(), glm::max(0.5 * (1.0 + freeRim) * box.size(), glm::dvec3(1e-9))};
-}
-
-TriangleMesh sprayCards(const SprayFrame& frame, int twig)
-{
-    constexpr float cell = 1.0F / SprayAtlas::across;
-    TriangleMesh out;
-    for (const int across : {2, 0}) { // Z, then X
-        const int column = twig % SprayAtlas::across, row = twig / SprayAtlas::across;
-        const glm::vec2 corner(cell * (float(column) + (across == 0 ? 0.5F : 0.0F)), cell * float(row));
-        const int right = 2 - across;
-        const auto first = out.vertexCount();
-        for (const glm::vec2& at : {glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(1, 1), glm::vec2(0, 1)}) {
-            glm::dvec3 place = frame.middle;
-            place[right] += frame.half[right] * (2.0 * double(at.x) - 1.0);
-            place.y += frame.half.y * (2.0 * double(at.y) - 1.0);
-            glm::vec3 normal(0.0F);
-            normal[across] = across == 2 ? 1.0F : -1.0F; // right × up
-            out.positions.emplace_back(place);
-            out.normals.push_back(normal);
-            out.uv.push_back(corner + cell * at * glm::vec2(0.5F, 1.0F));
-        }
-        out.triangles.emplace_back(first, first + 1, first + 2);
-        out.triangles.emplace_back(first, first + 2, first + 3);
-    }
-    out.colours.assign(out.triangles.size(), glm::u8vec3(255));
-    return out;
-}
 
 LeafSprays leafSprays(const Foliage& foliage, std::span<const LeafCluster> clusters,
                       const LeafShapeOfLevel& whole)
@@ -173,36 +144,43 @@ LeafSprays leafSprays(const Foliage& foliage, std::span<const LeafCluster> clust
     LeafSprays out;
     const std::span<const FoliageItem> leaves = foliage.leaves;
     out.items = framesOf(leaves, clusters, whole);
-    const auto typical = typicalOf(leaves, clusters, out.items);
-    auto atlas = std::make_shared<SprayAtlas>();
-    atlas->form = foliage.form;
-    std::array<double, SprayAtlas::count> shown{}; // m² of leaf on a card of size 1
-    std::array<glm::vec3, SprayAtlas::count> brightest{};
-    for (std::size_t k = 0; k < typical.size(); ++k) {
-        const LeafCluster& cluster = clusters[typical[k]];
-        const FoliageItem& spray = out.items[typical[k]];
-        glm::vec3 most(1e-3F);
+    const bool isOwn = clusters.size() <= mostOwnTwigs;
+    std::vector<std::size_t> shownOf(clusters.size());
+    std::iota(shownOf.begin(), shownOf.end(), std::size_t(0));
+    if (!isOwn)
+        shownOf = typicalOf(leaves, clusters, out.items);
+    auto atlas = std::make_shared<CardAtlas>();
+    const LeafForm& form = foliage.form;
+    atlas->name = std::string("sprays_") + findParam("foliage.leaf")->items[std::size_t(form.shape)].name;
+    // On a day of the year tints are whole colours.
+    const glm::u8vec3 colour = form.onDay ? glm::u8vec3(255) : leafColour(form.shape, form.turns);
+    const auto leaf = std::make_shared<const TriangleMesh>(whole.mesh);
+    std::vector<double> shown; // m² of leaf on a card of size 1
+    std::vector<glm::vec3> brightest;
+    for (const std::size_t c : shownOf) {
+        const FoliageItem& spray = out.items[c];
+        glm::vec3 most(isOwn ? 1.0F : 1e-3F);
         double squares = 0.0;
-        for (const Index m : cluster.members) {
+        for (const Index m : clusters[c].members) {
             most = glm::max(most, toneOf(leaves[m]));
             squares += double(leaves[m].size) * double(leaves[m].size);
         }
-        brightest[k] = most / glm::max(meanTone(leaves, cluster), glm::vec3(1e-3F));
-        shown[k] = whole.area * squares / (double(spray.size) * double(spray.size));
-        atlas->twigs[k] = twigOf(leaves, cluster, spray, whole.mesh, most);
+        brightest.push_back(most / glm::max(meanTone(leaves, clusters[c]), glm::vec3(1e-3F)));
+        shown.push_back(whole.area * squares / (double(spray.size) * double(spray.size)));
+        atlas->surfaces.push_back({leaf, leavesOf(leaves, clusters[c], spray, most), form, {}, colour});
+        addCards(*atlas, atlas->surfaces.size() - 1, shownOf.size());
     }
     atlas->hash = hashOf(*atlas);
     double all = 0.0, showing = 0.0;
     for (std::size_t c = 0; c < clusters.size(); ++c) {
-        const FoliageItem& own = out.items[c];
-        const auto twig = static_cast<std::uint8_t>((clusters[c].leaf * 2654435761U) >> 30U);
+        const auto twig = static_cast<std::uint16_t>(isOwn ? c : (clusters[c].leaf * 2654435761U) >> 30U);
         out.twig.push_back(twig);
-        showing += shown[twig] * double(own.size) * double(own.size);
+        showing += shown[twig] * double(out.items[c].size) * double(out.items[c].size);
         for (const Index m : clusters[c].members)
             all += whole.area * double(leaves[m].size) * double(leaves[m].size);
     }
     const double growth =
-        std::clamp(std::sqrt(all / std::max(showing, 1e-300)), 1.0 / mostGrowth, mostGrowth);
+        isOwn ? 1.0 : std::clamp(std::sqrt(all / std::max(showing, 1e-300)), 1.0 / mostGrowth, mostGrowth);
     out.area = showing * growth * growth;
     for (std::size_t c = 0; c < clusters.size(); ++c) {
         FoliageItem& own = out.items[c];
@@ -210,7 +188,8 @@ LeafSprays leafSprays(const Foliage& foliage, std::span<const LeafCluster> clust
         own.size *= static_cast<float>(growth);
         own.position = middle - own.orientation * (double(own.size) * whole.middle);
         own.tone = 1.0F;
-        own.tint = glm::min(brightest[out.twig[c]] * meanTone(leaves, clusters[c]), 1.0F);
+        own.tint =
+            isOwn ? glm::vec3(1.0F) : glm::min(brightest[out.twig[c]] * meanTone(leaves, clusters[c]), 1.0F);
     }
     out.atlas = std::move(atlas);
     return out;
@@ -218,26 +197,25 @@ LeafSprays leafSprays(const Foliage& foliage, std::span<const LeafCluster> clust
 
 TriangleMesh buildSprays(const Skeleton& skeleton, const LeafSprays& sprays)
 {
-    std::array<TriangleMesh, SprayAtlas::count> cards;
-    for (int k = 0; k < SprayAtlas::count; ++k)
-        cards[std::size_t(k)] = sprayCards(sprayFrame(sprays.atlas->twigs[std::size_t(k)]), k);
     TriangleMesh out;
     for (std::size_t i = 0; i < sprays.items.size(); ++i) {
         const FoliageItem& item = sprays.items[i];
-        const TriangleMesh& card = cards[sprays.twig[i]];
         const glm::mat3 turn(glm::mat3_cast(item.orientation));
         const glm::vec3 place(item.position);
-        const auto first = out.vertexCount();
-        for (std::size_t v = 0; v < card.positions.size(); ++v) {
-            out.positions.push_back(place + turn * (item.size * card.positions[v]));
-            out.normals.push_back(turn * card.normals[v]);
-            out.uv.push_back(card.uv[v]);
-            out.branch.push_back(item.branch);
-            out.level.push_back(skeleton.level[item.branch]);
-        }
-        for (const glm::uvec3& face : card.triangles) {
-            out.triangles.push_back(face + first);
-            out.colours.emplace_back(item.tint * 255.0F + 0.5F);
+        for (const std::size_t side : {0, 1}) {
+            const TriangleMesh card = meshOf(sprays.atlas->cards[2 * std::size_t(sprays.twig[i]) + side]);
+            const auto first = out.vertexCount();
+            for (std::size_t v = 0; v < card.positions.size(); ++v) {
+                out.positions.push_back(place + turn * (item.size * card.positions[v]));
+                out.normals.push_back(turn * card.normals[v]);
+                out.uv.push_back(card.uv[v]);
+                out.branch.push_back(item.branch);
+                out.level.push_back(skeleton.level[item.branch]);
+            }
+            for (const glm::uvec3& face : card.triangles) {
+                out.triangles.push_back(face + first);
+                out.colours.emplace_back(item.tint * 255.0F + 0.5F);
+            }
         }
     }
     return out;

@@ -1,43 +1,29 @@
 /// \file
 /// Cards with pictures of twigs, in the place of the leaves of a level: each card stands for a cluster of
-/// leaves and shows a few of the tree's own clusters, so that leaves keep their size and outline where they
-/// are few. A spray is two crossed cards, one seen from above and one from the side.
+/// leaves, so that leaves keep their size and outline where they are few. A spray is two crossed cards, one
+/// seen from above and one from the side. Where there are few clusters each has its own picture, else they
+/// share those of some.
 #pragma once
 
+#include "core/lod/card_atlas.h"
 #include "core/lod/leaf_clusters.h"
-#include <array>
 #include <cstdint>
 #include <memory>
 
 namespace ramure {
 
-/// Some twigs of a tree, as their pictures are drawn: their leaves in the space of the card, m.
-struct SprayAtlas
-{
-    static constexpr int across = 2, count = across * across; ///< twigs along a side of the picture, in all
-    LeafForm form;                                            ///< of the leaves
-    std::array<TriangleMesh, count> twigs; ///< with normals, colours (tones) and coordinates on the leaf
-    std::uint64_t hash = 0;                ///< of all that the pictures hang on
-};
-
-/// Where on the card space a picture of a twig lies: half its sides, m, about its middle.
-struct SprayFrame
-{
-    glm::dvec3 middle{0.0}, half{0.0};
-};
-SprayFrame sprayFrame(const TriangleMesh& twig);
-
-/// The cards of a twig: two rectangles of two triangles each, with normals, white colours and coordinates on
-/// the atlas. The first lies across Z and has the left half of the twig's cell, the second lies across X.
-TriangleMesh sprayCards(const SprayFrame& frame, int twig);
+/// Up to so many clusters have each its own picture.
+inline constexpr std::size_t mostOwnTwigs = 400;
+/// So many pictures are shared where there are more.
+inline constexpr std::size_t sharedTwigs = 4;
 
 /// Sprays for the leaves of a level.
 struct LeafSprays
 {
-    std::shared_ptr<const SprayAtlas> atlas;
-    std::vector<FoliageItem> items; ///< one for each cluster, in their order
-    std::vector<std::uint8_t> twig; ///< the picture that each of them shows
-    double area = 0.0;              ///< m²: of the leaves that their pictures show
+    std::shared_ptr<const CardAtlas> atlas; ///< twigs: a surface and two cards each, in the space of a spray
+    std::vector<FoliageItem> items;         ///< one for each cluster, in their order
+    std::vector<std::uint16_t> twig;        ///< the twig that each of them shows
+    double area = 0.0;                      ///< m²: of the leaves that their pictures show
 };
 
 /// Returns a spray for each cluster: its picture is spread as far as its leaves are, along and across, and
@@ -48,5 +34,8 @@ LeafSprays leafSprays(const Foliage& foliage, std::span<const LeafCluster> clust
 
 /// The cards of all sprays as one mesh, in their order. \param skeleton that the items stand on
 TriangleMesh buildSprays(const Skeleton& skeleton, const LeafSprays& sprays);
+
+/// Of one spray.
+inline constexpr Index facesOfSpray = 4;
 
 } // namespace ramure

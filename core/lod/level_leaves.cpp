@@ -134,7 +134,8 @@ std::vector<LeafShapeOfLevel> leafShapesOfLevels(const LeafForm& form, const Pic
     simpler = form;
     if (cards && pictures.isEmpty()) {
         out.push_back(out.front());
-        out.back().mesh = sprayCards(sprayFrame(out.front().mesh), 0);
+        out.back().mesh = {};
+        out.back().mesh.triangles.assign(facesOfSpray, glm::uvec3(0)); // those of its cards are made later
         out.back().isSpray = true;
         return out;
     }

@@ -81,7 +81,7 @@ std::optional<Switch> switchIn(std::string_view text)
 
 LevelOptions gameLevels()
 {
-    return {.count = 4, .budgets = {80'000, 20'000, 5'000, 1'250}, .cards = true};
+    return {.count = 4, .budgets = {80'000, 20'000, 5'000, 1'250}, .cards = true, .billboard = true};
 }
 
 Expected<void> checkLevels(const LevelOptions& options)
@@ -110,9 +110,9 @@ Expected<void> checkLevels(const LevelOptions& options)
     if (!options.distances.empty() && !options.shares.empty())
         return fail(ErrorCode::Invalid,
                     RAMURE_NOOP("levels change at distances or at shares of the picture, not at both"));
-    if (auto fine = checkSwitches(options.distances, options.count, false); !fine)
+    if (auto fine = checkSwitches(options.distances, options.total(), false); !fine)
         return fine;
-    return checkSwitches(options.shares, options.count, true);
+    return checkSwitches(options.shares, options.total(), true);
 }
 
 Expected<void> readSwitches(std::string_view text, LevelOptions& options)

@@ -29,7 +29,7 @@ inline constexpr double levelFovRad = 0.69;
 
 struct LevelOptions
 {
-    std::int64_t count = 0; ///< 0: no levels, the tree alone
+    std::int64_t count = 0; ///< of meshes; 0: no levels, the tree alone
     /// Triangles of bark, leaves and fruit together, the finest first, each less than the one before; empty:
     /// the first level is the tree as it is, each further one has a quarter of the triangles, or less
     /// where that would give it more than half of the bark's.
@@ -39,19 +39,24 @@ struct LevelOptions
     /// shares of the picture's height that the tree has, falling.
     std::vector<double> distances{}, shares{};
     bool cards = false; ///< leaves of plants are cards with pictures of twigs, where they are not all there
+    bool billboard = false; ///< after them one level more: crossed cards with pictures of the whole tree
     bool operator==(const LevelOptions&) const = default;
 
     [[nodiscard]] bool isWanted() const { return count > 0; }
+    /// With the billboard.
+    [[nodiscard]] std::int64_t total() const { return isWanted() ? count + (billboard ? 1 : 0) : 0; }
     /// The finest level is the tree itself, whose meshes are needed then.
     [[nodiscard]] bool beginsWhole() const { return budgets.empty(); }
     /// Their meshes are the same, whenever they are shown.
     [[nodiscard]] bool makesLike(const LevelOptions& other) const
     {
-        return count == other.count && budgets == other.budgets && cards == other.cards;
+        return count == other.count && budgets == other.budgets && cards == other.cards &&
+               billboard == other.billboard;
     }
 };
 
-/// Returns the usual levels of one tree in a game: 80,000, 20,000, 5,000 and 1,250 triangles, with cards.
+/// Returns the usual levels of one tree in a game: 80,000, 20,000, 5,000 and 1,250 triangles, with cards,
+/// and the billboard.
 LevelOptions gameLevels();
 
 /// Errors: Invalid (a count out of range, as many budgets as levels, a budget below leastBudget or over

@@ -9,6 +9,10 @@ namespace ramure {
 /// The screen that engines assume, in pixels.
 inline constexpr double levelScreenWidth = 1920.0, levelScreenHeight = 1080.0;
 
+/// Where an engine fades one level into the next, it begins and ends so much nearer and farther than the
+/// switch, as a share of that.
+inline constexpr double levelFade = 0.1;
+
 /// When each level is shown, the finest first.
 struct LevelSwitches
 {

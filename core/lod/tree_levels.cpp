@@ -2,16 +2,21 @@
 
 #include "core/lod/leaf_clusters.h"
 #include "core/lod/level_leaves.h"
+#include "core/lod/tree_picture.h"
+#include "core/math/reproducible.h"
 #include "core/params/source_facts.h"
 #include "core/pipeline/bark_feet.h"
 #include "core/surface/check/verdict.h"
 #include "core/surface/foliage/foliage_texture.h"
+#include "core/surface/foliage/leaf_table.h"
 #include "core/surface/foliage/place_foliage.h"
+#include "core/surface/mesh/plain_colours.h"
 #include "core/surface/mesher/build_branch_mesh.h"
 #include "core/surface/season/foliage_on_day.h"
 #include "core/surface/texture/cut_wood.h"
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -65,6 +70,8 @@ public:
     Expected<TreeLevel> whole(const Progress& progress);
     Expected<TreeLevel> level(std::int64_t budget, const Progress& progress);
     [[nodiscard]] std::int64_t usualBudget(const TreeLevel& before) const;
+    /// The tree on crossed cards. \param finest whose bark they show, with all leaves
+    Expected<TreeLevel> billboard(const TreeLevel& finest) const;
 
 private:
     struct Split
@@ -495,11 +502,58 @@ Expected<TreeLevel> LevelMaker::level(std::int64_t budget, const Progress& progr
     return out;
 }
 
+Expected<TreeLevel> LevelMaker::billboard(const TreeLevel& finest) const
+{
+    std::vector<ShownSurface> surfaces;
+    if (finest.bark)
+        surfaces.push_back({finest.bark, {}, {}, m_params.bark, plainBark});
+    if (!m_leaves.empty()) {
+        const LeafForm& form = m_foliage.form;
+        const bool isPlain = form.shape == LeafShape::Faithful;
+        surfaces.push_back({std::make_shared<const TriangleMesh>(m_shapes.front().mesh),
+                            m_foliage.leaves,
+                            form,
+                            {},
+                            isPlain      ? plainLeaf
+                            : form.onDay ? glm::u8vec3(255)
+                                         : leafColour(form.shape, form.turns)});
+    }
+    if (!m_foliage.apples.empty())
+        surfaces.push_back(
+            {std::make_shared<const TriangleMesh>(oneApple(m_foliage.fruit, m_alpha, FoliageModel::Fine)),
+             m_foliage.apples,
+             {},
+             {},
+             m_foliage.fruit.kind == FruitKind::Faithful ? plainFruit : glm::u8vec3(255)});
+    glm::dvec3 foot(0.0);
+    double roots = 0.0;
+    for (Index b = 0; b < m_skeleton.size(); ++b)
+        if (m_skeleton.parent[b] == noIndex) {
+            foot += m_skeleton.p0[b];
+            roots += 1.0;
+        }
+    auto picture = treePicture(surfaces, foot / std::max(roots, 1.0));
+    RAMURE_TRY(picture);
+    TreeLevel out;
+    out.wood = m_order.pruned(m_order.leastAxes(), 0.0);
+    TriangleMesh& cards = picture->cards;
+    cards.branch.assign(cards.positions.size(), 0); // wind moves them with the trunk
+    cards.level.assign(cards.positions.size(), 0);
+    out.billboard = std::make_shared<const TriangleMesh>(std::move(cards));
+    out.billboardAtlas = std::move(picture->atlas);
+    // Between two cards the outline of a round crown is so much nearer to the trunk.
+    double broadest = 0.0;
+    for (const ShownCard& card : out.billboardAtlas->cards)
+        broadest = std::max(broadest, card.half.x);
+    out.detail = broadest * (1.0 - maths::cos(0.5 * std::numbers::pi / billboardCards));
+    return out;
+}
+
 } // namespace
 
 std::int64_t TreeLevel::triangles() const
 {
-    return facesOf(bark) + facesOf(leaves) + facesOf(apples);
+    return facesOf(bark) + facesOf(leaves) + facesOf(apples) + facesOf(billboard);
 }
 
 Expected<std::vector<TreeLevel>> treeLevels(const TreeResult& tree, const NodeParams& params,
@@ -514,7 +568,7 @@ Expected<std::vector<TreeLevel>> treeLevels(const TreeResult& tree, const NodePa
         if (progress.cancelled())
             return cancelled();
         const auto share = [&](std::int64_t done) {
-            return 0.2 + 0.8 * double(done) / double(options.count);
+            return 0.2 + 0.8 * double(done) / double(options.total());
         };
         const Progress part = progress.part(share(i), share(i + 1));
         const bool isWhole = i == 0 && options.beginsWhole();
@@ -525,6 +579,12 @@ Expected<std::vector<TreeLevel>> treeLevels(const TreeResult& tree, const NodePa
         if (i == 0)
             made->detail = 0.0;
         out.push_back(std::move(*made));
+    }
+    if (options.billboard) {
+        auto last = maker.billboard(out.front());
+        RAMURE_TRY(last);
+        last->detail = std::max(last->detail, out.back().detail);
+        out.push_back(std::move(*last));
     }
     return out;
 }

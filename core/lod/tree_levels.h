@@ -30,11 +30,14 @@ struct TreeLevel
     /// budget.
     std::shared_ptr<const TriangleMesh> cuts;
     PrunedTree wood;
-    std::shared_ptr<const Foliage> foliage;   ///< what is left of it, enlarged
-    std::shared_ptr<const SprayAtlas> sprays; ///< whose pictures the leaves show; null: they are leaves
-    std::vector<Index> leafOf, appleOf;       ///< of each of these its number in the tree's foliage
-    double leafScale = 1.0;                   ///< by how much the leaves have grown
-    double leafArea = 0.0;                    ///< m²
+    std::shared_ptr<const Foliage> foliage;  ///< what is left of it, enlarged
+    std::shared_ptr<const CardAtlas> sprays; ///< whose pictures the leaves show; null: they are leaves
+    /// Of the last level, in the place of all other meshes: crossed cards, and what they show. Null: none.
+    std::shared_ptr<const TriangleMesh> billboard;
+    std::shared_ptr<const CardAtlas> billboardAtlas;
+    std::vector<Index> leafOf, appleOf; ///< of each of these its number in the tree's foliage
+    double leafScale = 1.0;             ///< by how much the leaves have grown
+    double leafArea = 0.0;              ///< m²
     /// m: how large the details are in which it differs from the level before, such as a leaf or the cluster
     /// that it stands for; where that is a pixel, one may take its place. 0: the first level. How alike the
     /// two are there: each pixel is covered by a share of 0..1, as antialiasing shows it; the sum of the
@@ -51,11 +54,11 @@ inline Stage stageOfLevels(const LevelOptions& options)
     return options.beginsWhole() ? Stage::Foliage : Stage::Simplified;
 }
 
-/// The finest first, as many as the options say; each within levelSlack of its budget, its leaves within as
-/// much of the area of all. The same parameters and budgets give the same bytes; a level keeps only twigs and
-/// leaves that the one before it has. \param tree up to stageOfLevels(), at rest. Errors: those of
-/// checkLevels, of the mesher and of foliage; Limit (a budget that this tree cannot keep, with what it can);
-/// Invalid (the bark does not pass its proof); Cancelled.
+/// The finest first, as many as the options say, and the billboard after them if they ask for it; each within
+/// levelSlack of its budget, its leaves within as much of the area of all. The same parameters and budgets
+/// give the same bytes; a level keeps only twigs and leaves that the one before it has. \param tree up to
+/// stageOfLevels(), at rest. Errors: those of checkLevels, of the mesher and of foliage; Limit (a budget that
+/// this tree cannot keep, with what it can); Invalid (the bark does not pass its proof); Cancelled.
 Expected<std::vector<TreeLevel>> treeLevels(const TreeResult& tree, const NodeParams& params,
                                             const LevelOptions& options, const LevelParts& parts = {},
                                             const Progress& progress = {});

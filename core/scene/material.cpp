@@ -5,6 +5,7 @@
 #include "core/surface/bark/bark_maps.h"
 #include "core/surface/foliage/foliage.h"
 #include "core/surface/foliage/leaf_table.h"
+#include "core/surface/mesh/plain_colours.h"
 
 namespace ramure {
 
@@ -19,7 +20,7 @@ static void wear(Material& material, const PictureParams& pictures)
 
 Material barkMaterial(const BarkParams& bark, const PictureParams& pictures)
 {
-    Material out{"bark", {0x8B, 0x5A, 0x2B}, false, false};
+    Material out{"bark", plainBark, false, false};
     if (bark.family != BarkFamily::Plain) {
         out.name.append("_").append(
             findParam("bark.family")->items[static_cast<std::size_t>(bark.family)].name);
@@ -32,7 +33,7 @@ Material barkMaterial(const BarkParams& bark, const PictureParams& pictures)
 
 Material leavesMaterial(LeafShape shape, bool turn, const PictureParams& pictures)
 {
-    Material leaves{"leaves", {0x3A, 0x5F, 0x0B}, true, true};
+    Material leaves{"leaves", plainLeaf, true, true};
     leaves.glint = 0.05f;
     leaves.through = 0.5f;
     leaves.variety = 0.45f;
@@ -63,7 +64,7 @@ Material leavesMaterial(const Foliage& foliage, const PictureParams& pictures)
     return leaves;
 }
 
-Material spraysMaterial(Material leaves, std::shared_ptr<const SprayAtlas> sprays)
+Material spraysMaterial(Material leaves, std::shared_ptr<const CardAtlas> sprays)
 {
     leaves.name.append("_sprays");
     leaves.leaf = LeafShape::Faithful;
@@ -72,9 +73,16 @@ Material spraysMaterial(Material leaves, std::shared_ptr<const SprayAtlas> spray
     return leaves;
 }
 
+Material billboardMaterial(std::shared_ptr<const CardAtlas> tree)
+{
+    Material out{"billboard", glm::u8vec3(255), false, true};
+    out.sprays = std::move(tree);
+    return out;
+}
+
 Material applesMaterial(FruitKind kind, const PictureParams& pictures)
 {
-    Material fruit{"fruit", {0x5F, 0x0B, 0x0B}, true, false};
+    Material fruit{"fruit", plainFruit, true, false};
     if (kind != FruitKind::Faithful) {
         fruit.name =
             std::string("fruit_") + findParam("foliage.fruit")->items[static_cast<std::size_t>(kind)].name;

@@ -16,7 +16,7 @@ namespace ramure {
 struct Foliage;
 struct Node;
 struct NodeParams;
-struct SprayAtlas;
+struct CardAtlas;
 
 struct Material
 {
@@ -31,12 +31,12 @@ struct Material
     /// Of leaves on a day of the year: the colours of the mesh are whole ones that pigments give, and what
     /// shines through follows from them (leaf_pigments.h).
     bool pigments = false;
-    bool hidden = false;                        ///< what wears it is not seen: leaves of a winter
-    glm::u8vec3 mean{255}, passed{255};         ///< sRGB, if so: of all leaves, and what shines through them
-    BarkParams bark{};                          ///< for bark: its pictures, if it has a family
-    LeafShape leaf = LeafShape::Faithful;       ///< for leaves: their pictures, if a plant's
-    std::shared_ptr<const SprayAtlas> sprays{}; ///< for leaves: twigs whose pictures they show
-    PictureParams pictures{};                   ///< image files that replace generated pictures
+    bool hidden = false;                       ///< what wears it is not seen: leaves of a winter
+    glm::u8vec3 mean{255}, passed{255};        ///< sRGB, if so: of all leaves, and what shines through them
+    BarkParams bark{};                         ///< for bark: its pictures, if it has a family
+    LeafShape leaf = LeafShape::Faithful;      ///< for leaves: their pictures, if a plant's
+    std::shared_ptr<const CardAtlas> sprays{}; ///< for cards: what their pictures show
+    PictureParams pictures{};                  ///< image files that replace generated pictures
     bool operator==(const Material&) const = default;
 };
 
@@ -50,7 +50,9 @@ Material leavesMaterial(LeafShape shape = LeafShape::Faithful, bool turn = false
 /// Returns the material of a tree's leaves as they are, on a day of the year or not.
 Material leavesMaterial(const Foliage& foliage, const PictureParams& pictures = {});
 /// Returns the material of the cards of a level, on which twigs of \p leaves are seen.
-Material spraysMaterial(Material leaves, std::shared_ptr<const SprayAtlas> sprays);
+Material spraysMaterial(Material leaves, std::shared_ptr<const CardAtlas> sprays);
+/// Returns the material of the cards of a billboard.
+Material billboardMaterial(std::shared_ptr<const CardAtlas> tree);
 /// Fruit and flowers bring colours of their own.
 Material applesMaterial(FruitKind kind = FruitKind::Faithful, const PictureParams& pictures = {});
 /// Returns the material of wood that a cut lays open. The colours of its mesh are tones.

@@ -33,11 +33,11 @@ private slots:
             QTest::newRow(arguments) << words(arguments) << QString::fromUtf8(part);
         };
         QTest::newRow("nothing") << QStringList() << "missing command";
-        row("grow",
-            "unknown command \"grow\": list, info, import, recipe, edit, export, age, validate, signs, "
-            "simulate, ik, "
-            "render, billboard, "
-            "textures, batch, job, sheet expected");
+        row("grow", "unknown command \"grow\": list, info, import, recipe, edit, export, levels, age, "
+                    "validate, signs, "
+                    "simulate, ik, "
+                    "render, billboard, "
+                    "textures, batch, job, sheet expected");
         row("--nonsense", "unknown command");
         row("info", "missing INPUT");
         row("info preset:SmallTree preset:FanTree", "unexpected argument \"preset:FanTree\"");

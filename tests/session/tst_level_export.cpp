@@ -258,6 +258,58 @@ private slots:
         QCOMPARE(still.meshes[0].mesh->triangles, blown.meshes[0].mesh->triangles);
         QVERIFY(still.meshes[0].mesh->positions != blown.meshes[0].mesh->positions);
     }
+
+    /// The billboard stands in the place of all parts, with its pictures and where it fades in; formats
+    /// without pictures have none.
+    void theBillboardIsTheLastLevel()
+    {
+        const Scene scene = sceneOf("SmallTree");
+        ExportOptions options = levelled({3'000, 800});
+        options.levels.cards = options.levels.billboard = true;
+        options.write.mapSize = 128;
+        QCOMPARE(exportFiles(options, "tree.obj").size(), std::size_t(3));
+        QCOMPARE(exportFiles(options, "tree.stl").size(), std::size_t(2));
+        QCOMPARE(exportFiles(options, "tree.glb").size(), std::size_t(1));
+        QVERIFY(write(scene, options, "billboard.glb"));
+        const Json json = jsonOf(test::fileBytes(path("billboard.glb")));
+        QCOMPARE(trianglesOf(json, "billboard_LOD2"), std::size_t(6));
+        const Json* bark = nodeNamed(json, "branches_LOD0");
+        QVERIFY(bark);
+        const Json& ids = (*bark)["extensions"]["MSFT_lod"]["ids"];
+        QCOMPARE(ids.size(), std::size_t(2));
+        const Json& last = json["nodes"][ids[1].get<std::size_t>()];
+        QCOMPARE(last["name"].get<std::string>(), std::string("billboard_LOD2"));
+        const Json& fade = last["extras"]["fade"];
+        QVERIFY(fade["screenHeight"][0].get<double>() > fade["screenHeight"][1].get<double>());
+        QVERIFY(fade["metres"][0].get<double>() < fade["metres"][1].get<double>());
+        const Json& mesh = json["meshes"][last["mesh"].get<std::size_t>()];
+        const Json& material = json["materials"][mesh["primitives"][0]["material"].get<std::size_t>()];
+        QCOMPARE(material["name"].get<std::string>(), std::string("billboard"));
+        QCOMPARE(material["alphaMode"].get<std::string>(), std::string("MASK"));
+        options.write.mapSize = 0; // without pictures there are no cards
+        QCOMPARE(exportFiles(options, "tree.obj").size(), std::size_t(2));
+    }
+
+    /// Each level as a file, and what bodies bump into in the first.
+    void engineFilesHaveTheirNames()
+    {
+        const Scene scene = sceneOf("SmallTree");
+        ExportOptions options = levelled({3'000, 800});
+        options.levelFiles = true;
+        options.collision = CollisionNames::Unreal;
+        QVERIFY(write(scene, options, "unreal.glb"));
+        QVERIFY(!QFile::exists(path("unreal.glb")));
+        const Json first = jsonOf(test::fileBytes(path("unreal_LOD0.glb"))),
+                   second = jsonOf(test::fileBytes(path("unreal_LOD1.glb")));
+        QVERIFY(nodeNamed(first, "branches_LOD0") && nodeNamed(first, "UCX_branches_LOD0_00"));
+        QVERIFY(nodeNamed(second, "branches_LOD1") && !nodeNamed(second, "UCX_branches_LOD0_00"));
+        QVERIFY(!(*nodeNamed(first, "branches_LOD0")).contains("extensions"));
+        options.levelFiles = false;
+        options.levels = {};
+        options.collision = CollisionNames::Godot;
+        QVERIFY(write(scene, options, "godot.glb"));
+        QVERIFY(nodeNamed(jsonOf(test::fileBytes(path("godot.glb"))), "branches_00-convcolonly"));
+    }
 };
 
 RAMURE_SUITE(TestLevelExport)

@@ -23,6 +23,7 @@ extern const Command editCommand;
 extern const Command recipeCommand;
 extern const Command exportCommand;
 extern const Command ageCommand;
+extern const Command levelsCommand;
 extern const Command validateCommand;
 extern const Command simulateCommand;
 extern const Command ikCommand;
@@ -36,9 +37,9 @@ extern const Command signsCommand;
 
 /// In the order of the help.
 inline constexpr std::array allCommands = {
-    &listCommand,      &infoCommand,     &importCommand, &recipeCommand,   &editCommand, &exportCommand,
-    &ageCommand,       &validateCommand, &signsCommand,  &simulateCommand, &ikCommand,   &renderCommand,
-    &billboardCommand, &texturesCommand, &batchCommand,  &jobCommand,      &sheetCommand};
+    &listCommand,   &infoCommand,      &importCommand,   &recipeCommand, &editCommand,     &exportCommand,
+    &levelsCommand, &ageCommand,       &validateCommand, &signsCommand,  &simulateCommand, &ikCommand,
+    &renderCommand, &billboardCommand, &texturesCommand, &batchCommand,  &jobCommand,      &sheetCommand};
 
 /// An option that stands in a command's place.
 struct ProgramOption

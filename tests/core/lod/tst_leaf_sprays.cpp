@@ -49,38 +49,48 @@ class TestLeafSprays : public QObject
 private slots:
     void init() { test::failOnAnyWarning(); }
 
-    /// A twig of nothing has a frame of nothing, and its cards are there.
-    void nothingHasAFrame()
-    {
-        const SprayFrame frame = sprayFrame({});
-        QCOMPARE(frame.half, glm::dvec3(0.0));
-        QCOMPARE(sprayCards(frame, 3).faceCount(), Index(4));
-    }
-
-    /// The first card faces the eye that looks along -Z, the second one that looks along X. Each has its half
-    /// of its own cell, and no two cells touch.
+    /// The first card of a spray faces the eye that looks along -Z, the second one that looks along X. Each
+    /// has its own place in the picture.
     void cardsCross()
     {
-        const SprayFrame frame{{1.0, 2.0, 3.0}, {0.5, 1.0, 0.25}};
-        for (int twig = 0; twig < SprayAtlas::count; ++twig) {
-            const TriangleMesh cards = sprayCards(frame, twig);
-            QCOMPARE(cards.positions.size(), std::size_t(8));
-            QCOMPARE(cards.uv.size(), std::size_t(8));
-            QCOMPARE(cards.colours.size(), cards.triangles.size());
-            for (const glm::uvec3& face : cards.triangles) {
-                const glm::vec3 a = cards.positions[face.x];
-                const glm::vec3 across = glm::cross(cards.positions[face.y] - a, cards.positions[face.z] - a);
-                QVERIFY(glm::dot(across, cards.normals[face.x]) > 0.0f);
+        const auto levels = levelsOf(oak(), {8'000});
+        const CardAtlas& atlas = *levels[0].sprays;
+        QCOMPARE(atlas.cards.size(), 2 * atlas.surfaces.size());
+        for (std::size_t k = 0; k < atlas.cards.size(); ++k) {
+            const TriangleMesh card = meshOf(atlas.cards[k]);
+            QCOMPARE(card.faceCount(), Index(2));
+            QCOMPARE(card.uv.size(), std::size_t(4));
+            for (const glm::uvec3& face : card.triangles) {
+                const glm::vec3 a = card.positions[face.x];
+                const glm::vec3 across = glm::cross(card.positions[face.y] - a, card.positions[face.z] - a);
+                QVERIFY(glm::dot(across, card.normals[face.x]) > 0.0f);
             }
-            for (std::size_t v = 0; v < 8; ++v) {
-                const glm::vec2 cell = 0.5f * glm::vec2(twig % 2, twig / 2);
-                const glm::vec2 in = 2.0f * (cards.uv[v] - cell);
-                QVERIFY(in.x >= 0.0f && in.x <= 1.0f && in.y >= 0.0f && in.y <= 1.0f);
-                QVERIFY(v < 4 ? in.x <= 0.5f : in.x >= 0.5f);
-                const glm::dvec3 from = glm::abs(glm::dvec3(cards.positions[v]) - frame.middle);
-                QVERIFY(v < 4 ? from.z < 1e-6 : from.x < 1e-6);
+            for (const glm::vec2& uv : card.uv)
+                QVERIFY(uv.x >= 0.0f && uv.x <= 1.0f && uv.y >= 0.0f && uv.y <= 1.0f);
+            for (const glm::vec3& place : card.positions) {
+                const glm::dvec3 from = glm::abs(glm::dvec3(place) - atlas.cards[k].middle);
+                QVERIFY(k % 2 == 0 ? from.z < 1e-6 : from.x < 1e-6);
             }
+            for (std::size_t other = 0; other < k; ++other)
+                QVERIFY(glm::any(glm::lessThan(atlas.cards[k].high, atlas.cards[other].low)) ||
+                        glm::any(glm::lessThan(atlas.cards[other].high, atlas.cards[k].low)));
         }
+    }
+
+    /// Few clusters have each its own picture, whose colours are those of its leaves.
+    void fewHaveTheirOwnPictures()
+    {
+        const auto levels = levelsOf(oak(), {8'000, 1'250});
+        QCOMPARE(levels[0].sprays->surfaces.size(), sharedTwigs);
+        const CardAtlas& own = *levels[1].sprays;
+        QCOMPARE(own.surfaces.size(), levels[1].foliage->leaves.size());
+        QVERIFY(own.surfaces.size() <= mostOwnTwigs);
+        std::size_t shown = 0;
+        for (const ShownSurface& twig : own.surfaces)
+            shown += twig.copies.size();
+        QCOMPARE(shown, oak().tree.foliage->leaves.size());
+        for (const FoliageItem& item : levels[1].foliage->leaves)
+            QCOMPARE(item.tint, glm::vec3(1.0F));
     }
 
     /// Leaves keep their size: a card is as large as the twig that it shows, which has many.
@@ -93,10 +103,8 @@ private slots:
             QCOMPARE(level.leaves->uv.size(), level.leaves->positions.size());
             QCOMPARE(level.leafOf.size(), level.foliage->leaves.size());
             QVERIFY(std::abs(level.leafArea / levels.front().leafArea - 1.0) < 0.35);
-            for (const TriangleMesh& twig : level.sprays->twigs) {
-                QVERIFY(twig.faceCount() > 4);
-                QCOMPARE(twig.colours.size(), twig.triangles.size());
-            }
+            for (const ShownSurface& twig : level.sprays->surfaces)
+                QVERIFY(!twig.copies.empty());
             for (const FoliageItem& item : level.foliage->leaves) {
                 QVERIFY(std::isfinite(item.size) && item.size > 0.0f);
                 QVERIFY(glm::all(glm::lessThanEqual(item.tint, glm::vec3(1.0f))));

@@ -29,6 +29,7 @@ LevelForm::LevelForm(QWidget* parent)
     , m_budgets(named(new QLineEdit(this), "exportBudgets"))
     , m_from(named(new QLineEdit(this), "exportSwitches"))
     , m_cards(named(new QCheckBox(tr("Twigs as pictures on cards"), this), "exportCards"))
+    , m_billboard(named(new QCheckBox(tr("A billboard as the last level"), this), "exportBillboard"))
 {
     m_count->setRange(1, static_cast<int>(mostLevels));
     m_label->setBuddy(m_budgets);
@@ -41,10 +42,12 @@ LevelForm::LevelForm(QWidget* parent)
     rows->addWidget(m_fromLabel, 1, 1);
     rows->addWidget(m_from, 1, 2);
     rows->addWidget(m_cards, 2, 1, 1, 2);
+    rows->addWidget(m_billboard, 3, 1, 1, 2);
     connect(m_count, &QSpinBox::valueChanged, this, &LevelForm::takeCount);
     connect(m_budgets, &QLineEdit::textChanged, this, &LevelForm::changed);
     connect(m_from, &QLineEdit::textChanged, this, &LevelForm::changed);
     connect(m_cards, &QCheckBox::toggled, this, &LevelForm::changed);
+    connect(m_billboard, &QCheckBox::toggled, this, &LevelForm::takeCount);
     setFocusProxy(m_count);
     m_count->setToolTip(
         tr("Meshes of each tree, 1 to 8, for less and less triangles. A GLB holds them all; of other "
@@ -69,6 +72,9 @@ LevelForm::LevelForm(QWidget* parent)
            "place of "
            "fewer and larger leaves: outlines stay, and the picture needs its opacity. For GLB and OBJ with "
            "pictures, and leaves without pictures of their own."));
+    m_billboard->setToolTip(tr(
+        "One level more, for trees that are far away: three crossed cards with pictures of the whole tree, "
+        "six triangles, in the place of bark, leaves and fruit. For GLB and OBJ with pictures."));
 }
 
 LevelOptions LevelForm::options() const
@@ -79,7 +85,8 @@ LevelOptions LevelForm::options() const
     for (QString budget : text.split(QRegularExpression(QStringLiteral("[,;]")), Qt::SkipEmptyParts))
         if (budget.remove(QRegularExpression(QStringLiteral("\\s"))); !budget.isEmpty())
             options.budgets.push_back(budget.toLongLong());
-    if (m_count->value() > 1 || !options.budgets.empty())
+    options.billboard = m_billboard->isChecked();
+    if (m_count->value() > 1 || !options.budgets.empty() || options.billboard)
         options.count = m_count->value();
     options.cards = m_cards->isChecked();
     (void)readSwitches(m_from->text().toStdString(), options); // check() tells
@@ -91,11 +98,12 @@ LevelOptions LevelForm::options() const
 void LevelForm::takeCount()
 {
     LevelOptions now = options();
-    const auto wanted = static_cast<std::size_t>(m_count->value()) - 1;
+    const auto meshes = static_cast<std::size_t>(m_count->value());
+    const std::size_t wanted = meshes - (now.billboard ? 0 : 1);
     bool isOther = false;
-    while (!now.budgets.empty() && now.budgets.size() != wanted + 1) {
+    while (!now.budgets.empty() && now.budgets.size() != meshes) {
         isOther = true;
-        if (now.budgets.size() > wanted + 1)
+        if (now.budgets.size() > meshes)
             now.budgets.pop_back();
         else
             now.budgets.push_back(std::max(now.budgets.back() / 4, leastBudget));
@@ -118,10 +126,17 @@ void LevelForm::takeCount()
 
 void LevelForm::setOptions(const LevelOptions& options)
 {
+    const bool isOther = m_billboard->isChecked() != options.billboard;
+    {
+        const QSignalBlocker once(m_billboard); // the switches that it counts are set below
+        m_billboard->setChecked(options.billboard);
+    }
     m_count->setValue(std::max(1, static_cast<int>(options.count)));
     m_budgets->setText(budgetsText(options));
     m_from->setText(QString::fromStdString(switchesText(options)));
     m_cards->setChecked(options.cards);
+    if (isOther)
+        emit changed();
 }
 
 QVariantMap LevelForm::settingsOf(const LevelOptions& options)
@@ -132,7 +147,8 @@ QVariantMap LevelForm::settingsOf(const LevelOptions& options)
     return {{"levels", qlonglong(options.count)},
             {"budgets", budgets},
             {"switches", QString::fromStdString(switchesText(options))},
-            {"cards", options.cards}};
+            {"cards", options.cards},
+            {"billboard", options.billboard}};
 }
 
 LevelOptions LevelForm::optionsIn(const QVariantMap& settings)
@@ -142,6 +158,7 @@ LevelOptions LevelForm::optionsIn(const QVariantMap& settings)
     for (const QVariant& budget : settings.value(QStringLiteral("budgets")).toList())
         options.budgets.push_back(budget.toLongLong());
     options.cards = settings.value(QStringLiteral("cards")).toBool();
+    options.billboard = settings.value(QStringLiteral("billboard")).toBool();
     (void)readSwitches(settings.value(QStringLiteral("switches")).toString().toStdString(), options);
     return options;
 }

@@ -42,7 +42,7 @@ private:
     QSpinBox* m_count;
     QLabel *m_label, *m_fromLabel;
     QLineEdit *m_budgets, *m_from;
-    QCheckBox* m_cards;
+    QCheckBox *m_cards, *m_billboard;
 };
 
 } // namespace ramure

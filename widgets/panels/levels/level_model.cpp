@@ -68,6 +68,8 @@ QString LevelModel::cell(std::size_t row, int column) const
 {
     const TreeLevel& level = m_levels->levels[row];
     const std::size_t all = leavesOf(m_levels->whole.foliage);
+    if (level.billboard && (column == Bark || column == Leaves || column == LeavesLeft))
+        return QStringLiteral("–");
     switch (column) {
     case Level:
         return QString::number(row);
@@ -105,7 +107,9 @@ QString LevelModel::tip(std::size_t row) const
     text += u'\n' + tr("A GLB says that it is needed while the tree covers %1 of the screen or more "
                        "(MSFT_screencoverage).")
                         .arg(percentText(m_levels->switches.coverage[row]));
-    if (const std::size_t all = leavesOf(m_levels->whole.foliage); all > 0)
+    if (level.billboard)
+        text += u'\n' + tr("A billboard: crossed cards with pictures of the whole tree");
+    else if (const std::size_t all = leavesOf(m_levels->whole.foliage); all > 0)
         text += u'\n' + tr("%1 of %2 leaves, %3 times as large")
                             .arg(countText(qint64(leavesOf(level.foliage))), countText(qint64(all)),
                                  QLocale().toString(level.leafScale, 'f', 2));

@@ -61,10 +61,27 @@ void drawSimplest(RenderScene& scene, const TreeResult& tree, double alpha, Foli
         }
 }
 
+/// The cards of a billboard stand for all of the tree.
+RenderScene billboardScene(const TreeLevel& level)
+{
+    RenderScene scene;
+    MeshItem item;
+    for (const glm::vec3& place : level.billboard->positions)
+        item.box.add(glm::dvec3(place));
+    item.mesh = level.billboard;
+    item.material = billboardMaterial(level.billboardAtlas);
+    item.images = std::make_shared<const SurfaceImages>(surfaceImages(item.material));
+    scene.box = item.box;
+    scene.meshes.push_back(std::move(item));
+    return scene;
+}
+
 } // namespace
 
 RenderScene levelScene(SceneBuilder& builder, const TreeLevels& of, std::optional<std::size_t> level)
 {
+    if (level && of.levels[*level].billboard)
+        return billboardScene(of.levels[*level]);
     const TreeResult tree = level ? resultOf(of, of.levels[*level]) : of.whole;
     Node node;
     node.id = 1;

@@ -341,7 +341,7 @@ void LevelsPanel::takeTree()
     const auto own = m_metres.find(tree);
     options.distances = own == m_metres.end() ? std::vector<double>() : own->second;
     if (!options.distances.empty()) {
-        options.distances.resize(std::size_t(std::max<std::int64_t>(options.count, 1)) - 1,
+        options.distances.resize(std::size_t(std::max<std::int64_t>(options.total(), 1)) - 1,
                                  options.distances.back());
         options.shares.clear();
     }
@@ -512,10 +512,11 @@ void LevelsPanel::showMenu(const QPoint& at)
     menu->addAction(icon("export"), tr("&Export these levels…"), this,
                     [this] { emit exportRequested(m_watch->options()); });
     const bool isTree = row == 0 && m_watch->options().beginsWhole();
-    menu->addAction(tr("Export a tree of %1 t&riangles alone…").arg(countText(triangles)), this,
-                    [this, isTree, triangles] {
-                        emit exportRequested(isTree ? LevelOptions{1} : LevelOptions{1, {triangles}});
-                    });
+    if (!m_levels->levels[static_cast<std::size_t>(row)].billboard)
+        menu->addAction(tr("Export a tree of %1 t&riangles alone…").arg(countText(triangles)), this,
+                        [this, isTree, triangles] {
+                            emit exportRequested(isTree ? LevelOptions{1} : LevelOptions{1, {triangles}});
+                        });
     menu->popup(m_table->viewport()->mapToGlobal(at));
 }
 

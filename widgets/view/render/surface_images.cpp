@@ -214,8 +214,8 @@ std::vector<Error> pictureProblems(const PictureParams& pictures)
     return out;
 }
 
-/// Twigs cut out of cards. What draws them cuts at a half.
-static SurfaceImages imagesOfSprays(const SprayAtlas& sprays)
+/// Twigs, or the tree, cut out of cards. What draws them cuts at a half.
+static SurfaceImages imagesOfSprays(const CardAtlas& sprays)
 {
     constexpr int side = 1024;
     const SprayMaps maps = sprayMaps(sprays, side).value();
@@ -223,9 +223,7 @@ static SurfaceImages imagesOfSprays(const SprayAtlas& sprays)
     out.size = side;
     out.isCut = true;
     for (std::size_t at = 0; at < maps.colour.size(); ++at) {
-        const glm::u8vec4 pixel = maps.colour[at];
-        const float open = std::min(1.0F, float(pixel.a) / 255.0F * 0.5F / maps.cutoff);
-        out.colour.emplace_back(glm::u8vec3(pixel), std::uint8_t(255.0F * open + 0.5F));
+        out.colour.push_back(maps.colour[at]);
         out.normal.emplace_back(maps.normal[at], 128);
     }
     return out;

@@ -10,11 +10,18 @@ static constexpr const char *compression = "EXT_meshopt_compression", *quantisat
 
 std::size_t Buffer::addView(std::string_view bytes, Target target)
 {
-    m_bytes.resize((m_bytes.size() + 3) / 4 * 4, '\0');
-    Json view{{"buffer", 0}, {"byteOffset", m_bytes.size()}, {"byteLength", bytes.size()}};
+    Json view{{"buffer", 0}, {"byteOffset", m_size}, {"byteLength", bytes.size()}};
     if (target != Target::None)
         view["target"] = static_cast<int>(target);
-    m_bytes.append(bytes);
+    const std::size_t whole = (bytes.size() + 3) / 4 * 4; // the next begins where any number may
+    m_size += whole;
+    if (m_size <= std::numeric_limits<std::uint32_t>::max()) {
+        std::string& piece = m_pieces.emplace_back();
+        piece.reserve(whole);
+        piece.append(bytes).resize(whole, '\0');
+    } else {
+        m_pieces.clear();
+    }
     m_views.push_back(std::move(view));
     return m_views.size() - 1;
 }
@@ -129,15 +136,14 @@ static void append(FileWriter& out, std::uint32_t number)
 
 Expected<void> Buffer::write(const std::string& path, Json root, const Progress& progress) &&
 {
-    m_bytes.resize((m_bytes.size() + 3) / 4 * 4, '\0');
-    root["buffers"] = Json::array({{{"byteLength", m_bytes.size()}}});
+    root["buffers"] = Json::array({{{"byteLength", m_size}}});
     tellExtensions(root);
     root["bufferViews"] = std::move(m_views);
     root["accessors"] = std::move(m_accessors);
     // Names come from files of any kind; what is no UTF-8 in them becomes a question mark.
     std::string text = root.dump(-1, ' ', false, Json::error_handler_t::replace);
     text.resize((text.size() + 3) / 4 * 4, ' ');
-    const std::uint64_t size = 12 + 8 + text.size() + 8 + m_bytes.size();
+    const std::uint64_t size = 12 + 8 + text.size() + 8 + m_size;
     if (size > std::numeric_limits<std::uint32_t>::max()) {
         auto error =
             fail(ErrorCode::Limit, RAMURE_NOOP("a GLB holds up to 4 GiB: fewer leaves or triangles"));
@@ -152,14 +158,19 @@ Expected<void> Buffer::write(const std::string& path, Json root, const Progress&
     append(*out, static_cast<std::uint32_t>(text.size()));
     append(*out, 0x4E4F534AU); // "JSON"
     out->append(text);
-    append(*out, static_cast<std::uint32_t>(m_bytes.size()));
+    append(*out, static_cast<std::uint32_t>(m_size));
     append(*out, 0x004E4942U); // "BIN"
-    constexpr std::size_t piece = std::size_t(16) << 20;
-    for (std::size_t at = 0; at < m_bytes.size() && out->isGood(); at += piece) {
-        progress.report(double(at) / double(m_bytes.size()));
-        if (progress.cancelled())
-            return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
-        out->append(std::string_view(m_bytes).substr(at, piece));
+    constexpr std::size_t part = std::size_t(16) << 20;
+    std::size_t done = 0;
+    for (std::string& piece : m_pieces) {
+        for (std::size_t at = 0; at < piece.size() && out->isGood(); at += part) {
+            progress.report(double(done + at) / double(m_size));
+            if (progress.cancelled())
+                return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
+            out->append(std::string_view(piece).substr(at, part));
+        }
+        done += piece.size();
+        std::string().swap(piece); // a large scene needs the room
     }
     return out->commit();
 }

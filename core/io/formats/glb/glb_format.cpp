@@ -5,6 +5,7 @@
 #include "core/base/number_text.h"
 #include "core/base/version.h"
 #include "core/io/formats/file_format.h"
+#include "core/io/formats/glb/glb_levels.h"
 #include "core/io/formats/glb/glb_motion.h"
 #include "core/io/formats/glb/glb_packed.h"
 #include "core/io/formats/glb/glb_reader.h"
@@ -304,6 +305,7 @@ private:
                                     : holderOf(from.node, from.name, glm::dmat4(1.0), from.finest != noIndex);
         RAMURE_TRY(holder);
         m_meshNode.push_back(*holder);
+        glb::tellFade(m_nodes[*holder], from);
         return addOnce(*holder, {mesh, from.wind, from.seasons, from.shapes, textured, coloured, *number},
                        from.name);
     }
@@ -348,6 +350,7 @@ private:
             m_roots.push_back(m_nodes.size());
         m_meshNode.push_back(m_nodes.size());
         m_nodes.push_back({{"name", from.name}, {"mesh", m_meshes.size()}, {"skin", *skin}});
+        glb::tellFade(m_nodes.back(), from);
         return addMesh(from.name, *from.mesh, textured, material, &from);
     }
 
@@ -553,7 +556,6 @@ Expected<void> exportGlb(const std::string& path, const ExportScene& scene, cons
     return written;
 }
 
-/// With positions, normals, colours and three indices.
 /// Places, normals, colours; with pictures there are coordinates and tangents.
 FileRates glbRates(bool /*texture*/, double /*digits*/)
 {

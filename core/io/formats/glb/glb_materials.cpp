@@ -125,16 +125,15 @@ Expected<void> Materials::addPictures(Json& out, const Material& material, const
     return addOwnPictures(out, material);
 }
 
-/// Twigs cut out of cards.
-Expected<void> Materials::addSprays(Json& out, const SprayAtlas& sprays, const Progress& progress)
+/// Twigs, or the tree, cut out of cards.
+Expected<void> Materials::addSprays(Json& out, const CardAtlas& sprays, const Progress& progress)
 {
     const auto maps = makeMaps(sprays, m_mapSize, progress);
     RAMURE_TRY(maps);
     const std::string name = sprayFileName(sprays, m_mapSize, "cut");
     out["pbrMetallicRoughness"]["baseColorTexture"] = texture(name, maps->cut, "image/png");
     out["normalTexture"] = texture(sprayFileName(sprays, m_mapSize, "normal"), maps->normal, "image/png");
-    out["alphaMode"] = "MASK";
-    out["alphaCutoff"] = maps->cutoff;
+    out["alphaMode"] = "MASK"; // at a half
     return {};
 }
 

@@ -87,7 +87,10 @@ private:
 
     bool m_isPacked;
     bool m_isRounded = false; ///< directions are bytes
-    std::string m_bytes;
+    /// One after the other: a single text would be copied whenever it grows. What cannot be written any more
+    /// is not kept, but counted.
+    std::vector<std::string> m_pieces;
+    std::size_t m_size = 0;
     std::size_t m_unpacked = 0; ///< bytes that the compressed views become
     Json m_views = Json::array(), m_accessors = Json::array();
 };
@@ -152,7 +155,7 @@ public:
 
 private:
     Expected<void> addPictures(Json& out, const Material& material, const Progress& progress);
-    Expected<void> addSprays(Json& out, const SprayAtlas& sprays, const Progress& progress);
+    Expected<void> addSprays(Json& out, const CardAtlas& sprays, const Progress& progress);
     Expected<void> addOwnPictures(Json& out, const Material& material);
     Expected<void> addOwn(Json& place, const std::string& path);
     [[nodiscard]] Json texture(const std::string& name, std::string_view bytes, const char* type);

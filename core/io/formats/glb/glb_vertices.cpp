@@ -1,7 +1,8 @@
 #include "core/io/formats/glb/glb_parts.h"
 
 #include "core/math/reproducible.h"
-#include "core/surface/bark/bark_maps.h"
+#include "core/math/srgb.h"
+#include "core/surface/bark/bark_tints.h"
 #include "core/surface/proof/validate.h"
 
 #include <algorithm>
@@ -50,13 +51,7 @@ glm::vec3 linear(const glm::vec3& colour)
 
 float linear(std::uint8_t channel)
 {
-    static const std::array<float, 256> table = [] {
-        std::array<float, 256> all{};
-        for (std::size_t i = 0; i < all.size(); ++i)
-            all[i] = linear(double(i) / 255.0);
-        return all;
-    }();
-    return table[channel];
+    return static_cast<float>(linearOf(channel));
 }
 
 namespace {
@@ -176,23 +171,11 @@ Vertices verticesOf(const TriangleMesh& mesh, bool textured)
 
 void addAges(Vertices& vertices, const TriangleMesh& mesh, const BarkParams& bark)
 {
-    const auto linearOf = [](const glm::u8vec3& c) {
-        return glm::vec3(linear(c.r), linear(c.g), linear(c.b));
-    };
-    const glm::vec3 old = glm::max(linearOf(meanColour(bark)), 1e-3F);
-    // Factors go up to 1: what is lighter than old bark keeps its hue alone.
-    const auto factorOf = [&](const glm::u8vec3& colour) {
-        const glm::vec3 factor = linearOf(colour) / old;
-        return factor / std::max({factor.r, factor.g, factor.b, 1.0F});
-    };
-    const glm::vec3 young = factorOf(youngColour(bark)), limb = factorOf(limbColour(bark));
+    const BarkTints tints(bark);
     vertices.colours.reserve(vertices.from.size());
     for (const Index from : vertices.from) {
-        const double radius = double(mesh.radius[from]);
-        const glm::vec3 bare = glm::mix(limb, glm::vec3(1.0F), barkRipeness(bark.family, radius));
-        const glm::vec3 aged = glm::mix(young, bare, barkAge(bark.family, radius));
-        const glm::vec3 worn = glm::mix(glm::vec3(1.0F), weatheredBark, barkWeather(mesh.positions[from]));
-        vertices.colours.emplace_back(65535.0F * aged * worn * worn + 0.5F, 65535); // squared: about linear
+        vertices.colours.emplace_back(65535.0F * tints.at(mesh.radius[from], mesh.positions[from]) + 0.5F,
+                                      65535);
     }
 }
 

@@ -90,7 +90,7 @@ Expected<void> Materials::addMade(Made& made, const Material& material, const Pr
         RAMURE_TRY(maps);
         const auto nameOf = [&](const char* map) { return sprayFileName(*material.sprays, m_mapSize, map); };
         const std::string cut = keep(nameOf("cut"), std::move(maps->cut));
-        made.cutoff = double(maps->cutoff);
+        made.cutoff = 0.5;
         made.textures = {{cut, "diffuseColor", "rgb", true},
                          {cut, "opacity", "a"},
                          {keep(nameOf("normal"), std::move(maps->normal)), "normal", "rgb"}};

@@ -38,6 +38,10 @@ const auto windItems = [] {
         items.push_back({facts.name, std::int64_t(facts.profile), facts.choice});
     return items;
 }();
+constexpr OptionItem collisionItems[] = {
+    {"none", std::int64_t(CollisionNames::None), RAMURE_NOOP("None")},
+    {"unreal", std::int64_t(CollisionNames::Unreal), RAMURE_NOOP("Unreal Engine")},
+    {"godot", std::int64_t(CollisionNames::Godot), RAMURE_NOOP("Godot")}};
 constexpr OptionItem upItems[] = {{"y", std::int64_t(UpAxis::Y), RAMURE_NOOP("Y up")},
                                   {"z", std::int64_t(UpAxis::Z), RAMURE_NOOP("Z up")}};
 constexpr OptionItem unitItems[] = {
@@ -218,24 +222,42 @@ const ExportOption table[] = {
              "%1. Without --budget the first is the tree as it is, and each further one has a quarter of the triangles or "
              "less.",
      .inExport = "of other formats each is a file, FILE_LOD0, FILE_LOD1 and so on", .inBatch = "other files hold the tree alone",
-     .flags = ofExport | ofBatch | ofTrees, .place = at([](auto& o) -> auto& { return o.levels.count; }),
+     .flags = ofLevels | ofExport | ofBatch | ofTrees, .place = at([](auto& o) -> auto& { return o.levels.count; }),
      .least = 1, .most = mostLevels, .expected = "1 to 8"},
     {.name = "budget", .values = "T0,T1,...",
      .help = "Triangles of each level, bark, leaves and fruit together, separated by commas; each less than the one before. "
              "Levels keep them within 2 %.",
-     .flags = ofExport | ofBatch | ofTrees, .read = &readBudgets, .text = &budgetsText, .hashed = "%1"},
+     .flags = ofLevels | ofExport | ofBatch | ofTrees, .read = &readBudgets, .text = &budgetsText, .hashed = "%1"},
     {.name = "switch", .values = "D1,D2,...",
      .help = "When each level but the first takes the place of the one before: distances in metres, rising, for a vertical "
              "angle of view of 40°, such as 20,60; or shares of the picture's height that the tree has, falling, such as "
              "60%,30%. A .glb holds it as MSFT_screencoverage. Without it 60%, and half of that for each further level.",
-     .flags = ofExport | ofBatch | ofTrees,
+     .flags = ofLevels | ofExport | ofBatch | ofTrees,
      .read = [](ExportOptions& o, const std::string& t) { return readSwitches(t, o.levels); },
      .text = [](const ExportOptions& o) { return switchesText(o.levels); }, .hashed = "%1"},
     {.name = "leaf-cards",
      .help = "Of levels, where not all leaves are there: cards with pictures of the tree's own twigs in the place of enlarged "
              "leaves, cut out by their opacity. For formats with pictures, and leaves without pictures of their own.",
-     .flags = ofExport | ofBatch | ofTrees | ofFormats, .place = at([](auto& o) -> auto& { return o.levels.cards; }),
+     .flags = ofLevels | ofExport | ofBatch | ofTrees | ofFormats, .place = at([](auto& o) -> auto& { return o.levels.cards; }),
      .hashed = "leaf-cards", .holds = holdsTexture | holdsObjects},
+    {.name = "billboard",
+     .help = "Of levels, one more after them: three crossed cards with pictures of the whole tree, which take the place of all "
+             "its meshes. For formats with pictures.",
+     .flags = ofLevels | ofExport | ofBatch | ofTrees | ofFormats, .place = at([](auto& o) -> auto& { return o.levels.billboard; }),
+     .hashed = "billboard", .holds = holdsTexture | holdsObjects},
+    {.name = "level-files",
+     .help = "Writes each level as a file also into formats that hold them all: tree_LOD0.glb, tree_LOD1.glb and so on, for "
+             "engines that do not know MSFT_lod.",
+     .flags = ofExport | ofTrees, .place = at([](auto& o) -> auto& { return o.levelFiles; })},
+    {.name = "collision", .values = "unreal|godot|none",
+     .help = "Convex pieces around trunk and thick limbs, 32 at most, for bodies to bump into, with the names by which an engine "
+             "knows them: UCX_branches_LOD0_00 and so on for unreal, branches_LOD0_00-convcolonly for godot. They stand in the "
+             "file of the finest level.",
+     .flags = ofExport | ofBatch | ofTrees | ofFormats, .place = at([](auto& o) -> auto& { return o.collision; }),
+     .items = collisionItems, .hashed = "collision %1", .holds = holdsObjects, .key = "collision",
+     .label = RAMURE_NOOP("Collision for"),
+     .tip = RAMURE_NOOP("Adds convex pieces around the trunk and thick limbs, under the names by which the engine takes them for what bodies bump into."),
+     .uses = forGame},
     {.name = "growth", .values = "YEARS",
      .help = "Of trees in a .glb, .usda, .usdz or .pc2 that grow by years: one mesh that grows from this age to the tree's own as it plays. "
              "Its vertices and triangles stay the same; a .glb has key shapes (morph targets), a USD file time samples, a .pc2 the places of its "

@@ -22,6 +22,7 @@ inline constexpr OptionFlag ofTrees = 32;    ///< needs a tree
 inline constexpr OptionFlag ofClips = 64;    ///< says something about files that move
 /// The command line refuses the option for formats that do not hold it.
 inline constexpr OptionFlag ofFormats = 128;
+inline constexpr OptionFlag ofLevels = 256; ///< `levels`
 
 /// The purpose of an export. Each has a page of the export dialog.
 enum class ExportUse : std::uint8_t { Blender, Game, Print, Web, Pictures };

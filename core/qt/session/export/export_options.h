@@ -20,6 +20,13 @@ enum class ExportModel : std::uint8_t {
 
 enum ExportPart : std::uint8_t { exportBranches = 1, exportLeaves = 2, exportApples = 4, exportAll = 7 };
 
+/// Names by which an engine knows what bodies bump into.
+enum class CollisionNames : std::uint8_t {
+    None,   ///< there is nothing
+    Unreal, ///< UCX_, the name of the mesh, a number
+    Godot,  ///< the name of the mesh, a number, -convcolonly
+};
+
 struct ExportOptions
 {
     ExportModel model = ExportModel::Mesh;
@@ -30,7 +37,9 @@ struct ExportOptions
     bool texture = false;     ///< trees with texture coordinates; the rough model and the skeleton have none
     std::vector<double> clip; ///< s, further times: trees and arms of ExportModel::Mesh then have skins
     LevelOptions levels;      ///< levels of trees, see ExportModel::Mesh
-    bool variants = false;    ///< leaves and fruit in four seasons
+    bool levelFiles = false;  ///< each level is a file also where the format holds them all
+    CollisionNames collision = CollisionNames::None; ///< of trees of ExportModel::Mesh
+    bool variants = false;                           ///< leaves and fruit in four seasons
     double growthFrom = 0.0;  ///< years: trees grow as one mesh from this age on; 0: they have their age
     double growthSpeed = 5.0; ///< years a second
     int growthKeys = 12;      ///< most key shapes of it

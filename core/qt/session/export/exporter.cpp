@@ -165,7 +165,7 @@ Expected<void> addTexture(TreeMeshes& meshes, const TextureStage& texture, const
 /// \param motion whose skins the meshes have; none: they are as they stand. \param sprays that stand for the
 /// leaves; null: none
 void addMeshes(ExportScene& out, const Candidate& tree, const TreeMeshes& meshes, const NodeParams& params,
-               const NodeMotion& motion, const std::shared_ptr<const SprayAtlas>& sprays = {})
+               const NodeMotion& motion, const std::shared_ptr<const CardAtlas>& sprays = {})
 {
     const auto add = [&](const char* name, const std::shared_ptr<const TriangleMesh>& mesh,
                          const std::shared_ptr<const Skin>& skin, const Material& material,
@@ -376,7 +376,9 @@ Expected<void> addFineTree(ExportScene& out, const Candidate& tree, EvaluatedSce
     addMeshes(out, tree, meshes, params, posed->motion);
     tellSeasons(out, tree.suffix, seasons);
     const WindFoliage foliage{meshes.foliage.get()};
-    return addWind(out, from, tree.suffix, options.wind, *posed, {&foliage, 1});
+    RAMURE_TRY(addWind(out, from, tree.suffix, options.wind, *posed, {&foliage, 1}));
+    addCollision(out, tree.number, from, posed->rest.simplified->skeleton, options);
+    return {};
 }
 
 /// One after the other, all with one skeleton; each mesh after the first stands for that one's.
@@ -401,17 +403,21 @@ Expected<void> addLevels(ExportScene& out, const Candidate& tree, EvaluatedScene
         const NodeParams& params = scene.params(*tree.node);
         addMeshes(out, tree, {level.bark, level.leaves, level.apples, level.foliage, level.cuts}, params,
                   motion, level.sprays);
+        if (level.billboard)
+            out.meshes.push_back({"billboard" + tree.suffix, tree.number, level.billboard,
+                                  materialIn(out, billboardMaterial(level.billboardAtlas))});
         for (std::size_t i = from; i < out.meshes.size(); ++i) {
             ExportMesh& mesh = out.meshes[i];
             const auto first = finest.try_emplace(mesh.name, static_cast<Index>(i));
-            mesh.isLevel = true;
-            mesh.level = static_cast<int>(k);
-            mesh.finest = first.second ? noIndex : first.first->second;
-            mesh.coverage = made->switches.coverage[k];
-            mesh.name += "_LOD" + std::to_string(k);
+            tellLevel(mesh, *made, k);
+            mesh.finest = level.billboard ? static_cast<Index>(begun) // in the place of all
+                          : first.second  ? noIndex
+                                          : first.first->second;
         }
     }
-    return addWind(out, begun, tree.suffix, options.wind, made->tree, foliage);
+    RAMURE_TRY(addWind(out, begun, tree.suffix, options.wind, made->tree, foliage));
+    addCollision(out, tree.number, begun, made->tree.rest.simplified->skeleton, options);
+    return {};
 }
 
 Expected<void> addTree(ExportScene& out, const Candidate& tree, EvaluatedScene& scene,
@@ -548,8 +554,7 @@ Expected<void> exportScene(EvaluatedScene scene, const ExportOptions& options, c
     RAMURE_TRY(checkWindExport(options, **format));
     RAMURE_TRY(checkGrowthExport(options, **format));
     ExportOptions wanted = options;
-    constexpr int pictured = holdsTexture | holdsObjects;
-    wanted.levels.cards = wanted.levels.cards && ((*format)->holds & pictured) == pictured;
+    wanted.levels = levelsIn(**format, options);
     const auto collected = collectExport(std::move(scene), wanted, progress.part(0.0, 0.5));
     RAMURE_TRY(collected);
     return writeExport(*collected, options, path, progress.part(0.5, 1.0));
@@ -567,7 +572,7 @@ Expected<void> writeExport(const ExportScene& scene, const ExportOptions& option
             return listed;
     if (auto written = writePivots(path, scene); !written)
         return written;
-    if (!options.levels.isWanted() || ((*format)->holds & holdsLevels))
+    if (!options.levels.isWanted() || isOneFile(**format, options))
         return (*format)->write(path, scene, head, progress.part(0.2, 1.0));
     return writeLevels(**format, path, scene, head, progress.part(0.2, 1.0));
 }

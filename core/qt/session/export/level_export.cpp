@@ -1,7 +1,9 @@
 #include "core/qt/session/export/level_export.h"
 
+#include "core/lod/collision_chain.h"
 #include "core/math/reproducible.h"
 #include "core/qt/session/export/exporter.h"
+#include <algorithm>
 #include <cmath>
 #include <glm/matrix.hpp>
 
@@ -24,9 +26,7 @@ Expected<LevelledTree> levelsOf(const Node& node, EvaluatedScene& scene, const E
     const auto has = [&](ExportPart part) { return (options.parts & part) != 0; };
     const LevelParts parts{has(exportBranches), has(exportLeaves), has(exportApples), options.texture};
     const NodeParams& params = scene.params(node);
-    LevelOptions wanted = options.levels;
-    wanted.cards = wanted.cards && options.texture && options.write.mapSize > 0; // they are pictures
-    auto levels = treeLevels(out.tree.rest, params, wanted, parts, progress.part(0.4, 1.0));
+    auto levels = treeLevels(out.tree.rest, params, options.levels, parts, progress.part(0.4, 1.0));
     RAMURE_TRY(levels);
     out.levels = std::move(*levels);
     out.switches = switchesOf(out.levels, options.levels, nodeScale(scene, node.id));
@@ -59,6 +59,55 @@ Expected<void> checkLevelExport(const ExportOptions& options, const FileFormat& 
     return checkLevels(options.levels);
 }
 
+LevelOptions levelsIn(const FileFormat& format, const ExportOptions& options)
+{
+    constexpr int pictured = holdsTexture | holdsObjects;
+    LevelOptions out = options.levels;
+    if ((format.holds & pictured) == pictured && options.texture && options.write.mapSize > 0)
+        return out;
+    const auto most = static_cast<std::size_t>(std::max<std::int64_t>(out.count - 1, 0));
+    for (std::vector<double>* switches : {&out.distances, &out.shares})
+        if (out.billboard && switches->size() > most)
+            switches->resize(most);
+    out.cards = out.billboard = false;
+    return out;
+}
+
+void tellLevel(ExportMesh& mesh, const LevelledTree& tree, std::size_t level)
+{
+    mesh.isLevel = true;
+    mesh.level = static_cast<int>(level);
+    mesh.coverage = tree.switches.coverage[level];
+    mesh.share = level > 0 ? tree.switches.shares[level] : 0.0;
+    mesh.distance = tree.switches.distances[level];
+    mesh.name += "_LOD" + std::to_string(level);
+}
+
+bool isOneFile(const FileFormat& format, const ExportOptions& options)
+{
+    return (format.holds & holdsLevels) != 0 && !options.levelFiles;
+}
+
+void addCollision(ExportScene& out, Index node, std::size_t first, const Skeleton& skeleton,
+                  const ExportOptions& options)
+{
+    if (options.collision == CollisionNames::None || first == out.meshes.size())
+        return;
+    const std::string name = out.meshes[first].name;
+    const Index material = materialIn(out, Material{"collision", glm::u8vec3(200, 60, 200)});
+    int number = 0;
+    for (TriangleMesh& piece : collisionChain(skeleton)) {
+        std::string digits = std::to_string(number++);
+        digits.insert(0, 2 - std::min<std::size_t>(digits.size(), 2), '0');
+        ExportMesh mesh{{}, node, std::make_shared<const TriangleMesh>(std::move(piece)), material};
+        mesh.name = options.collision == CollisionNames::Unreal
+                        ? std::string("UCX_").append(name).append("_").append(digits)
+                        : std::string(name).append("_").append(digits).append("-convcolonly");
+        mesh.isLevel = options.levelFiles && options.levels.isWanted(); // in the file of the finest alone
+        out.meshes.push_back(std::move(mesh));
+    }
+}
+
 std::string levelFile(const std::string& path, int level)
 {
     const std::size_t name = path.find_last_of('/') + 1, dot = path.find_last_of('.');
@@ -69,10 +118,11 @@ std::string levelFile(const std::string& path, int level)
 std::vector<std::string> exportFiles(const ExportOptions& options, const std::string& path)
 {
     const auto format = findFormat(path, FormatUse::Write, options.write.ascii);
-    if (!options.levels.isWanted() || !format || ((*format)->holds & holdsLevels))
+    if (!options.levels.isWanted() || !format || isOneFile(**format, options))
         return {path};
     std::vector<std::string> files;
-    for (int level = 0; level < static_cast<int>(options.levels.count); ++level)
+    const auto count = static_cast<int>(levelsIn(**format, options).total());
+    for (int level = 0; level < count; ++level)
         files.push_back(levelFile(path, level));
     return files;
 }

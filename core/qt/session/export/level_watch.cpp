@@ -316,7 +316,7 @@ void LevelWatch::Private::take(Expected<LevelsPointer>&& got)
 /// The meshes are the same, whenever they are shown.
 void LevelWatch::Private::takeSwitches()
 {
-    if (levels->levels.size() != static_cast<std::size_t>(options.count))
+    if (levels->levels.size() != static_cast<std::size_t>(options.total()))
         return; // others are being made
     auto with = std::make_shared<TreeLevels>(*levels);
     with->switches = switchesOf(with->levels, options, with->scale);

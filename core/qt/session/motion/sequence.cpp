@@ -83,12 +83,13 @@ Expected<void> exportSequence(const Scene& scene, const ExportOptions& options, 
 /// Of a triangle of a level: without a budget, and with one, whose leaves are cards; measured.
 constexpr double verticesOfSteps = 1.21, verticesOfBudgets = 1.58;
 
-static double levelTriangles(const LevelOptions& levels, double whole)
+/// \param trees of which each has its budgets
+static double levelTriangles(const LevelOptions& levels, double whole, double trees)
 {
     double sum = 0.0;
     for (std::size_t i = 0;
          i < static_cast<std::size_t>(std::clamp<std::int64_t>(levels.count, 0, mostLevels)); ++i) {
-        sum += i < levels.budgets.size() ? static_cast<double>(levels.budgets[i]) : whole;
+        sum += i < levels.budgets.size() ? trees * static_cast<double>(levels.budgets[i]) : whole;
         whole *= levelStep;
     }
     return sum;
@@ -203,7 +204,10 @@ std::uint64_t estimatedFileBytes(const Scene& scene, const ExportOptions& option
     auto vertices = static_cast<double>(counts.total().vertices);
     auto triangles = static_cast<double>(counts.total().faces);
     if (const LevelOptions& levels = options.levels; levels.isWanted()) {
-        const double all = levelTriangles(levels, triangles);
+        const auto trees = std::ranges::count_if(scene.nodes(), [&](const Node& node) {
+            return node.kind == NodeKind::Tree && isExported(scene, options, node);
+        });
+        const double all = levelTriangles(levels, triangles, static_cast<double>(trees));
         vertices =
             levels.beginsWhole() ? vertices + verticesOfSteps * (all - triangles) : verticesOfBudgets * all;
         triangles = all;

@@ -71,9 +71,15 @@ private:
         {
             return panel->findChild<T*>(QLatin1String(name));
         }
+        /// Without the billboard, as the next one.
+        void setCount(int count) const
+        {
+            part<QCheckBox>("exportBillboard")->setChecked(false);
+            part<QSpinBox>("levelCount")->setValue(count);
+        }
         void setBudgets(const QString& text, int count) const
         {
-            part<QSpinBox>("levelCount")->setValue(count);
+            setCount(count);
             part<QLineEdit>("levelBudgets")->setText(text);
         }
         [[nodiscard]] QString problem() const
@@ -161,6 +167,17 @@ private slots:
         QVERIFY(bench.problem().isEmpty());
         QVERIFY((bench.panel->watch()->options() == LevelOptions{.count = 3, .cards = true}));
     }
+    void theBillboardIsARow()
+    {
+        Bench bench;
+        bench.setBudgets(QStringLiteral("900, 300"), 2);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.isDone() && bench.rows() == 2, patienceMs);
+        bench.part<QCheckBox>("exportBillboard")->setChecked(true);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.isDone() && bench.rows() == 3, patienceMs);
+        QCOMPARE(bench.cell(2, LevelModel::Triangles), QStringLiteral("6"));
+        QCOMPARE(bench.cell(2, LevelModel::Bark), QStringLiteral("–"));
+        QVERIFY(bench.panel->watch()->levels()->levels.back().billboard);
+    }
     void whatTheTreeCannotKeepIsTold()
     {
         Bench bench;
@@ -224,7 +241,7 @@ private slots:
         QFETCH(QString, switches);
         QFETCH(QString, about);
         Bench bench;
-        bench.part<QSpinBox>("levelCount")->setValue(3);
+        bench.setCount(3);
         bench.part<QLineEdit>("levelSwitches")->setText(switches);
         QVERIFY2(bench.problem().contains(about), qPrintable(bench.problem()));
         bench.part<QLineEdit>("levelSwitches")->clear();
@@ -237,7 +254,7 @@ private slots:
         Bench bench;
         const NodeId other = bench.trees.add(test::smallForks(), "Forks");
         bench.trees.selectNode(bench.tree);
-        bench.part<QSpinBox>("levelCount")->setValue(3);
+        bench.setCount(3);
         auto* from = bench.part<QLineEdit>("levelSwitches");
         QVERIFY(!bench.panel->chosen() || bench.panel->chosen()->distances.empty());
         from->setText(QStringLiteral("20; 60"));
@@ -262,7 +279,7 @@ private slots:
             ++calls;
             return treeLevels(tree, params, options, {}, progress);
         });
-        bench.part<QSpinBox>("levelCount")->setValue(3);
+        bench.setCount(3);
         QTRY_VERIFY_WITH_TIMEOUT(bench.isDone() && bench.rows() == 3, patienceMs);
         auto* model = bench.panel->table()->model();
         QCOMPARE(bench.cell(1, LevelModel::Height), QStringLiteral("60 %"));
@@ -288,9 +305,9 @@ private slots:
         QVERIFY(bench.panel->watch()->options().distances.empty());
         // One level more is seen from twice as far.
         bench.part<QLineEdit>("levelSwitches")->setText(QStringLiteral("15; 40.5"));
-        bench.part<QSpinBox>("levelCount")->setValue(4);
+        bench.setCount(4);
         QCOMPARE(bench.part<QLineEdit>("levelSwitches")->text(), QStringLiteral("15; 40.5; 81"));
-        bench.part<QSpinBox>("levelCount")->setValue(3);
+        bench.setCount(3);
         QTRY_VERIFY_WITH_TIMEOUT(bench.isDone() && bench.rows() == 3, patienceMs);
         QCOMPARE(bench.cell(2, LevelModel::From), metresText(40.5));
         LevelsPanel again(&bench.trees.document(), &bench.preferences);
@@ -412,7 +429,7 @@ private slots:
         QCOMPARE(bench.rows(), 0);
         QTRY_VERIFY(before.expired());
         QVERIFY(bench.trees.compute(bench.tree));
-        QTRY_VERIFY_WITH_TIMEOUT(bench.isDone() && bench.rows() == 4, patienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.isDone() && bench.rows() == 5, patienceMs);
         bench.panel->hide();
         bench.trees.document().reset(Scene(), {}); // nobody looks, and yet nothing is kept
         QVERIFY(bench.state() == State::None && !bench.panel->watch()->levels());
@@ -459,7 +476,7 @@ private slots:
         goes = true;
         again->click();
         QTRY_VERIFY_WITH_TIMEOUT(bench.isDone(), patienceMs);
-        QVERIFY(!again->isVisible() && bench.rows() == 4);
+        QVERIFY(!again->isVisible() && bench.rows() == 5);
     }
     /// What does not look at its stop token is left to itself.
     void closingDoesNotWait()
