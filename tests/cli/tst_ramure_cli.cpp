@@ -49,7 +49,7 @@ private slots:
         row("info preset:Oak", "Oak");
         row("info preset:", "SmallTree");
         row("info tree.fbx", "\"tree.fbx\" is no input: preset:NAME, demo:NAME or a file .ramure, .obj, "
-                             ".ply, .glb, .stl, .3mf expected");
+                             ".ply, .glb, .usda, .usdz, .stl, .3mf expected");
         row("info SmallTree", "is no input");
         row("info none.ramure", "none.ramure");
         row("info none.obj", "No such file or directory");
