@@ -9423,6 +9423,30 @@
         <source>Adds convex pieces around the trunk and thick limbs, under the names by which the engine takes them for what bodies bump into.</source>
         <translation>Ajoute des pièces convexes autour du tronc et des grosses branches, sous les noms auxquels le moteur reconnaît ce que heurtent les corps.</translation>
     </message>
+    <message>
+        <source>%1 cannot be started: %2</source>
+        <translation>%1 ne peut pas être lancé : %2</translation>
+    </message>
+    <message>
+        <source>FBX is written by Blender, which is not installed: install it, or write a GLB</source>
+        <translation>le FBX est écrit par Blender, qui n’est pas installé : installez-le, ou écrivez un GLB</translation>
+    </message>
+    <message>
+        <source>no temporary folder can be made</source>
+        <translation>aucun dossier temporaire ne peut être créé</translation>
+    </message>
+    <message>
+        <source>Blender cannot write the FBX: %1</source>
+        <translation>Blender ne peut pas écrire le FBX : %1</translation>
+    </message>
+    <message>
+        <source>FBX, by Blender</source>
+        <translation>FBX, par Blender</translation>
+    </message>
+    <message>
+        <source>FBX, written by Blender where it is installed</source>
+        <translation>FBX, écrit par Blender là où il est installé</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>

@@ -87,7 +87,37 @@ def clip():
     return off
 
 
-count, off = trees(), clip()
-print(f"blender {bpy.app.version_string}: {count + 2} files, triangles, heights and pictures as said, a clip within "
-      f"{off:.1e} of the height" + (f"; FOUND: {'; '.join(findings)}" if findings else ""))
+def fbx():
+    """The FBX that Blender makes of a GLB moves as that does."""
+    options = ["--frames", "0:24", "--fps", "24", "--joints", "64", "--set", "skin.method=linear", "--map-size", "64", "--part",
+               "branches"]
+    frames = (0, 6, 12, 18, 24)
+
+    def poses(things, first):
+        out = []
+        for frame in frames:
+            bpy.context.scene.frame_set(first + frame)
+            out.append(points(branches(things)))
+        return out
+    played = poses(opened("same.glb", "preset:TinyTree", *options), 0)
+    path = folder / "clip.fbx"
+    ramure("export", "preset:TinyTree", "-o", str(path), *options)
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    bpy.ops.import_scene.fbx(filepath=str(path))
+    things = [thing for thing in bpy.data.objects if thing.type == "MESH"]
+    action = max(bpy.data.actions, key=lambda one: one.frame_range[1] - one.frame_range[0])
+    first, last = action.frame_range
+    find(abs(last - first - 24.0) < 1e-3, f"the clip of the FBX has {last - first} frames")
+    find(len(branches(things).data.materials) == 1 and any(image.size[0] == 64 for image in bpy.data.images), "no picture in the FBX")
+    tall = height(played[0])
+    again = poses(things, int(round(first)))
+    find(len(again[0]) == len(played[0]), "the FBX has other vertices")
+    miss = max((a - b).length for one, other in zip(played, again) for a, b in zip(one, other)) / tall
+    find(miss < 1e-4, f"the FBX is {miss:.1e} of the height off")
+    return miss
+
+
+count, off, apart = trees(), clip(), fbx()
+print(f"blender {bpy.app.version_string}: {count + 4} files, triangles, heights and pictures as said, a clip within "
+      f"{off:.1e} of the height, its FBX within {apart:.1e}" + (f"; FOUND: {'; '.join(findings)}" if findings else ""))
 sys.exit(1 if findings else 0)

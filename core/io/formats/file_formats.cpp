@@ -3,13 +3,14 @@
 namespace ramure {
 
 extern const FileFormat objFormat, plyFormat, plyTextFormat, glbFormat, stlFormat, threeMfFormat, usdaFormat,
-    usdzFormat, pointCacheFormat, animationFormat, arbaroFormat, ezTreeFormat;
+    usdzFormat, pointCacheFormat, fbxFormat, animationFormat, arbaroFormat, ezTreeFormat;
 
 std::span<const FileFormat* const> fileFormats()
 {
     static constexpr const FileFormat* table[] = {
-        &objFormat, &plyFormat,     &plyTextFormat,    &glbFormat,       &usdaFormat,   &usdzFormat,
-        &stlFormat, &threeMfFormat, &pointCacheFormat, &animationFormat, &arbaroFormat, &ezTreeFormat};
+        &objFormat,       &plyFormat,    &plyTextFormat, &glbFormat,        &usdaFormat,
+        &usdzFormat,      &stlFormat,    &threeMfFormat, &pointCacheFormat, &fbxFormat,
+        &animationFormat, &arbaroFormat, &ezTreeFormat};
     return table;
 }
 

@@ -225,7 +225,7 @@ private slots:
     {
         const auto* tabs = child<QTabBar>("exportUses");
         QCOMPARE(tabs->count(), int(exportUses.size()));
-        const QList<QStringList> wanted{{"glb", "obj", "ply", "ply-text", "usda", "usdz", "pc2"},
+        const QList<QStringList> wanted{{"glb", "obj", "ply", "ply-text", "usda", "usdz", "pc2", "fbx"},
                                         {"glb", "usda", "usdz", "obj"},
                                         {"3mf", "stl"},
                                         {"glb"},
