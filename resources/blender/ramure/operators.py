@@ -158,7 +158,8 @@ class RAMURE_OT_seed(bpy.types.Operator):
 
     def execute(self, context):
         holder_of(context.active_object).ramure.seed += 1
-        return bpy.ops.ramure.grow("INVOKE_DEFAULT" if not bpy.app.background else "EXEC_DEFAULT")
+        grown = bpy.ops.ramure.grow("INVOKE_DEFAULT" if not bpy.app.background else "EXEC_DEFAULT")
+        return {"CANCELLED"} if grown == {"CANCELLED"} else {"FINISHED"}
 
 
 CLASSES = (RAMURE_OT_add, RAMURE_OT_grow, RAMURE_OT_seed)
