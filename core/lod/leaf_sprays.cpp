@@ -105,12 +105,12 @@ void addCards(CardAtlas& atlas, std::size_t twig, std::size_t count)
     const Box box = boxOf(atlas.surfaces[twig]);
     const glm::dvec3 half = glm::max(0.5 * (1.0 + freeRim) * box.size(), glm::dvec3(1e-9));
     const double cell = 1.0 / double(across), gutter = 0.5 * cardGutter / 1024.0;
+    const std::size_t row = twig / across;
     for (const bool isSide : {false, true}) {
         ShownCard card{twig, twig + 1, {}, box.centre(), {isSide ? half.z : half.x, half.y}};
         if (isSide)
             card.frame = {{0.0, 0.0, 1.0}, {0.0, 1.0, 0.0}, {-1.0, 0.0, 0.0}};
-        const glm::dvec2 corner(cell * (double(twig % across) + (isSide ? 0.5 : 0.0)),
-                                cell * double(twig / across));
+        const glm::dvec2 corner(cell * (double(twig % across) + (isSide ? 0.5 : 0.0)), cell * double(row));
         card.low = corner + gutter;
         card.high = corner + glm::dvec2(0.5 * cell, cell) - gutter;
         atlas.cards.push_back(card);

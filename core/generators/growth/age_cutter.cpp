@@ -162,13 +162,13 @@ void AgeCutter::pose()
 /// m, by which a limb is moved out to the bark of its stem.
 double AgeCutter::standOff(const Piece& piece) const
 {
-    constexpr double clear = 1.6, short_ = 2.5; // radii of the stem
+    constexpr double clear = 1.6, nearby = 2.5; // radii of the stem
     if (!m_isWholeLife || piece.parent == noIndex || m_pieces[piece.parent].next == noIndex)
         return 0.0;
     const Piece& stem = m_pieces[piece.parent];
     const bool isSide = m_history.axis[piece.metamer] != m_history.axis[stem.metamer];
     const bool isGone = int(m_history.death[piece.metamer]) <= m_whole;
-    return isSide && (isGone || piece.reach < short_ * stem.radius) ? clear * stem.radius : 0.0;
+    return isSide && (isGone || piece.reach < nearby * stem.radius) ? clear * stem.radius : 0.0;
 }
 
 /// Rings fill what is hollow and lie thin on what stands out: the thicker, the straighter. So does the

@@ -11,6 +11,8 @@
 
 namespace ramure {
 
+class Document;
+
 /// Returns the document's results for use on a thread; the document itself is not shared.
 TreeSource snapshotOf(const Document& document);
 
