@@ -48,7 +48,7 @@ private slots:
         row("info preset:SmallTree --set turtle.beta=1", "unknown parameter \"turtle.beta\"");
         row("info preset:Oak", "Oak");
         row("info preset:", "SmallTree");
-        row("info tree.fbx", "\"tree.fbx\" is no input: preset:NAME, demo:NAME or a file .ramure, .obj, "
+        row("info tree.dae", "\"tree.dae\" is no input: preset:NAME, demo:NAME or a file .ramure, .obj, "
                              ".ply, .glb, .usda, .usdz, .stl, .3mf expected");
         row("info SmallTree", "is no input");
         row("info none.ramure", "none.ramure");
@@ -59,8 +59,8 @@ private slots:
         row("list presets --markdown", "--markdown is for params");
         row("export preset:SmallTree", "missing -o FILE");
         row("export preset:SmallTree -o", "Missing value");
-        row("export preset:SmallTree -o tree.fbx",
-            "unknown file ending \".fbx\": meshes are written as .obj, .ply");
+        row("export preset:SmallTree -o tree.dae",
+            "unknown file ending \".dae\": meshes are written as .obj, .ply");
         row("export preset:SmallTree -o tree", "unknown file ending \"\"");
         row("export preset:SmallTree -o t.obj --texture --model rough", "--texture needs --model mesh");
         row("export preset:SmallTree -o t.obj --texture --no-texture", "exclude each other");
@@ -179,7 +179,7 @@ private slots:
     void longTextsBecomeOneLine()
     {
         QVERIFY(isRefused(runCli({"info", "preset:a\nb"}), "a b"));
-        QVERIFY(isRefused(runCli({"info", "x\ny.fbx"}), "x y.fbx"));
+        QVERIFY(isRefused(runCli({"info", "x\ny.dae"}), "x y.dae"));
     }
 
     void helpAndVersionEverywhere()

@@ -46,7 +46,7 @@ private slots:
         row("-o out --map-size 3", "--map-size \"3\"");
         row("-o out --size 3", "--size \"3\"");
         row("-o out --file {preset}", "a folder of maps that ends in / expected");
-        row("-o out --file {row}.fbx", "a folder of maps that ends in / expected");
+        row("-o out --file {row}.dae", "a folder of maps that ends in / expected");
         row("-o out --file {height}.glb", "there is no column \"height\"");
         row("-o out --file /tmp/{row}.glb", "a name below the folder expected");
         row("-o out --file ../{row}.glb", "a name below the folder expected");

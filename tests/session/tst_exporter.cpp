@@ -108,7 +108,7 @@ void TestExporter::wrongRequestsAreRefused()
 void TestExporter::unknownEndingsComputeNothing_data()
 {
     QTest::addColumn<QString>("path");
-    for (const char* path : {"", "tree", "tree.", "tree.fbx", "folder.obj/tree", ".", "/", "obj"})
+    for (const char* path : {"", "tree", "tree.", "tree.dae", "folder.obj/tree", ".", "/", "obj"})
         QTest::newRow(path) << QString(path);
 }
 

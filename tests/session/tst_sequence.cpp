@@ -66,7 +66,7 @@ private slots:
             QVERIFY(!done);
             QCOMPARE(done.error().path, std::string(where));
         }
-        QCOMPARE(exportSequence(m_scene, {}, {0, 1, 1, 24.0}, pipelineSource(m_pipeline), path("a.fbx"))
+        QCOMPARE(exportSequence(m_scene, {}, {0, 1, 1, 24.0}, pipelineSource(m_pipeline), path("a.dae"))
                      .error()
                      .code,
                  ErrorCode::Unknown);

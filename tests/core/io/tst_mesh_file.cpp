@@ -96,10 +96,10 @@ private slots:
 
     void unknownEnding()
     {
-        const auto mesh = readMeshFile("a.fbx");
+        const auto mesh = readMeshFile("a.dae");
         QVERIFY(!mesh);
         QCOMPARE(mesh.error().code, ErrorCode::Unknown);
-        QCOMPARE(mesh.error().message(), std::string("a.fbx: unknown file ending \".fbx\": .obj, .ply, .glb, "
+        QCOMPARE(mesh.error().message(), std::string("a.dae: unknown file ending \".dae\": .obj, .ply, .glb, "
                                                      ".usda, .usdz, .stl, .3mf can be read"));
         QVERIFY(!readMeshFile("a"));
     }

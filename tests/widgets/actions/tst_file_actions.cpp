@@ -278,8 +278,8 @@ private slots:
         QVERIFY(!m_preferences->recentFiles().contains(path("gone.ply")));
         // What is no file of ours at all is not said to be bad JSON.
         m_chooser->reports.clear();
-        write(path("tree.fbx"), "solid tree\n");
-        QVERIFY(!m_files->openFile(path("tree.fbx")));
+        write(path("tree.dae"), "solid tree\n");
+        QVERIFY(!m_files->openFile(path("tree.dae")));
         QVERIFY2(m_chooser->reports[0].contains(QStringLiteral("unknown file ending")),
                  qPrintable(m_chooser->reports[0]));
         m_files->setImports(nullptr);

@@ -55,10 +55,10 @@ private slots:
     void unknownEndingsAreTold()
     {
         ExportDialog dialog(&m_document, &m_recompute, &m_preferences, &m_chooser);
-        dialog.setPath(path("tree.fbx"));
+        dialog.setPath(path("tree.dae"));
         dialog.startExport();
         QVERIFY(dialog.findChild<QLabel*>(QStringLiteral("problem")));
-        QVERIFY(!QFileInfo::exists(path("tree.fbx")));
+        QVERIFY(!QFileInfo::exists(path("tree.dae")));
     }
 
     void theUsualNameIsPlain()

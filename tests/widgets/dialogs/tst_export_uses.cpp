@@ -166,7 +166,7 @@ private slots:
     void settingsOfNobodyAreBroughtIntoRange()
     {
         m_dialog->setSettings(
-            {{"use", "none"}, {"format", "fbx"}, {"model", 99}, {"moment", -3}, {"process", 40}});
+            {{"use", "none"}, {"format", "dae"}, {"model", 99}, {"moment", -3}, {"process", 40}});
         QCOMPARE(m_dialog->use(), ExportUse::Blender);
         QVERIFY(m_dialog->isVisible());
         m_dialog->setSettings({});
@@ -177,7 +177,7 @@ private slots:
     {
         m_dialog.reset();
         m_preferences.setExportSettings(
-            {{"page/game", QVariantMap{{"format", "fbx"}, {"levels", -4}, {"moment", 77}, {"first", 900}}},
+            {{"page/game", QVariantMap{{"format", "dae"}, {"levels", -4}, {"moment", 77}, {"first", 900}}},
              {"page/web", 7}});
         reopen();
         m_dialog->setUse(ExportUse::Game);
