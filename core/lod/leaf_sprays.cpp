@@ -202,7 +202,7 @@ TriangleMesh buildSprays(const Skeleton& skeleton, const LeafSprays& sprays)
         const FoliageItem& item = sprays.items[i];
         const glm::mat3 turn(glm::mat3_cast(item.orientation));
         const glm::vec3 place(item.position);
-        for (const std::size_t side : {0, 1}) {
+        for (const std::size_t side : {std::size_t(0), std::size_t(1)}) {
             const TriangleMesh card = meshOf(sprays.atlas->cards[2 * std::size_t(sprays.twig[i]) + side]);
             const auto first = out.vertexCount();
             for (std::size_t v = 0; v < card.positions.size(); ++v) {

@@ -13,6 +13,7 @@
 #include "widgets/panels/levels/level_view.h"
 #include "widgets/panels/levels/levels_panel.h"
 #include <QApplication>
+#include <QCheckBox>
 #include <QClipboard>
 #include <QHeaderView>
 #include <QLabel>
