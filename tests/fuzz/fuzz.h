@@ -2,7 +2,9 @@
 /// What the fuzz targets share: a claim that does not hold ends the run with the input kept.
 #pragma once
 
+#include "core/io/formats/text/blender_scene.h"
 #include "core/io/mesh_file.h"
+#include "core/scene/scene.h"
 #include "core/surface/proof/validate.h"
 #include <cmath>
 #include <cstddef>
@@ -107,6 +109,26 @@ inline void claimGoodMesh(const TriangleMesh& mesh)
           "all of it is checked");
     const auto again = validateMesh(mesh);
     claim(again && again->defects.size() == report->defects.size(), "a check gives the same twice");
+}
+
+/// What readers of scenes promise: of all as meshes, and of all as nodes.
+inline void claimGoodReading(const Expected<ReadMesh>& mesh, const Expected<BlenderImport>& scene)
+{
+    if (!mesh)
+        claimGoodError(mesh.error());
+    else
+        for (const ReadObject& object : mesh->objects)
+            claimGoodMesh(object.mesh);
+    if (!scene)
+        return claimGoodError(scene.error());
+    claim(Scene::fromNodes(scene->nodes).has_value(), "the nodes are a scene");
+    for (const Note& note : scene->notes)
+        claimGoodError(note);
+    for (const Node& node : scene->nodes) {
+        claim(checkParams(node.params).has_value(), "parameters are within their ranges");
+        if (node.mesh)
+            claimGoodMesh(*node.mesh);
+    }
 }
 
 } // namespace ramure::fuzz

@@ -267,7 +267,7 @@ const ExportOption table[] = {
      .least = 1, .most = 1999, .expected = "years, 1 to 1999",
      .holds = holdsShapes, .key = "growth", .label = RAMURE_NOOP("Growth"),
      .tip = RAMURE_NOOP("A tree that grows by years, as one mesh that grows from its first year to its age when it plays: the same vertices and triangles at every age, with key shapes (morph targets) between which engines mix. Leaves open and close at each key shape."),
-     .uses = forBlender | forGame | forWeb},
+     .uses = forBlender | forWeb},
     {.name = "growth-speed", .values = "YEARS", .help = "With --growth: years that go by in a second; without it 5.",
      .flags = ofExport | notOfPrint | ofTrees | ofFormats,
      .place = at([](auto& o) -> auto& { return o.growthSpeed; }),
