@@ -157,6 +157,11 @@ void printError(const QString& text)
     std::fwrite(line.constData(), 1, static_cast<std::size_t>(line.size()), stderr);
 }
 
+void printNote(const Error& note)
+{
+    printError(fromText(note.message()));
+}
+
 QString versionText()
 {
     return QStringLiteral("ramure-cli %1\n").arg(QLatin1String(RAMURE_VERSION));

@@ -79,6 +79,8 @@ Expected<void> print(const QString& text);
 Expected<void> printJson(const QJsonValue& value);
 /// One line on the standard error, whatever the text.
 void printError(const QString& text);
+/// Prints something worth knowing that is no error, likewise.
+void printNote(const Error& note);
 QString versionText();
 
 QString fromText(const std::string& text);

@@ -144,7 +144,8 @@ Expected<std::vector<CheckedMesh>> checkBarks(const ExportScene& scene)
     return out;
 }
 
-Expected<void> separateTrees(Input& input, TreePipeline& pipeline, const Progress& progress)
+Expected<void> separateTrees(Input& input, TreePipeline& pipeline, const Progress& progress,
+                             const std::function<void(const Error&)>& tell)
 {
     Scene* scene = std::get_if<Scene>(&input.content);
     if (!scene)
@@ -161,10 +162,10 @@ Expected<void> separateTrees(Input& input, TreePipeline& pipeline, const Progres
         auto separated = separateBranches(pipeline, node.params, {}, progress.part(from, from + 1.0 / count));
         RAMURE_TRY(separated);
         node.params = withSteps(node.params, separated->steps);
-        printError(QStringLiteral("%1: %2 of %3 colliding pairs moved apart")
-                       .arg(fromText(node.name))
-                       .arg(separated->before - separated->rest.size())
-                       .arg(separated->before));
+        tell(fail(ErrorCode::Invalid, "%1: %2 of %3 colliding pairs moved apart",
+                  {node.name, std::to_string(separated->before - separated->rest.size()),
+                   std::to_string(separated->before)})
+                 .value());
     }
     return {};
 }

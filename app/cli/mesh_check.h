@@ -9,6 +9,7 @@
 #include "core/surface/check/texture_report.h"
 #include "core/surface/check/verdict.h"
 #include <QJsonObject>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -58,9 +59,10 @@ Expected<std::vector<CheckedMesh>> checkMeshes(const Input& input, Evaluator& ev
 /// Errors: those of checkMesh.
 Expected<std::vector<CheckedMesh>> checkBarks(const ExportScene& scene);
 
-/// Moves colliding branches of all trees apart (core/pipeline/separate_branches.h) and reports the result on
-/// the standard error. Errors: Invalid for a mesh file; those of separateBranches.
-Expected<void> separateTrees(Input& input, TreePipeline& pipeline, const Progress& progress);
+/// Moves colliding branches of all trees apart (core/pipeline/separate_branches.h) and tells the result.
+/// Errors: Invalid for a mesh file; those of separateBranches.
+Expected<void> separateTrees(Input& input, TreePipeline& pipeline, const Progress& progress,
+                             const std::function<void(const Error&)>& tell = &printNote);
 
 /// All figures added up; valid where all are.
 MeshReport sumOf(const std::vector<CheckedMesh>& all);

@@ -87,18 +87,17 @@ Expected<void> checkPrintOptions(const CommandLine& line, const PrintOptions& op
     return isPrint ? checkPrint(options) : Expected<void>();
 }
 
-Expected<int> printTo(const CommandLine& line, const Input& input, const ExportOptions& options,
-                      Evaluator& evaluator, const Progress& progress)
+Expected<ExportOutcome> printTo(const CommandLine& line, const Input& input, const ExportOptions& options,
+                                Evaluator& evaluator, const Progress& progress)
 {
     if (!input.scene())
         return fail(ErrorCode::Invalid, "--print needs a tree: the input is a mesh");
     const auto made = printScene(evaluator.at(*input.scene()), {}, options.print, progress.part(0.0, 0.9));
     RAMURE_TRY(made);
     const PrintReport& report = made->tree.report;
-    if (line.has("require-valid") && (!report.isClosed || report.pieces != 1 || report.crossings != 0)) {
-        printError(QStringLiteral("the print is not one closed surface, nothing was written"));
-        return exitCheckFailed;
-    }
+    if (line.has("require-valid") && (!report.isClosed || report.pieces != 1 || report.crossings != 0))
+        return ExportOutcome{exitCheckFailed,
+                             QStringLiteral("the print is not one closed surface, nothing was written")};
     FileSpace into = spaceGiven(line, options).value_or(printSpace());
     if (!line.has("up"))
         into.up = printSpace().up;
@@ -109,8 +108,9 @@ Expected<int> printTo(const CommandLine& line, const Input& input, const ExportO
     const QJsonObject json = reportOf(line, made->tree, options.print);
     if (line.has("report"))
         RAMURE_TRY(writeFile(systemPath(line.value("report")), QJsonDocument(json).toJson().toStdString()));
-    const auto told = line.has("json") ? printJson(json) : print(textOf(made->tree, options.print));
-    return told ? Expected<int>(exitGood) : fail(told.error());
+    return ExportOutcome{
+        exitGood, line.has("json") ? QString::fromUtf8(QJsonDocument(json).toJson(QJsonDocument::Indented))
+                                   : textOf(made->tree, options.print)};
 }
 
 } // namespace ramure::cli

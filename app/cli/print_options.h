@@ -11,9 +11,16 @@ namespace ramure::cli {
 /// Checks which options go with --print, and that it can be printed. Errors: Invalid, with the option.
 Expected<void> checkPrintOptions(const CommandLine& line, const PrintOptions& options);
 
-/// Writes the files; prints the report, with --json as JSON, and writes it into the file of --report.
+/// The end of an export whose input was good.
+struct ExportOutcome
+{
+    int code = exitGood;
+    QString text; ///< to be printed; with another code the reason why nothing was written
+};
+
+/// Writes the files; returns the report, with --json as JSON, and writes it into the file of --report.
 /// Errors: those of printScene and writePrint; Invalid (the input is no scene).
-Expected<int> printTo(const CommandLine& line, const Input& input, const ExportOptions& options,
-                      Evaluator& evaluator, const Progress& progress);
+Expected<ExportOutcome> printTo(const CommandLine& line, const Input& input, const ExportOptions& options,
+                                Evaluator& evaluator, const Progress& progress);
 
 } // namespace ramure::cli
