@@ -98,30 +98,44 @@ Expected<RecipeKey> parseRecipeKey(std::string_view text)
     return unknown;
 }
 
-Expected<void> setRecipeValue(NodeParams& params, const RecipeKey& key, const ParamValue& value)
+static Expected<StepNumber> stepOf(const NodeParams& params, const RecipeKey& key)
 {
     const ParamDef& def = *key.def;
     if (!key.step.empty()) {
         const auto step = findStep(params, key.step);
         RAMURE_TRY(step);
         if (isOfStep(params, *step, def) || (*step == 0 && !isOfSteps(def)))
-            return setAt(params, *step, def, value);
+            return *step;
         return fail(ErrorCode::Unknown, RAMURE_NOOP("the step \"%1\" has no \"%2\""),
                     {stepName(params, *step), def.key});
     }
     if (!isOfSteps(def))
-        return setParam(params, def, value);
+        return StepNumber(0);
     std::vector<StepNumber> steps;
     for (StepNumber i = 0; i <= params.edits.size(); ++i)
         if (isOfStep(params, i, def))
             steps.push_back(i);
     if (steps.size() == 1)
-        return setAt(params, steps.front(), def, value);
+        return steps.front();
     return steps.empty()
                ? fail(ErrorCode::Unknown, RAMURE_NOOP("no step has \"%1\"; there are: %2"),
                       {def.key, stepNames(params)})
                : fail(ErrorCode::Invalid, RAMURE_NOOP("several steps have \"%1\": #N.%1 names one of %2"),
                       {def.key, stepNames(params)});
+}
+
+Expected<void> setRecipeValue(NodeParams& params, const RecipeKey& key, const ParamValue& value)
+{
+    const auto step = stepOf(params, key);
+    RAMURE_TRY(step);
+    return setAt(params, *step, *key.def, value);
+}
+
+Expected<ParamValue> recipeValue(const NodeParams& params, const RecipeKey& key)
+{
+    const auto step = stepOf(params, key);
+    RAMURE_TRY(step);
+    return key.def->get(*step == 0 ? params : *params.edits[*step - 1].values);
 }
 
 } // namespace ramure

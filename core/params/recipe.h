@@ -36,5 +36,7 @@ Expected<RecipeKey> parseRecipeKey(std::string_view text);
 /// Sets a value of the node or of one of its steps. Errors, and then nothing is changed: those of findStep
 /// and setParam; Unknown where no step has the parameter, Invalid where several have it: both name the steps.
 Expected<void> setRecipeValue(NodeParams& params, const RecipeKey& key, const ParamValue& value);
+/// Returns the value that setRecipeValue() would change. Errors: likewise.
+Expected<ParamValue> recipeValue(const NodeParams& params, const RecipeKey& key);
 
 } // namespace ramure

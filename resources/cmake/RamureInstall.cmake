@@ -54,3 +54,6 @@ configure_file(${CMAKE_SOURCE_DIR}/resources/package/copyright.in ${made}/copyri
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/resources/package/changelog)
 execute_process(COMMAND gzip -9nc ${CMAKE_SOURCE_DIR}/resources/package/changelog OUTPUT_FILE ${made}/changelog.gz)
 install(FILES ${made}/copyright ${made}/changelog.gz DESTINATION ${doc})
+install(FILES ${made}/copyright ${made}/changelog.gz DESTINATION ${share}/doc/python3-ramure COMPONENT python3-ramure)
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/resources/python/examples DESTINATION ${share}/doc/python3-ramure
+    COMPONENT python3-ramure FILES_MATCHING PATTERN "*.py")

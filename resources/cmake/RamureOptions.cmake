@@ -1,6 +1,7 @@
 # Compiler, warnings, sanitizers, ccache: what every target of the project shares.
 include(CTest)
 include(GNUInstallDirs)
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME ramure)
 
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)

@@ -64,6 +64,9 @@ constexpr Fence fences[] = {
     {"the renderer has no document", "widgets/view/render/.*", "", R"("core/qt/(document|session)/.*")"},
     {"the renderer uses no widget class", "widgets/view/render/.*", "", widgetClasses},
     {"widgets do not use the programs", "widgets/.*", "", R"("(app|tests)/.*")"},
+    {"the Python module needs no display", "app/python/.*", "",
+     R"("(widgets|app/cli/(commands|batch|painter))[/.].*")"},
+    {"the interpreter only in its module", ".*", R"(app/python/.*)", R"(<(pybind11/.*|Python\.h)>)"},
     {"the command line opens no window", "app/(cli/.*|ramure_cli\\.cpp)", "",
      R"("widgets/(?!view/render/).*")"},
     {"programs do not use the tests", "app/.*", "", R"("tests/.*")"},
@@ -145,6 +148,7 @@ constexpr const char* floors[] = {
     "app/cli",
     "app/cli/batch",
     "app/cli/commands",
+    "app/python",
     "app",
 };
 
@@ -331,6 +335,10 @@ void TestLayers::theFenceWouldHold_data()
     row("app/ramure_cli.cpp", "\"widgets/view/render/passes/renderer.h\"", true);
     row("app/ramure_cli.cpp", "\"widgets/viewport.h\"", false);
     row("tests/core/surface/tst_x.cpp", "<CGAL/Epick.h>", false);
+    row("app/cli/input.cpp", "<pybind11/pybind11.h>", false);
+    row("app/python/work.h", "\"widgets/view/render/surface_images.h\"", false);
+    row("app/python/work.h", "\"app/cli/painter.h\"", false);
+    row("app/python/work.h", "\"app/cli/input.h\"", true);
 }
 
 void TestLayers::theFenceWouldHold()

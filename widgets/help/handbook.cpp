@@ -37,6 +37,7 @@ constexpr PageName pageNames[] = {
     {"arm", false},
     {"files", false},
     {"command-line", false},
+    {"python", false},
     {"performance", false},
     {"news", false},
 };

@@ -22,6 +22,8 @@ private slots:
         QTest::newRow("README") << std::string("README.md") << "/ramure_" + version + "_amd64.deb";
         QTest::newRow("changelog") << std::string("resources/package/changelog")
                                    << "ramure (" + version + ')';
+        QTest::newRow("Python") << std::string("app/python/ramure/version.py")
+                                << "__version__ = \"" + version + '"';
         QTest::newRow("AppStream") << std::string("resources/desktop/org.ramure.Ramure.metainfo.xml")
                                    << "<releases>\n    <release version=\"" + version + '"';
     }
