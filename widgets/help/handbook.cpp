@@ -39,6 +39,7 @@ constexpr PageName pageNames[] = {
     {"command-line", false},
     {"python", false},
     {"performance", false},
+    {"peers", false},
     {"news", false},
 };
 
