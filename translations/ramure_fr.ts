@@ -9447,6 +9447,18 @@
         <source>FBX, written by Blender where it is installed</source>
         <translation>FBX, écrit par Blender là où il est installé</translation>
     </message>
+    <message>
+        <source>a folder for an engine holds the finished mesh of a tree at rest, with its pictures and merged leaves</source>
+        <translation>un dossier pour un moteur contient le maillage fini d’un arbre au repos, avec ses images et ses feuilles fusionnées</translation>
+    </message>
+    <message>
+        <source>a folder for an engine holds one tree, and nothing else</source>
+        <translation>un dossier pour un moteur contient un arbre, et rien d’autre</translation>
+    </message>
+    <message>
+        <source>Unity</source>
+        <translation>Unity</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>

@@ -6,6 +6,7 @@
 #include "core/evaluate/evaluator.h"
 #include "core/io/formats/file_format.h"
 #include "core/qt/document/project/mesh_report_json.h"
+#include "core/qt/session/export/engine_folder.h"
 #include "core/qt/session/export/exporter.h"
 #include "core/surface/mesh/transformed.h"
 #include "core/surface/mesher/build_branch_mesh.h"
@@ -29,11 +30,24 @@ std::string endingsWith(std::uint16_t holds)
     return out;
 }
 
+/// Of an engine's folder, the format of the files inside.
+Expected<const FileFormat*> knownFormat(const ExportRequest& request, const QString& file)
+{
+    return findFormat(request.options.engine == Engine::None ? systemPath(file) : "tree.glb",
+                      FormatUse::Write, request.options.write.ascii);
+}
+
+/// exportRequestOf has checked the ending.
+const FileFormat& formatOf(const ExportRequest& request, const QString& file)
+{
+    return **knownFormat(request, file);
+}
+
 /// Refuses options that the format of a file cannot hold: nothing else is written silently in their place.
 Expected<void> checkFormats(const ExportRequest& request)
 {
     for (const QString& file : request.files) {
-        const auto known = findFormat(systemPath(file), FormatUse::Write, request.options.write.ascii);
+        const auto known = knownFormat(request, file);
         RAMURE_TRY(known);
         for (const ExportOption& option : exportOptions())
             if (option.is(ofFormats) && !((*known)->holds & option.holds) &&
@@ -62,13 +76,11 @@ Expected<void> checkRequest(const CommandLine& line, const ExportRequest& reques
         return fail(ErrorCode::Invalid,
                     "--require-valid and --report need --model mesh: there is no closed mesh "
                     "to check in another model");
+    if (request.options.engine != Engine::None && (line.has("frames") || line.has("wind-loop")))
+        return fail(ErrorCode::Invalid,
+                    "--for writes a tree at rest, which the engine's shader moves: no --frames, no "
+                    "--wind-loop");
     return checkPrintOptions(line, request.options.print);
-}
-
-/// exportRequestOf has checked the ending.
-const FileFormat& formatOf(const ExportRequest& request, const QString& file)
-{
-    return **findFormat(systemPath(file), FormatUse::Write, request.options.write.ascii);
 }
 
 /// The pipeline; says once of each tree that its mesh does not fit the budget.
@@ -99,8 +111,9 @@ Expected<void> exportAt(const Scene& scene, const ExportRequest& request, double
             options.parts = usualParts(formatOf(request, file), options.instances);
         options.clip = clip;
         const double from = static_cast<double>(i) / count;
-        const auto written = exportScene(evaluator.at(scene, timeSeconds), options, systemPath(file),
-                                         progress.part(from, from + 1.0 / count));
+        const Progress part = progress.part(from, from + 1.0 / count);
+        const auto write = options.engine == Engine::None ? &exportScene : &exportEngineFolder;
+        const auto written = write(evaluator.at(scene, timeSeconds), options, systemPath(file), part);
         if (!written)
             return written;
     }
@@ -143,10 +156,9 @@ Expected<void> exportMoments(const Scene& scene, const ExportRequest& request, c
 Expected<void> exportMesh(const ReadMesh& mesh, const ExportRequest& request, const Progress& progress)
 {
     if (request.needsTree)
-        return fail(
-            ErrorCode::Invalid,
-            "--part, --model, --leaves, --texture, --levels, --budget, --switch and --wind need a tree: the "
-            "input is a mesh");
+        return fail(ErrorCode::Invalid, "--part, --model, --leaves, --texture, --levels, --budget, --switch, "
+                                        "--wind and --for need a tree: the "
+                                        "input is a mesh");
     const FileSpace& space = request.options.space;
     const auto placed = [&](TriangleMesh object) {
         if (!request.options.texture) {

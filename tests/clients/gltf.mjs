@@ -3,7 +3,7 @@
 // triangles, and refuses it with a triangle taken out; three.js plays a tree in the wind to where we say that it is.
 // One line for each program; 1 where something was found. Files stay in FOLDER.
 import {execFileSync} from 'node:child_process';
-import {mkdirSync, readFileSync} from 'node:fs';
+import {mkdirSync, readFileSync, readdirSync} from 'node:fs';
 import {createRequire} from 'node:module';
 import {join} from 'node:path';
 
@@ -58,6 +58,12 @@ async function validated() {
   files.push(exported('whole-levels.glb', 'preset:SmallTree', '--map-size', '0', '--levels', '4'));
   files.push(exported('wind-levels.glb', 'preset:SilverBirch1995', '--map-size', '0', '--budget', '10000,2500',
     '--wind-loop', '1', '--joints', '64'));
+  for (const engine of ['godot', 'unity', 'unreal']) {
+    const place = exported(`for-${engine}`, 'preset:SilverBirch1995', '--map-size', '64', '--for', engine);
+    const levels = readdirSync(place).filter(name => name.endsWith('.glb'));
+    find(levels.length === 4, `${place}: ${levels.length} levels`);
+    files.push(...levels.map(name => join(place, name)));
+  }
   for (const file of files) {
     const {issues} = await validator.validateBytes(new Uint8Array(arrayOf(file)), {maxIssues: 20});
     const bad = issues.messages.filter(message => message.severity < 2);

@@ -41,7 +41,12 @@ const auto windItems = [] {
 constexpr OptionItem collisionItems[] = {
     {"none", std::int64_t(CollisionNames::None), RAMURE_NOOP("None")},
     {"unreal", std::int64_t(CollisionNames::Unreal), RAMURE_NOOP("Unreal Engine")},
-    {"godot", std::int64_t(CollisionNames::Godot), RAMURE_NOOP("Godot")}};
+    {"godot", std::int64_t(CollisionNames::Godot), RAMURE_NOOP("Godot")},
+    {"unity", std::int64_t(CollisionNames::Unity), RAMURE_NOOP("Unity")}};
+constexpr OptionItem engineItems[] = {{"none", std::int64_t(Engine::None)},
+                                      {"godot", std::int64_t(Engine::Godot)},
+                                      {"unity", std::int64_t(Engine::Unity)},
+                                      {"unreal", std::int64_t(Engine::Unreal)}};
 constexpr OptionItem upItems[] = {{"y", std::int64_t(UpAxis::Y), RAMURE_NOOP("Y up")},
                                   {"z", std::int64_t(UpAxis::Z), RAMURE_NOOP("Z up")}};
 constexpr OptionItem unitItems[] = {
@@ -249,10 +254,16 @@ const ExportOption table[] = {
      .help = "Writes each level as a file also into formats that hold them all: tree_LOD0.glb, tree_LOD1.glb and so on, for "
              "engines that do not know MSFT_lod.",
      .flags = ofExport | ofTrees, .place = at([](auto& o) -> auto& { return o.levelFiles; })},
-    {.name = "collision", .values = "unreal|godot|none",
+    {.name = "for", .values = "godot|unity|unreal|none",
+     .help = "FILE is a folder for this engine, or a .zip with one: a GLB for each level, pieces for collision, data for wind and "
+             "the shader that reads them, and a README that says how all this comes into the engine. Without --levels "
+             "levels of 80,000, 20,000 and 5,000 triangles with --leaf-cards and --billboard; where a tree cannot have these, it is "
+             "whole and two coarser ones. It holds one tree: --node names it.",
+     .flags = ofExport | notOfPrint | ofTrees, .place = at([](auto& o) -> auto& { return o.engine; }), .items = engineItems},
+    {.name = "collision", .values = "unreal|godot|unity|none",
      .help = "Convex pieces around trunk and thick limbs, 32 at most, for bodies to bump into, with the names by which an engine "
-             "knows them: UCX_branches_LOD0_00 and so on for unreal, branches_LOD0_00-convcolonly for godot. They stand in the "
-             "file of the finest level.",
+             "knows them: UCX_branches_LOD0_00 and so on for unreal, branches_LOD0_00-convcolonly for godot, COL_branches_LOD0_00 "
+             "for the script that --for unity writes. They stand in the file of the finest level.",
      .flags = ofExport | ofBatch | ofTrees | ofFormats, .place = at([](auto& o) -> auto& { return o.collision; }),
      .items = collisionItems, .hashed = "collision %1", .holds = holdsObjects, .key = "collision",
      .label = RAMURE_NOOP("Collision for"),

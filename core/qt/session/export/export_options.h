@@ -25,7 +25,11 @@ enum class CollisionNames : std::uint8_t {
     None,   ///< there is nothing
     Unreal, ///< UCX_, the name of the mesh, a number
     Godot,  ///< the name of the mesh, a number, -convcolonly
+    Unity,  ///< COL_, the name of the mesh, a number
 };
+
+/// Engines that get a folder of their own (engine_folder.h).
+enum class Engine : std::uint8_t { None, Godot, Unity, Unreal };
 
 struct ExportOptions
 {
@@ -39,10 +43,11 @@ struct ExportOptions
     LevelOptions levels;      ///< levels of trees, see ExportModel::Mesh
     bool levelFiles = false;  ///< each level is a file also where the format holds them all
     CollisionNames collision = CollisionNames::None; ///< of trees of ExportModel::Mesh
-    bool variants = false;                           ///< leaves and fruit in four seasons
-    double growthFrom = 0.0;  ///< years: trees grow as one mesh from this age on; 0: they have their age
-    double growthSpeed = 5.0; ///< years a second
-    int growthKeys = 12;      ///< most key shapes of it
+    Engine engine = Engine::None; ///< the path is a folder, or a .zip of one, for this engine
+    bool variants = false;        ///< leaves and fruit in four seasons
+    double growthFrom = 0.0;      ///< years: trees grow as one mesh from this age on; 0: they have their age
+    double growthSpeed = 5.0;     ///< years a second
+    int growthKeys = 12;          ///< most key shapes of it
     std::int64_t growthTriangles = 60'000;
     WindProfile wind = WindProfile::None; ///< data of trees by which games move them
     WriteOptions write;

@@ -100,9 +100,11 @@ void addCollision(ExportScene& out, Index node, std::size_t first, const Skeleto
         std::string digits = std::to_string(number++);
         digits.insert(0, 2 - std::min<std::size_t>(digits.size(), 2), '0');
         ExportMesh mesh{{}, node, std::make_shared<const TriangleMesh>(std::move(piece)), material};
-        mesh.name = options.collision == CollisionNames::Unreal
-                        ? std::string("UCX_").append(name).append("_").append(digits)
-                        : std::string(name).append("_").append(digits).append("-convcolonly");
+        mesh.name = std::string(name).append("_").append(digits);
+        if (options.collision == CollisionNames::Godot)
+            mesh.name += "-convcolonly";
+        else
+            mesh.name.insert(0, options.collision == CollisionNames::Unity ? "COL_" : "UCX_");
         mesh.isLevel = options.levelFiles && options.levels.isWanted(); // in the file of the finest alone
         out.meshes.push_back(std::move(mesh));
     }
