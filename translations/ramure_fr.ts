@@ -9459,6 +9459,18 @@
         <source>Unity</source>
         <translation>Unity</translation>
     </message>
+    <message>
+        <source>A massive column under a narrow crown of upturned limbs</source>
+        <translation>Une colonne massive sous une cime étroite aux branches redressées</translation>
+    </message>
+    <message>
+        <source>A broad dark dome, dense to the ground</source>
+        <translation>Un large dôme sombre, dense jusqu&apos;au sol</translation>
+    </message>
+    <message>
+        <source>A tall crown in clouds on winding limbs</source>
+        <translation>Une haute cime en nuages sur des branches sinueuses</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>

@@ -309,9 +309,9 @@ std::vector<Preset> everyOrganPreset()
 /// the wood that goes on above a fork, or their bark would change its scale too fast.
 void leaveForksAsBuilt(std::vector<Preset>& presets)
 {
-    constexpr std::array names{"Baobab",        "CommonYew", "Hornbeam",  "LiveOak1995",       "RainTree",
-                               "RedOak1995",    "Rowan1995", "ScotsPine", "WeepingWillow1995", "WhiteWillow",
-                               "WildCherry1995"};
+    constexpr std::array names{
+        "Baobab",    "CommonYew1995", "Hornbeam",          "LiveOak1995",     "RainTree1995",  "RedOak1995",
+        "Rowan1995", "ScotsPine",     "WeepingWillow1995", "WhiteWillow1995", "WildCherry1995"};
     for (Preset& preset : presets)
         if (std::ranges::find(names, std::string_view(preset.name)) != names.end())
             preset.params.mesh.fairing = preset.params.mesh.ridge = 0.0;

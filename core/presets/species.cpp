@@ -101,10 +101,14 @@ struct DressedLeaves
     GrownLeaves leaves;
 };
 constexpr std::array dressedLeaves{
-    DressedLeaves{"BlackTupelo", {0.10, 2.74, 6}},       DressedLeaves{"BlueGum", {0.20, 1.09, 6}},
-    DressedLeaves{"EasternCottonwood", {0.10, 1.63, 8}}, DressedLeaves{"FieldElm", {0.085, 1.6, 10}},
-    DressedLeaves{"Jacaranda", {0.36, 0.43, 3}},         DressedLeaves{"QuakingAspen", {0.05, 3.07, 6}},
-    DressedLeaves{"Sassafras", {0.12, 1.22, 4}},         DressedLeaves{"SouthernMagnolia", {0.17, 1.8, 6}},
+    DressedLeaves{"BlackTupelo", {0.10, 2.74, 6}},
+    DressedLeaves{"BlueGum1995", {0.20, 1.09, 6}},
+    DressedLeaves{"EasternCottonwood1995", {0.10, 1.63, 8}},
+    DressedLeaves{"FieldElm1995", {0.085, 1.6, 10}},
+    DressedLeaves{"Jacaranda1995", {0.36, 0.43, 3}},
+    DressedLeaves{"QuakingAspen", {0.05, 3.07, 6}},
+    DressedLeaves{"Sassafras", {0.12, 1.22, 4}},
+    DressedLeaves{"SouthernMagnolia1995", {0.17, 1.8, 6}},
 };
 
 } // namespace

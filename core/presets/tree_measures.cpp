@@ -69,8 +69,10 @@ constexpr std::array measuredTrees{
 constexpr PublishedRange deciduous{3.46, 6.66}, evergreenBroadleaf{3.27, 8.13}, needles{2.10, 8.84},
     deciduousNeedles{2.26, 7.00};
 
-/// Lengths of the usual leaves, in m. The ground below a poplar's column is so small that no index is given.
+/// Lengths of the usual leaves, in m, and of the leafy shoots of conifers. The ground below the column of a
+/// poplar or a cypress is so small that no index is given.
 constexpr std::array measuredLeaves{
+    PublishedLeaves{"Abies balsamea", {0.10, 0.22}, needles},
     PublishedLeaves{"Acer palmatum", {0.04, 0.08}, deciduous},
     PublishedLeaves{"Acer platanoides", {0.08, 0.16}, {4, 7}},
     PublishedLeaves{"Acer saccharum", {0.08, 0.14}, {4, 7}},
@@ -82,10 +84,12 @@ constexpr std::array measuredLeaves{
     PublishedLeaves{"Cedrus deodara", {0.10, 0.20}, needles},
     PublishedLeaves{"Cedrus libani", {0.10, 0.20}, needles},
     PublishedLeaves{"Crataegus monogyna", {0.02, 0.05}, deciduous},
+    PublishedLeaves{"Cupressus sempervirens", {0.05, 0.18}, {}},
     PublishedLeaves{"Eucalyptus globulus", {0.15, 0.25}, evergreenBroadleaf},
     PublishedLeaves{"Fagus sylvatica", {0.05, 0.10}, {5, 8}},
     PublishedLeaves{"Fraxinus excelsior", {0.20, 0.35}, deciduous},
     PublishedLeaves{"Ginkgo biloba", {0.04, 0.08}, deciduous},
+    PublishedLeaves{"Gleditsia triacanthos", {0.12, 0.25}, deciduous},
     PublishedLeaves{"Jacaranda mimosifolia", {0.25, 0.45}, deciduous},
     PublishedLeaves{"Juglans regia", {0.20, 0.45}, deciduous},
     PublishedLeaves{"Larix decidua", {0.08, 0.18}, deciduousNeedles},
@@ -97,6 +101,7 @@ constexpr std::array measuredLeaves{
     PublishedLeaves{"Olea europaea", {0.04, 0.08}, {1.5, 4}},
     PublishedLeaves{"Picea abies", {0.10, 0.25}, needles},
     PublishedLeaves{"Picea pungens", {0.10, 0.25}, needles},
+    PublishedLeaves{"Pinus pinea", {0.12, 0.28}, needles},
     PublishedLeaves{"Pinus strobus", {0.12, 0.28}, needles},
     PublishedLeaves{"Pinus sylvestris", {0.10, 0.24}, needles},
     PublishedLeaves{"Platanus × hispanica", {0.10, 0.22}, deciduous},
@@ -104,13 +109,19 @@ constexpr std::array measuredLeaves{
     PublishedLeaves{"Populus nigra 'Italica'", {0.05, 0.08}, {}},
     PublishedLeaves{"Populus tremuloides", {0.03, 0.07}, {2, 4}},
     PublishedLeaves{"Prunus avium", {0.07, 0.12}, deciduous},
+    PublishedLeaves{"Pseudotsuga menziesii", {0.10, 0.25}, needles},
     PublishedLeaves{"Quercus robur", {0.07, 0.14}, {3, 6}},
     PublishedLeaves{"Quercus rubra", {0.12, 0.20}, deciduous},
     PublishedLeaves{"Quercus virginiana", {0.04, 0.10}, evergreenBroadleaf},
     PublishedLeaves{"Robinia pseudoacacia", {0.15, 0.30}, deciduous},
+    PublishedLeaves{"Salix alba", {0.05, 0.10}, {3, 5}},
     PublishedLeaves{"Salix babylonica", {0.08, 0.16}, {3, 5}},
+    PublishedLeaves{"Samanea saman", {0.20, 0.40}, evergreenBroadleaf},
     PublishedLeaves{"Sassafras albidum", {0.09, 0.17}, deciduous},
+    PublishedLeaves{"Sequoia sempervirens", {0.10, 0.25}, needles},
+    PublishedLeaves{"Sequoiadendron giganteum", {0.10, 0.25}, {6, 10}},
     PublishedLeaves{"Sorbus aucuparia", {0.10, 0.20}, deciduous},
+    PublishedLeaves{"Taxus baccata", {0.10, 0.22}, needles},
     PublishedLeaves{"Tilia cordata", {0.04, 0.08}, {4, 7}},
     PublishedLeaves{"Ulmus americana", {0.07, 0.14}, deciduous},
     PublishedLeaves{"Ulmus minor", {0.05, 0.10}, deciduous},

@@ -103,7 +103,7 @@ private slots:
     /// Too few even for the roots.
     void budgetsThatNoMeshKeeps()
     {
-        NodeParams yew = preset("CommonYew");
+        NodeParams yew = preset("CommonYew1995");
         yew.mesh.roots = 0; // for which the first pieces of its trunk would become one
         const auto few = levelsOf(yew, {1, {leastBudget}}, {true, false, false, false});
         QVERIFY(!few);

@@ -42,7 +42,11 @@ constexpr std::size_t everyNth = test::isSanitized ? 4 : 1;
 // The trees of tree_measures.h are those with the thickest stems: old ones, but for olives, which get far
 // older than streets. The willow: 35 ft over 2 ft (Little, "Field guide to North American trees", 1980). The
 // poplar: 29 m high and 2.8 m around (Fairwater Park, Cardiff, measured in 2017). The cedar: 26 m high
-// and 4.5 m around at 120 years (Museo del Prado, Madrid).
+// and 4.5 m around at 120 years (Museo del Prado, Madrid). The sequoia: 54.8 m high and 9.12 m around at 150
+// years (Castle Leod, measured in 2003). The cypress: 32 m and 4.05 m at 200 years (Real Jardín Botánico,
+// Madrid). The fir: 12 to 18 m and 30 to 46 cm (Burns, Honkala, "Silvics of North America", 1990). The elm:
+// the mean of 30 m over 0.95 m (East Coker) and 25 m over 1.45 m (Hatfield Peverel). The stone pine: 40 to 80
+// ft over 36 to 48 in. (W. Warriner, consulting arborist, Los Angeles).
 constexpr std::array facts{
     Fact{"EnglishOak", 0, old, 62, 0.3, 0.9},
     Fact{"EuropeanBeech", 0, old, 48, 0.5, 0.95},
@@ -79,6 +83,21 @@ constexpr std::array facts{
     Fact{"EasternWhitePine", 0, old, 49, 0.9, 1},
     Fact{"BlueSpruce", 0, old, 51, 0.9, 1},
     Fact{"DeodarCedar", 0, old, 74, 0.9, 1},
+    Fact{"WhiteWillow", 0, old, 42, 0.4, 1},
+    Fact{"HoneyLocust", 0, old, 54, 0.4, 1},
+    Fact{"RainTree", 0, old, 58, 0.3, 1},
+    Fact{"DouglasFir", 0, old, 50, 0.9, 1},
+    Fact{"StonePine", 17.2, old, 50, 0.6, 1},
+    Fact{"ItalianCypress", 24.8, old, 36, 0.9, 1},
+    Fact{"GiantSequoia", 18.9, old, 55, 0.9, 1},
+    Fact{"CommonYew", 0, old, 60, 0.6, 1},
+    Fact{"BalsamFir", 39.5, old, 52, 0.9, 1},
+    Fact{"CoastRedwood", 0, old, 55, 0.9, 1},
+    Fact{"EasternCottonwood", 0, old, 48, 0.5, 1},
+    Fact{"FieldElm", 24.4, old, 46, 0.5, 1},
+    Fact{"Jacaranda", 0, old, 48, 0.4, 1},
+    Fact{"BlueGum", 0, old, 44, 0.6, 1},
+    Fact{"SouthernMagnolia", 0, old, 58, 0.85, 1},
     Fact{"CoconutPalm", 0, old, 0, 0.7, 1},
 };
 

@@ -33,24 +33,27 @@ constexpr Bars own[] = {
     // Whorls of limbs around a stem of half the width.
     {.preset = "Baobab", .quarter = 0.29, .whole = 0.48, .leastCollar = 1.12},
     {.preset = "CaliforniaBlackOak", .mostCollar = 1.52},
-    {.preset = "CommonYew", .quarter = 0.32, .mostTwins = 1.12}, // many stems at a fork
+    {.preset = "CommonYew1995", .quarter = 0.32, .mostTwins = 1.12}, // many stems at a fork
     {.preset = "EnglishOak1995", .quarter = 0.27},
     {.preset = "LiveOak1995", .quarter = 0.27},
-    {.preset = "StonePine", .quarter = 0.28},
-    {.preset = "WhiteWillow", .quarter = 0.31},
+    {.preset = "StonePine1995", .quarter = 0.28},
+    {.preset = "WhiteWillow1995", .quarter = 0.31},
     // Limbs run along the stem, some of them inside it.
     {.preset = "WeepingWillow1995", .quarter = 0.46, .whole = 0.54, .leastCollar = 1.0},
-    {.preset = "ItalianCypress", .leastCollar = 1.0},
-    {.preset = "GiantSequoia", .leastCollar = 1.0},
+    {.preset = "ItalianCypress1995", .leastCollar = 1.0},
+    {.preset = "GiantSequoia1995", .leastCollar = 1.0},
     {.preset = "LombardyPoplar1995", .leastCollar = 1.12},
-    {.preset = "DouglasFir", .leastCollar = 1.1},
+    {.preset = "DouglasFir1995", .leastCollar = 1.1},
     {.preset = "BlackTupelo", .leastCollar = 1.14},
     // Grown by years: stout limbs of one year stand close to each other.
     {.preset = "LombardyPoplar", .leastCollar = 1.0},
+    {.preset = "ItalianCypress", .leastCollar = 1.0},
     {.preset = "Hornbeam", .leastCollar = 1.11},
     {.preset = "Rowan", .leastCollar = 1.13},
     {.preset = "LiveOak", .mostCollar = 1.56},
     {.preset = "RedOak", .mostCollar = 1.55},
+    {.preset = "RainTree", .mostCollar = 1.58},
+    {.preset = "StonePine", .whole = 0.48}, // whorls part into the umbrella
     // Without a budget all branches have the same few cross-sections.
     {.preset = "ParkTree", .leastCollar = 1.07},
     {.preset = "UmbrellaAcacia", .leastCollar = 1.09},
