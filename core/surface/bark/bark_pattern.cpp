@@ -305,7 +305,7 @@ const std::array<BarkLook, 16> looks{{
      0.16f,
      0.90f,
      {rgb(136, 112, 84), 0.010f, 0.05f},
-     {rgb(142, 92, 62), 0.10f, 0.20f}},
+     {rgb(142, 92, 62), 0.07f, 0.28f}},
     {furrowedBark,
      rgb(64, 53, 43),
      rgb(148, 134, 115),

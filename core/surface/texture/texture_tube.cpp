@@ -20,7 +20,7 @@ constexpr double mostWide = 1.25; ///< of a start over its own radius: what is w
 constexpr int evenRounds = 10, stiffRounds = 80, plainRounds = 10;
 constexpr double stiffConvergence = 0.995; ///< of a plain round: what is left of the slowest error
 constexpr double enoughStretched = 0.06;   ///< of a tube's triangles: it is left at that
-constexpr double agingLength = 1.5;        ///< diameters, after which a limb's bark is its own
+constexpr double agingLength = 2.0;        ///< diameters, after which a limb's bark is its own
 constexpr double farthestEven = 2.0; ///< tiles: shapes alone would let what hangs by a corner go anywhere
 
 /// Adds the places of a triangle's corners where it has its true shape and lies as near as can be to where it
@@ -80,8 +80,7 @@ void TubeTexture::unroll(const TubeAxis& axis, const TubeTextureEnd& parent,
 {
     m_axis.build(axis, parent.normal, parent.bend);
     place();
-    if (parent.radius > 0.0)
-        age(parent.radius);
+    const double aged = age(parent.aged);
     m_foot = axis.foot;
     m_seam = pi;
     if (m_foot.rings > 0)
@@ -98,7 +97,7 @@ void TubeTexture::unroll(const TubeAxis& axis, const TubeTextureEnd& parent,
     even(triangles);
     const UnrollAxis::Node& end = m_axis.end();
     m_end = {end.frame.normal, end.bend.x * end.frame.normal + end.bend.y * end.frame.binormal, m_around,
-             end.radius};
+             end.radius, aged};
 }
 
 void TubeTexture::place()
@@ -128,22 +127,26 @@ void TubeTexture::place()
     m_chord = maths::sin(half) / half;
 }
 
-/// A limb begins in the bark of the wood that carries it, as far as its fork reaches.
-void TubeTexture::age(double parentRadius)
+/// A limb begins in the bark of the wood that carries it, as far as its fork reaches, and comes to its own in
+/// the pieces that follow.
+double TubeTexture::age(double parentRadius)
 {
-    const double own = m_axis.nodes().front().own, beyond = parentRadius - own;
+    const double own = m_axis.nodes().front().own, beyond = parentRadius - own, end = m_axis.end().radius;
     if (!(beyond > 0.0) || !(own > 0.0))
-        return;
+        return end;
     double start = 0.0;
     for (const TubeTextureVertex& vertex : m_vertices)
         if (vertex.onWall)
             start = std::max(start, vertex.along);
     start = std::min(start, parentRadius);
-    for (TubeTextureVertex& vertex : m_vertices) {
-        const double outside = std::max(vertex.along - start, 0.0);
-        const double older = vertex.radius + beyond * maths::exp(-outside / (agingLength * 2.0 * own));
-        vertex.radius = std::max(vertex.radius, std::min(older, parentRadius));
-    }
+    const auto older = [&](double radius, double along) {
+        const double outside = std::max(along - start, 0.0);
+        const double aged = radius + beyond * maths::exp(-outside / (agingLength * 2.0 * own));
+        return std::max(radius, std::min(aged, parentRadius));
+    };
+    for (TubeTextureVertex& vertex : m_vertices)
+        vertex.radius = older(vertex.radius, vertex.along);
+    return older(end, m_axis.length());
 }
 
 /// The columns of a foot are as far around as where they leave the trunk. The seam lies in the valley before

@@ -32,6 +32,7 @@ struct TubeTextureEnd
     glm::dvec3 bend{0.0};               ///< as UnrollAxis has it
     double around = 0.0;                ///< tiles around; 0: the child begins anew
     double radius = 0.0;                ///< m; 0: there is no parent
+    double aged = 0.0;                  ///< m, of the wood whose bark its end has
 };
 
 /// A vertex of a tube.
@@ -97,7 +98,8 @@ public:
 
 private:
     void place();
-    void age(double parentRadius);
+    /// Returns the radius of the wood whose bark the end of the tube has.
+    double age(double parentRadius);
     void markCut();
     void placeFoot();
     void layFoot();

@@ -45,6 +45,7 @@ private slots:
     void whatIsWideIsOld_data();
     void whatIsWideIsOld();
     void limbsBeginInTheBarkOfTheStem();
+    void barkAgesOnFromPieceToPiece();
     void anySkeleton();
 
 private:
@@ -462,6 +463,43 @@ void TestTextureCoordinates::limbsBeginInTheBarkOfTheStem()
             }
     }
     QVERIFY2(oldest > 0.9 * stem && oldest < 1.01 * stem, qPrintable(QString::number(oldest)));
+    QVERIFY2(youngest < 1.1 * thin, qPrintable(QString::number(youngest)));
+}
+
+/// Pieces of a limb that are shorter than its bark takes to become its own pass on how old it is.
+void TestTextureCoordinates::barkAgesOnFromPieceToPiece()
+{
+    constexpr double stem = 0.2, thin = 0.05;
+    Skeleton skeleton;
+    const Index foot = skeleton.add(noIndex, {0, 0, 0}, {0, 1, 0}, stem, stem);
+    skeleton.add(foot, {0, 1, 0}, {0, 2, 0}, stem, stem);
+    constexpr int pieces = 24;
+    for (int i = 0; i < pieces; ++i) {
+        const Index below = i == 0 ? foot : static_cast<Index>(skeleton.size() - 1);
+        skeleton.add(below, {0.1 * i, 1, 0}, {0.1 * (i + 1), 1, 0}, thin, thin);
+    }
+    skeleton.key.resize(skeleton.size());
+    const auto mesh = buildBranchMesh(skeleton, {});
+    QVERIFY(mesh);
+    const auto made = textureCoordinates(*mesh, {});
+    QVERIFY(made);
+    std::map<Index, std::pair<double, double>> ages; // of the vertices of the limb: the least, the most
+    double youngest = stem;
+    for (std::size_t t = 0; t < mesh->tubes.size(); ++t) {
+        const auto [first, end] = rangeOf(*mesh, t);
+        for (Index f = first; mesh->tubes[t].branch > 1 && f < end; ++f)
+            for (int c = 0; c < 3; ++c) {
+                const Index corner = made->corners[f][c];
+                const double radius = made->radius[corner];
+                auto& [least, most] = ages.try_emplace(made->vertex[corner], radius, radius).first->second;
+                least = std::min(least, radius);
+                most = std::max(most, radius);
+                youngest = std::min(youngest, radius);
+            }
+    }
+    for (const auto& [vertex, age] : ages)
+        QVERIFY2(age.second <= 1.05 * age.first,
+                 qPrintable(QStringLiteral("%1 and %2 m").arg(age.first).arg(age.second)));
     QVERIFY2(youngest < 1.1 * thin, qPrintable(QString::number(youngest)));
 }
 
