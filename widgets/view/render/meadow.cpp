@@ -172,7 +172,7 @@ MeshCopies fallenLeaves(const Foliage& foliage, const Foliage& placed, double al
     const auto kept = std::min(std::size_t(ofHanging * double(leafCount(foliage))), mostLeaves / 4);
     const bool isKnown = foliage.fallenColour != glm::vec3(0.0f);
     const glm::dvec3 autumn(isKnown ? foliage.fallenColour : glm::vec3(leafRow(form.shape).autumn)),
-        old(112.0, 82.0, 54.0);
+        old(115.0, 92.0, 75.0); // litter, by its pigments
     const glm::dvec3 brightest(fallenMaterial().colour);
     Random random(2, RandomStream::Terrain);
     for (std::size_t i = 0; i < fresh + kept; ++i) {
@@ -181,7 +181,7 @@ MeshCopies fallenLeaves(const Foliage& foliage, const Foliage& placed, double al
         const auto [sine, cosine] = maths::sincos(fullTurn * random.unit());
         const glm::dvec2 at(foot.place.x + away * cosine, foot.place.z + away * sine);
         const glm::dvec3 tone =
-            glm::mix(autumn, old, (isOld ? 0.8 : 0.0) + (isOld ? 0.2 : 0.7) * random.unit());
+            glm::mix(autumn, old, (isOld ? 0.85 : 0.0) + (isOld ? 0.15 : 0.7) * random.unit());
         const glm::dvec3 tint = glm::clamp(random.range(0.75, 1.0) * tone / brightest, 0.0, 1.0);
         const glm::dquat flat = turned(-0.5 * pi, {1.0, 0.0, 0.0});
         const glm::dquat tilt = turned(random.range(-0.45, 0.45), {1.0, 0.0, 0.0}) *
