@@ -32,6 +32,8 @@ struct Shared
     std::vector<TubeTextureEnd> ends;      ///< per tube
     std::vector<Index> parent;             ///< per tube: the one it starts from, or noIndex
     std::vector<std::vector<Index>> waves; ///< tubes whose parents are in the waves before
+    std::vector<Index> wave;               ///< per tube
+    std::vector<Index> owner;              ///< per vertex that is no wall: the first tube that has it
 };
 
 /// The coordinates of some tubes, one after the other.
@@ -62,9 +64,9 @@ public:
 
 private:
     /// \param isLimb it leaves a thicker tube to its side: the bark does not go on from there.
-    void gather(const Shared& shared, Index first, Index end, bool isLimb);
+    void gather(const Shared& shared, Index tube, Index first, Index end, bool isLimb);
     void gatherFoot(const BranchMesh& mesh, const FootSize& foot, Index first, Index end);
-    void write(Shared& shared, std::span<glm::uvec3> corners);
+    void write(Shared& shared, Index tube, std::span<glm::uvec3> corners);
     glm::uvec3 place(const BranchMesh& mesh, const glm::uvec3& triangle);
     Index add(const TubeTextureVertex& vertex, const glm::dvec2& uv);
 
@@ -77,7 +79,7 @@ private:
     std::vector<Index> m_plain, m_shifted, m_flat; ///< per vertex of the tube: its coordinates
 };
 
-void TubeUnroller::gather(const Shared& shared, Index first, Index end, bool isLimb)
+void TubeUnroller::gather(const Shared& shared, Index tube, Index first, Index end, bool isLimb)
 {
     for (Index t = first; t < end; ++t) {
         glm::uvec3& corners = m_triangles.emplace_back();
@@ -86,7 +88,10 @@ void TubeUnroller::gather(const Shared& shared, Index first, Index end, bool isL
             const std::span<const TubeTextureVertex> known = m_tube.vertices();
             Index& slot = m_slot[vertex];
             if (slot >= known.size() || known[slot].vertex != vertex) {
-                const bool isKnown = shared.isKnown[vertex] != 0;
+                // Tubes of one wave are unrolled at once: what they share is known to none of the others.
+                const Index owner = shared.owner[vertex];
+                const bool isKnown =
+                    owner != noIndex && shared.wave[owner] < shared.wave[tube] && shared.isKnown[vertex] != 0;
                 const bool onWall = shared.isWall[vertex] != 0 || (isLimb && isKnown);
                 const bool onParent = !onWall && isKnown;
                 slot = m_tube.addVertex(vertex, shared.mesh.mesh.positions[vertex], onParent, onWall,
@@ -144,7 +149,7 @@ Index TubeUnroller::add(const TubeTextureVertex& vertex, const glm::dvec2& uv)
     return index;
 }
 
-void TubeUnroller::write(Shared& shared, std::span<glm::uvec3> corners)
+void TubeUnroller::write(Shared& shared, Index tube, std::span<glm::uvec3> corners)
 {
     const std::span<const TubeTextureVertex> vertices = m_tube.vertices();
     m_plain.assign(vertices.size(), noIndex);
@@ -156,7 +161,7 @@ void TubeUnroller::write(Shared& shared, std::span<glm::uvec3> corners)
         if (vertex.isPole)
             continue;
         m_plain[i] = add(vertex, {vertex.u, vertex.v});
-        if (!vertex.onWall && shared.isKnown[vertex.vertex] == 0) {
+        if (!vertex.onWall && shared.owner[vertex.vertex] == tube) {
             shared.isKnown[vertex.vertex] = 1;
             shared.uv[vertex.vertex] = glm::vec2(vertex.u, vertex.v);
         }
@@ -219,17 +224,17 @@ void TubeUnroller::unroll(Shared& shared, Index index, Piece& piece, std::vector
     if (const FootSize& foot = shared.mesh.axes[index].foot; foot.rings > 0)
         gatherFoot(shared.mesh, foot, first, end);
     else
-        gather(shared, first, end, isLimb);
+        gather(shared, index, first, end, isLimb);
     m_tube.unroll(shared.mesh.axes[index], below, m_triangles);
     shared.ends[index] = m_tube.end();
-    write(shared, {corners.data() + first, end - first});
+    write(shared, index, {corners.data() + first, end - first});
     piece.tubes.push_back({index, m_begin, static_cast<Index>(piece.uv.size()) - m_begin});
 }
 
 Shared shareOf(const BranchMesh& mesh)
 {
     const std::size_t vertices = mesh.mesh.positions.size(), tubes = mesh.tubes.size();
-    Shared shared{mesh, {}, {}, {}, {}, {}, {}, {}};
+    Shared shared{mesh, {}, {}, {}, {}, {}, {}, {}, {}, {}};
     shared.isWall.assign(vertices, 0);
     for (const ForkVertex& fork : mesh.forkVertices)
         shared.isWall[fork.vertex] = 1;
@@ -240,7 +245,9 @@ Shared shareOf(const BranchMesh& mesh)
     Index branches = 0;
     for (const TubeRange& tube : mesh.tubes)
         branches = std::max(branches, tube.branch + 1);
-    std::vector<Index> firstTubeOf(branches, noIndex), tubeOf(branches, noIndex), wave(tubes, 0);
+    std::vector<Index> firstTubeOf(branches, noIndex), tubeOf(branches, noIndex);
+    std::vector<Index>& wave = shared.wave;
+    wave.assign(tubes, 0);
     for (Index t = 0; t < tubes; ++t) {
         const TubeRange& tube = mesh.tubes[t];
         if (tube.parent != noIndex && tube.parent < branches && tubeOf[tube.parent] != noIndex) {
@@ -253,6 +260,16 @@ Shared shareOf(const BranchMesh& mesh)
             shared.waves.emplace_back();
         shared.waves[wave[t]].push_back(t);
     }
+    shared.owner.assign(vertices, noIndex);
+    for (const std::vector<Index>& tubesOfWave : shared.waves)
+        for (const Index t : tubesOfWave) {
+            const std::size_t end =
+                t + 1 < tubes ? mesh.tubes[t + 1].firstTriangle : mesh.mesh.triangles.size();
+            for (std::size_t f = mesh.tubes[t].firstTriangle; f < end; ++f)
+                for (int c = 0; c < 3; ++c)
+                    if (Index& owner = shared.owner[mesh.mesh.triangles[f][c]]; owner == noIndex)
+                        owner = t;
+        }
     // Walls that follow the stem alone are the arches over its limbs.
     shared.isLimb.assign(tubes, 0);
     for (const ForkVertex& fork : mesh.forkVertices)

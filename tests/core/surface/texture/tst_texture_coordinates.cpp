@@ -1,6 +1,7 @@
 #include "core/base/parallel.h"
 #include "core/pipeline/tree_pipeline.h"
 #include "core/presets/presets.h"
+#include "core/scene/recipe_demo.h"
 #include "core/surface/check/texture_report.h"
 #include "core/surface/mesher/build_branch_mesh.h"
 #include "tests/support/preset_trees.h"
@@ -29,6 +30,7 @@ private slots:
     void aCylinderIsUnrolledAsItIs();
     void theSameOnAnyNumberOfThreads_data() { presets(); }
     void theSameOnAnyNumberOfThreads();
+    void tubesThatMeetDoNotDependOnChance();
     void tellsHowFarItIs();
     void presetsAreEven_data();
     void presetsAreEven();
@@ -213,6 +215,29 @@ void TestTextureCoordinates::theSameOnAnyNumberOfThreads()
     const ThreadLimit limit(1);
     const auto onOne = textureCoordinates(mesh, {});
     QVERIFY(onOne && *onOne == *onMany);
+}
+
+/// Tubes of several sources share vertices without one growing from the other. Which thread came first
+/// decided whose coordinates they got.
+void TestTextureCoordinates::tubesThatMeetDoNotDependOnChance()
+{
+    const Scene scene = recipeDemo();
+    const auto nodes = scene.nodes();
+    const auto tree = std::ranges::find(nodes, std::string("Two sources on one parent"), &Node::name);
+    QVERIFY(tree != nodes.end());
+    TreePipeline pipeline;
+    const auto grown = pipeline.evaluate((*tree).params, Stage::Mesh);
+    QVERIFY(grown);
+    const auto onOne = [&] {
+        const ThreadLimit limit(1);
+        return textureCoordinates(*grown->branches, {});
+    }();
+    QVERIFY(onOne);
+    for (int round = 0; round < 8; ++round) {
+        const ThreadLimit limit(5);
+        const auto onMany = textureCoordinates(*grown->branches, {});
+        QVERIFY(onMany && *onMany == *onOne);
+    }
 }
 
 void TestTextureCoordinates::tellsHowFarItIs()
