@@ -10,6 +10,9 @@ Work::Work(cli::Input input, std::string name, std::string extras)
     , m_name(std::move(name))
     , m_extras(std::move(extras))
 {
+    // Nobody undoes here: what a loop over seeds leaves behind would fill the memory.
+    const Scene* const scene = m_input->scene();
+    m_pipeline->setCacheSize(1 + (scene ? scene->nodes().size() : 0));
 }
 
 Work::Turn::Turn(Work& work)
