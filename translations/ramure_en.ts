@@ -272,17 +272,17 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%Ln of these files are there already. Export once more to replace them.</source>
-        <translation>
-            <numerusform>%Ln of these files is there already. Export once more to replace it.</numerusform>
-            <numerusform>%Ln of these files are there already. Export once more to replace them.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%Ln frame(s) in one file</source>
         <translation>
             <numerusform>%Ln frame in one file</numerusform>
             <numerusform>%Ln frames in one file</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln of these files are there already. “Replace” writes over them.</source>
+        <translation>
+            <numerusform>%Ln of these files is there already. “Replace” writes over it.</numerusform>
+            <numerusform>%Ln of these files are there already. “Replace” writes over them.</numerusform>
         </translation>
     </message>
 </context>

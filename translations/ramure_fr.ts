@@ -11206,10 +11206,6 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
         <translation>Progression de l’export</translation>
     </message>
     <message>
-        <source>“%1” is there already. Export once more to replace it.</source>
-        <translation>«&#xa0;%1&#xa0;» existe déjà. Exportez encore une fois pour le remplacer.</translation>
-    </message>
-    <message>
         <source>Export anyway</source>
         <translation>Exporter quand même</translation>
     </message>
@@ -11251,13 +11247,6 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
     <message>
         <source>There is no folder “%1”.</source>
         <translation>Il n’y a pas de dossier «&#xa0;%1&#xa0;».</translation>
-    </message>
-    <message numerus="yes">
-        <source>%Ln of these files are there already. Export once more to replace them.</source>
-        <translation>
-            <numerusform>%Ln de ces fichiers existe déjà. Exportez encore une fois pour le remplacer.</numerusform>
-            <numerusform>%Ln de ces fichiers existent déjà. Exportez encore une fois pour les remplacer.</numerusform>
-        </translation>
     </message>
     <message>
         <source>Trees, arms as they are at the moment, terrains, primitives and imported meshes are written where they stand in the world, each under a name of its own.</source>
@@ -11325,6 +11314,21 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
     <message>
         <source>A film needs a sequence of frames, or a view from all sides.</source>
         <translation>Un film demande une suite d’images, ou une vue de tous les côtés.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln of these files are there already. “Replace” writes over them.</source>
+        <translation>
+            <numerusform>%Ln de ces fichiers existe déjà. «&#xa0;Remplacer&#xa0;» écrit par-dessus.</numerusform>
+            <numerusform>%Ln de ces fichiers existent déjà. «&#xa0;Remplacer&#xa0;» écrit par-dessus.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>“%1” is there already. “Replace” writes over it.</source>
+        <translation>«&#xa0;%1&#xa0;» existe déjà. «&#xa0;Remplacer&#xa0;» écrit par-dessus.</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Remplacer</translation>
     </message>
 </context>
 <context>

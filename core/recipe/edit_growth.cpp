@@ -119,42 +119,71 @@ std::vector<Index> axesOn(const EditTree& tree, Index axis)
     return axes;
 }
 
+/// How many axes stand on each.
+std::vector<Index> carriedBy(const EditTree& tree)
+{
+    std::vector<Index> counts(tree.axisCount(), 0);
+    for (Index i = tree.firstPiece(); i != noIndex; i = tree.piece(i).after)
+        if (const Index below = tree.piece(i).parent;
+            below != noIndex && tree.piece(below).axis != tree.piece(i).axis)
+            ++counts[tree.piece(below).axis];
+    return counts;
+}
+
 /// Which axis a new one is to look like: one beside it, else any of its order, that carries something. Of
-/// several the one that stands nearest and is most like it in length. noIndex: none carries anything.
+/// several the one that stands nearest, is most like it in length and is as dense as the others are together.
+/// noIndex: none carries anything.
 Index modelFor(const EditTree& tree, Index axis, Index parent, double share)
 {
     constexpr double farAway = 0.01; // what another limb's counts for
-    const EditMarks carries = [&tree] {
-        EditMarks marks(tree.axisCount(), false);
-        for (Index i = tree.firstPiece(); i != noIndex; i = tree.piece(i).after)
-            if (const Index below = tree.piece(i).parent;
-                below != noIndex && tree.piece(below).axis != tree.piece(i).axis)
-                marks[tree.piece(below).axis] = true;
-        return marks;
-    }();
+    const std::vector<Index> carries = carriedBy(tree);
+    std::vector<Index> models;
+    double carried = 0.0, along = 0.0;
+    for (Index i = tree.firstPiece(); i != noIndex; i = tree.piece(i).after) {
+        const Index other = tree.piece(i).axis;
+        if (tree.axis(other).first != i || other == axis || carries[other] == 0 ||
+            tree.piece(i).level != tree.piece(tree.axis(axis).first).level)
+            continue;
+        models.push_back(other);
+        carried += carries[other];
+        along += tree.axisLength(other);
+    }
     const double length = tree.axisLength(axis), whole = parent == noIndex ? 0.0 : tree.axisLength(parent);
     Index best = noIndex;
     double bestWorth = 0.0;
-    for (Index i = tree.firstPiece(); i != noIndex; i = tree.piece(i).after) {
-        const EditPiece& piece = tree.piece(i);
-        const Index other = piece.axis;
-        if (tree.axis(other).first != i || other == axis || !carries[other] ||
-            piece.level != tree.piece(tree.axis(axis).first).level)
-            continue;
-        const Index below = piece.parent == noIndex ? noIndex : tree.piece(piece.parent).axis;
+    for (const Index other : models) {
+        const Index foot = tree.piece(tree.axis(other).first).parent;
+        const Index below = foot == noIndex ? noIndex : tree.piece(foot).axis;
         const double own = tree.axisLength(other);
         // A limb that falls stands on nothing, whatever its order.
         const bool isBeside = below == parent;
         const double away =
             isBeside && whole > 0.0 ? std::abs(distanceOfFork(tree, other) / whole - share) : 0.0;
-        const double worth =
-            std::min(own, length) / std::max(own, length) * (isBeside ? 1.0 / (1.0 + 4.0 * away) : farAway);
+        const double dense = std::min(1.0, carries[other] * along / (own * carried));
+        const double worth = dense * std::min(own, length) / std::max(own, length) *
+                             (isBeside ? 1.0 / (1.0 + 4.0 * away) : farAway);
         if (worth > bestWorth) {
             bestWorth = worth;
             best = other;
         }
     }
     return best;
+}
+
+/// Is no stouter for its length than its model, and ends as thin, so that it has leaves to its tip.
+void thinAs(EditTree& tree, Index model, Index axis)
+{
+    const double length = tree.axisLength(axis), tip = tree.piece(tree.tipOf(model)).a1;
+    const double stout = tree.piece(tree.axis(model).first).a0 * length / tree.axisLength(model);
+    const double foot = std::max(tip, std::min(stout, tree.piece(tree.axis(axis).first).a0));
+    double from = 0.0;
+    for (Index i = tree.axis(axis).first; i != noIndex; i = tree.piece(i).next) {
+        const double to = from + tree.length(i);
+        EditPiece& piece = tree.piece(i);
+        piece.a0 = std::min(piece.a0, std::lerp(foot, tip, from / length));
+        piece.a1 = std::min(piece.a1, std::lerp(foot, tip, to / length));
+        from = to;
+    }
 }
 
 /// What grows on one axis grows on another at the same distances from the tip and as large, so that both are
@@ -294,8 +323,11 @@ Expected<void> draw(EditTree& tree, const TreeEdit& edit, Index target, Index /*
                             points[i].radius, level);
     if (!edit.below)
         return {};
-    if (const Index model = modelFor(tree, axis, target, edit.at); model != noIndex)
+    if (const Index model = modelFor(tree, axis, target, edit.at); model != noIndex) {
+        if (std::ranges::all_of(edit.points, [](const StrokePoint& p) { return p.radius == 0.0; }))
+            thinAs(tree, model, axis);
         growAs(tree, edit, model, axis);
+    }
     return {};
 }
 

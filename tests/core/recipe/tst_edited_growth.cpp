@@ -95,7 +95,10 @@ void TestEditedGrowth::growsAsDenseAsBesideIt()
         return double(onIt) / own->length;
     };
     const double beside = perMetre(shaped.address[1]);
-    const Axis twig = *shaped.axis(shaped.address[2]);
+    const Axis twig = *shaped.axis(shaped.address[2]), limb = *shaped.axis(shaped.address[1]);
+    const auto tipOf = [](Shaped& tree, std::uint64_t address) {
+        return EditContext(*tree.tree().grown, tree.params.edits).pointOn(address, 1.0)->radius;
+    };
     const double slender = twig.length / twig.radius; // thinner ones are shorter, too
     for (const double length : {0.7, 4.0, 20.0}) {
         Shaped tree;
@@ -110,6 +113,9 @@ void TestEditedGrowth::growsAsDenseAsBesideIt()
         const auto number = Index(own - axes.axes.begin());
         const auto count = std::ranges::count(axes.axes, number, &Axis::parent);
         QVERIFY2(std::abs(double(count) - beside * own->length) <= 1.0, qPrintable(QString::number(count)));
+        // No stouter than the limb beside it for its length, and ending as thin.
+        QVERIFY(own->radius <= limb.radius * std::max(1.0, own->length / limb.length) + 1e-9);
+        QVERIFY(tipOf(tree, *id) <= tipOf(shaped, shaped.address[1]) + 1e-9);
         for (const Axis& axis : axes.axes)
             if (axis.parent == number)
                 QVERIFY(axis.radius < own->radius && isNear(axis.length / axis.radius, slender));

@@ -191,10 +191,11 @@ bool ExportDialog::mayReplaceFiles()
     if (count == 0)
         return true;
     m_mayReplace.path = wish;
-    setMessage(isNumbered() ? tr("%Ln of these files are there already. Export once more to replace them.",
-                                 nullptr, int(count))
-                            : tr("“%1” is there already. Export once more to replace it.").arg(names.front()),
-               false);
+    setMessage(isNumbered() ? tr("%Ln of these files are there already. “Replace” writes over them.", nullptr,
+                                 int(count))
+                            : tr("“%1” is there already. “Replace” writes over it.").arg(names.front()),
+               true);
+    m_export->setText(tr("Replace"));
     return false;
 }
 
