@@ -2,7 +2,9 @@
 
 #include "core/math/angle.h"
 #include "core/params/source_facts.h"
+#include <algorithm>
 #include <array>
+#include <string_view>
 
 namespace ramure {
 namespace {
@@ -84,7 +86,7 @@ const std::array grownTable{
          .leaderUntil = 16, .apicalControl = 0.4, .phyllotaxis = P::Opposite, .axil = 54, .acrotony = 0.65, .branching = 0.75, .autonomy = 0.45,
          .shadeTolerance = 0.75, .shedding = 0.5, .light = 0.2, .upright = 0.12, .wander = 0.25, .droop = 1.0, .pipeExponent = 2.22,
          .tipRadius = 0.006, .girth = 0.35},
-        {0.28, 1.24}},
+        {0.28, 1.31}},
     GrownSpecies{"WildCherry", "Prunus avium", RAMURE_NOOP("Limbs in storeys with short spurs along them"), false, {8, 30, 60},
         {.age = 30, .height = 10.5, .crownWidth = 14, .crownBase = 0.12, .crownWidest = 0.3, .crownTop = 0.6, .maturity = 28, .density = 0.9,
          .leaderUntil = 22, .apicalControl = 0.5, .sideLength = 0.9, .internode = 0.16, .axil = 56, .acrotony = 0.7, .branching = 0.7,
@@ -313,6 +315,47 @@ std::span<const GrownSpecies> grownSpecies()
     return grownTable;
 }
 
+namespace {
+
+/// What is usual of collars and feet is too much where limbs stand close, or where a stem forks or thins
+/// before breast height.
+struct GrownWood
+{
+    std::string_view name;
+    double collar = 0.5, rootLength = 0.55, rootHeight = 1.0; ///< see MeshParams
+};
+constexpr std::array grownWoods{
+    GrownWood{.name = "EnglishOak", .collar = 0.3},
+    GrownWood{.name = "LiveOak", .collar = 0.2},
+    GrownWood{.name = "AmericanElm", .collar = 0.35},
+    GrownWood{.name = "CommonWalnut", .rootLength = 0.35},
+    GrownWood{.name = "EuropeanBeech", .rootLength = 0.4},
+    GrownWood{.name = "Ginkgo", .rootLength = 0.45},
+    GrownWood{.name = "Hawthorn", .rootLength = 0.1, .rootHeight = 0.5},
+    GrownWood{.name = "Hornbeam", .rootLength = 0.45},
+    GrownWood{.name = "HorseChestnut", .rootLength = 0.36},
+    GrownWood{.name = "JapaneseMaple", .rootLength = 0.2},
+    GrownWood{.name = "LombardyPoplar", .collar = 0.4, .rootLength = 0.42},
+    GrownWood{.name = "LondonPlane", .rootLength = 0.48},
+    GrownWood{.name = "OliveTree", .rootLength = 0.1},
+    GrownWood{.name = "OrchardApple", .rootLength = 0.45},
+    GrownWood{.name = "Sweetgum", .rootLength = 0.4},
+    GrownWood{.name = "WeepingWillow", .rootLength = 0.4},
+};
+
+void setWood(MeshParams& mesh, std::string_view name)
+{
+    constexpr std::int64_t mostRoots = 5; // some fork
+    const auto own = std::ranges::find(grownWoods, name, &GrownWood::name);
+    const GrownWood wood = own != grownWoods.end() ? *own : GrownWood{};
+    mesh.collar = wood.collar;
+    mesh.rootLength = wood.rootLength;
+    mesh.rootHeight = wood.rootHeight;
+    mesh.roots = std::min(mesh.roots, mostRoots);
+}
+
+} // namespace
+
 NodeParams grownParams(const GrownSpecies& species, const NodeParams& dress)
 {
     NodeParams params = dress;
@@ -327,6 +370,7 @@ NodeParams grownParams(const GrownSpecies& species, const NodeParams& dress)
         return params;
     }
     params.growth.axil *= oneDegree;
+    setWood(params.mesh, species.name);
     // Leaves stand on the shoots of the last years.
     setLeaves(params, species.leaves);
     const double leafyTips = species.conifer ? 3.0 : 2.0; // needles stay for years

@@ -127,6 +127,7 @@ void AgeCutter::reach()
     for (std::size_t k = m_pieces.size(); k-- > 0;) {
         Piece& piece = m_pieces[k];
         piece.reach += m_grown[k] * double(m_history.length[piece.metamer]);
+        m_farthest = std::max(m_farthest, piece.reach);
         if (piece.parent == noIndex)
             continue;
         Piece& below = m_pieces[piece.parent];
@@ -207,15 +208,21 @@ void AgeCutter::findStumps()
 }
 
 /// A branch from the last node that was kept to this one; what starts at nodes that are left out starts at
-/// the one before.
+/// the one before. Near the ground, or where its stem is inside thicker wood, there is none yet: what is
+/// large starts at the first one.
 void AgeCutter::drawPiece(Index k)
 {
     const Piece& piece = m_pieces[k];
     const bool root = piece.parent == noIndex;
     const bool goesOn = root || m_pieces[piece.parent].next == k;
-    const Index below = root ? noIndex : m_branch[piece.parent];
-    const bool stands =
-        goesOn || stood(piece) || (below != noIndex && leavesTheWood(piece) && hasRoom(piece, below));
+    if (m_branch[k] != noIndex)
+        return;
+    Index below = root ? noIndex : m_branch[piece.parent];
+    const bool atFoot = below == noIndex;
+    if (!goesOn && !m_out[piece.parent] && isLarge(piece) && !isOnStem(piece, below))
+        below = makeRoom(piece, firstNode(piece.parent));
+    const bool stands = goesOn || stood(piece) ||
+                        (below != noIndex && leavesTheWood(piece) && (atFoot || hasRoom(piece, below)));
     if (!root && (m_out[piece.parent] || !stands)) {
         m_out[k] = true;
         return;
@@ -225,6 +232,40 @@ void AgeCutter::drawPiece(Index k)
         add(k, below, from);
     else
         m_branch[k] = below;
+}
+
+bool AgeCutter::isOnStem(const Piece& piece, Index below) const
+{
+    return below != noIndex && axisOf(below) == m_history.axis[m_pieces[piece.parent].metamer];
+}
+
+/// The first node above a piece of a stem of which none is drawn, which is drawn now, or that piece's.
+Index AgeCutter::firstNode(Index stem)
+{
+    const Index axis = m_history.axis[m_pieces[stem].metamer];
+    for (Index k = stem; k != noIndex; k = m_pieces[k].next) {
+        drawPiece(k);
+        if (m_branch[k] != noIndex && axisOf(m_branch[k]) == axis)
+            return m_branch[k];
+    }
+    return m_branch[stem];
+}
+
+/// The wood below is as thick as it was where the limb left it. Returns it.
+Index AgeCutter::makeRoom(const Piece& piece, Index below)
+{
+    if (below != noIndex) {
+        double& end = m_skeleton.a1[below];
+        end = std::clamp(std::sqrt(end * end + piece.radius * piece.radius), end, m_skeleton.a0[below]);
+    }
+    return below;
+}
+
+/// A limb that everybody would miss.
+bool AgeCutter::isLarge(const Piece& piece) const
+{
+    constexpr double share = 0.25; // of the tree
+    return piece.reach >= share * m_farthest;
 }
 
 glm::dvec3 AgeCutter::footOf(const Piece& piece) const
@@ -250,7 +291,7 @@ bool AgeCutter::hasRoom(const Piece& piece, Index below) const
     const Piece& stem = m_pieces[piece.parent];
     if (m_skeleton.p1[below] == stem.at)
         return true;
-    return axisOf(below) == m_history.axis[stem.metamer] &&
+    return isOnStem(piece, below) &&
            (piece.radius >= thinnest * stem.radius || (m_isWholeLife && m_limbs[below] < mostLimbs));
 }
 

@@ -47,6 +47,10 @@ private:
     void smooth();
     void findStumps();
     void drawPiece(Index k);
+    Index firstNode(Index stem);
+    Index makeRoom(const Piece& piece, Index below);
+    [[nodiscard]] bool isLarge(const Piece& piece) const;
+    [[nodiscard]] bool isOnStem(const Piece& piece, Index below) const;
     [[nodiscard]] glm::dvec3 footOf(const Piece& piece) const;
     [[nodiscard]] bool stood(const Piece& piece) const { return piece.metamer < m_history.standing; }
     [[nodiscard]] bool leavesTheWood(const Piece& piece) const;
@@ -62,6 +66,7 @@ private:
     double m_part;
     bool m_isWholeLife;
     std::vector<Piece> m_pieces;
+    double m_farthest = 0.0; ///< m, reach of the stem
     std::vector<double> m_bends, m_grown;
     std::vector<Index> m_branch; ///< by piece: that ends at it or before
     std::vector<bool> m_out;

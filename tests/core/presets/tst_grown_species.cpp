@@ -1,4 +1,5 @@
 #include "core/generators/growth/grown_skeleton.h"
+#include "core/generators/growth/whole_life.h"
 #include "core/math/angle.h"
 #include "core/params/source_facts.h"
 #include "core/pipeline/tree_pipeline.h"
@@ -16,6 +17,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 #include <string_view>
 #include <vector>
 
@@ -192,6 +194,39 @@ struct Size
            breast = 0.0; ///< heights of the tree and its first axis, diameter at 1.3 m
 };
 
+/// Limbs that live and are not drawn, though they are long against the tree, stand well out of their stem's
+/// wood and are no twigs beside it.
+std::size_t missingLimbs(const GrowthHistory& history, double age)
+{
+    constexpr double longest = 0.25, clear = 2.5, thick = 0.35; // of the tree; radii of the stem
+    const WoodAtAge wood = woodAtAge(history, age);
+    std::vector<double> reach(history.size(), 0.0);
+    std::set<std::uint64_t> drawn;
+    for (const auto& [first, address] : skeletonAtAge(history, age).axisStarts)
+        drawn.insert(address);
+    for (Index i = history.size(); i-- > 0;)
+        if (const Index below = history.parent[i]; wood.radius[i] > 0.0) {
+            reach[i] += double(history.length[i]);
+            if (below != noIndex)
+                reach[below] = std::max(reach[below], reach[i]);
+        }
+    const double most = reach.empty() ? 0.0 : *std::ranges::max_element(reach);
+    std::size_t missing = 0;
+    std::vector<bool> isOut(history.axisAddress.size(), false); // with what carries it
+    for (Index i = 0; i < history.size(); ++i) {
+        const Index below = history.parent[i];
+        if (!(wood.radius[i] > 0.0) || below == noIndex || history.axis[below] == history.axis[i])
+            continue;
+        const Index axis = history.axis[i];
+        const bool isLimb = reach[i] >= std::max(longest * most, clear * wood.radius[below]) &&
+                            wood.radius[i] >= thick * wood.radius[below];
+        const bool isDrawn = drawn.contains(history.axisAddress[axis]);
+        missing += isLimb && !isDrawn && !isOut[history.axis[below]] ? 1 : 0;
+        isOut[axis] = isOut[history.axis[below]] || !isDrawn;
+    }
+    return missing;
+}
+
 Size sizeOf(const Skeleton& tree)
 {
     Size size;
@@ -234,6 +269,62 @@ private slots:
                 before = after;
             }
         }
+    }
+
+    /// What has come to lie in thick wood, as near a trunk's foot, is a limb still.
+    void noLimbIsLost_data()
+    {
+        QTest::addColumn<int>("row");
+        for (std::size_t k = 0; k < grownSpecies().size(); k += everyNth)
+            if (grownSpecies()[k].growth.habit != GrowthHabit::Palm)
+                QTest::newRow(grownSpecies()[k].name) << int(k);
+    }
+    void noLimbIsLost()
+    {
+        QFETCH(const int, row);
+        const GrownSpecies& species = grownSpecies()[std::size_t(row)];
+        GrowthParams params = paramsOf(species);
+        params.age = double(species.ages[old]);
+        for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+            const auto history = growHistory(params, seed);
+            QVERIFY(history);
+            for (const double share : {0.1, 0.25, 0.5, 0.75, 1.0}) {
+                const double age = std::floor(share * params.age);
+                const std::size_t missing = missingLimbs(*history, age);
+                QVERIFY2(missing == 0,
+                         qPrintable(QStringLiteral("seed %1, %2 years: %3").arg(seed).arg(age).arg(missing)));
+            }
+        }
+    }
+
+    /// A limb that leaves an oak a foot above the ground is there at all ages, as long as it lives.
+    void limbsOfTheFootStay()
+    {
+        GrowthParams params = presetParams("EnglishOak").value().growth;
+        params.age = 80.0;
+        const auto history = growHistory(params, 1);
+        QVERIFY(history);
+        constexpr double low = 0.7, far = 5.0; // m
+        int limbs = 0;
+        for (int age = 8; age <= 80; age += 3) {
+            const WoodAtAge wood = woodAtAge(*history, age);
+            std::set<std::uint64_t> living, drawn;
+            for (Index i = 0; i < history->size(); ++i)
+                if (wood.radius[i] > 0.0 && history->axisOrder[history->axis[i]] == 1 &&
+                    glm::length(wood.at[i]) > far)
+                    living.insert(history->axisAddress[history->axis[i]]);
+            for (const auto& [first, address] : skeletonAtAge(*history, age).axisStarts)
+                drawn.insert(address);
+            for (Index i = 0; i < history->size(); ++i)
+                if (const Index below = history->parent[i];
+                    below != noIndex && wood.at[below].y < low && history->axis[below] != history->axis[i] &&
+                    living.contains(history->axisAddress[history->axis[i]])) {
+                    ++limbs;
+                    QVERIFY2(drawn.contains(history->axisAddress[history->axis[i]]),
+                             qPrintable(QString::number(age)));
+                }
+        }
+        QVERIFY(limbs > 10);
     }
 
     void everySpeciesHasItsFacts()
