@@ -87,25 +87,32 @@ TriangleMesh figureMesh()
     return mesh;
 }
 
-void addFigure(RenderScene& scene, const std::vector<Foot>& trunks)
+void addFigure(RenderScene& scene, const std::optional<FigureTree>& tree)
 {
     static const auto mesh = std::make_shared<const TriangleMesh>(figureMesh());
     static const Box box = meshBox(*mesh);
+    constexpr double step = 0.9; // m
     glm::dvec3 place(0.0);
-    double away = 0.0;
-    if (!trunks.empty()) {
-        place = trunks.front().place;
-        away = trunks.front().reach;
+    if (tree) {
+        const double scale = glm::length(glm::dvec3(tree->world[0]));
+        place = glm::dvec3(tree->world * glm::dvec4(tree->foot, 1.0));
+        place.x += scale * tree->radius + step;
+        if (tree->ground) {
+            const glm::dvec3 own(glm::inverse(tree->world) * glm::dvec4(place, 1.0));
+            place.y -= scale * tree->ground->above(own);
+        }
     } else if (!scene.box.empty()) {
         place = 0.5 * (scene.box.min + scene.box.max);
+        place.x += 0.5 * (scene.box.max.x - scene.box.min.x) + step;
         place.y = scene.box.min.y;
-        away = 0.5 * (scene.box.max.x - scene.box.min.x);
+    } else {
+        place.x = step;
     }
     MeshItem item;
     item.mesh = mesh;
     item.box = box;
     item.material.colour = figureColour;
-    item.world = glm::translate(glm::dmat4(1.0), place + glm::dvec3(away + 0.9, 0.0, 0.0));
+    item.world = glm::translate(glm::dmat4(1.0), place);
     item.isMark = true;
     item.pickable = item.framed = false;
     scene.meshes.push_back(std::move(item));

@@ -538,7 +538,7 @@ RenderScene SceneBuilder::build(EvaluatedScene& now, const ResultOf& resultOf, c
     const Scene& scene = now.scene();
     m_cache->beginBuild();
     RenderScene built;
-    std::vector<Foot> trunks;
+    std::optional<FigureTree> first;
     ObjectItems objects{*m_cache, built};
     TreeGrounds grounds(*m_cache, built, view.meadow && view.mode == DisplayMode::Mesh);
     for (std::size_t i = 0; i < scene.nodes().size(); ++i) {
@@ -558,9 +558,9 @@ RenderScene SceneBuilder::build(EvaluatedScene& now, const ResultOf& resultOf, c
         else if (const TreeResult* tree = resultOf(node.id)) {
             TreeItems{*m_cache, built, view, node, *tree, world}.all();
             grounds.add(node, now.params(node), *tree, world);
-            if (tree->skeleton && tree->skeleton->size() > 0)
-                trunks.push_back({glm::dvec3(world * glm::dvec4(tree->skeleton->p0[0], 1.0)),
-                                  glm::length(glm::dvec3(world[0])) * tree->skeleton->a0[0]});
+            if (!first && tree->skeleton && tree->skeleton->size() > 0)
+                first = FigureTree{tree->skeleton->p0[0], tree->skeleton->a0[0], world,
+                                   groundOf(now.params(node))};
         }
     }
     grounds.finish(m_ground->of(scene, built));
@@ -568,7 +568,7 @@ RenderScene SceneBuilder::build(EvaluatedScene& now, const ResultOf& resultOf, c
     updateHighlights(built, resultOf, view);
     built.updateBoxes();
     if (view.figure) {
-        addFigure(built, trunks);
+        addFigure(built, first);
         built.updateBoxes();
     }
     if (view.crowns)

@@ -4,6 +4,7 @@
 #include "tests/support/suite.h"
 #include "widgets/view/render/figure.h"
 #include "widgets/view/render/scene_builder.h"
+#include <glm/gtc/matrix_transform.hpp>
 
 namespace tst_figure {
 
@@ -57,6 +58,21 @@ private slots:
         QVERIFY(!figure.pickable && !figure.framed && figure.node == noNode);
         QVERIFY(figure.world[3].x > tree->skeleton->a0[0] + 0.5);
         QVERIFY(with.framePoints() == without.framePoints());
+    }
+
+    /// Beside a tree on a slope neither in the air nor in the ground, however the tree is turned.
+    void itStandsOnASlope()
+    {
+        for (const double turn : {0.0, 1.0, 2.5}) {
+            RenderScene scene;
+            FigureTree tree{{0.2, 0.1, 0.3}, 0.4, {}, GroundPlane{0.1, {-0.9, 0.4}}};
+            tree.world = glm::rotate(glm::scale(glm::dmat4(1.0), glm::dvec3(1.5)), turn, {0.0, 1.0, 0.0});
+            addFigure(scene, tree);
+            const glm::dmat4& world = scene.meshes.back().world;
+            const glm::dvec3 own(glm::inverse(tree.world) * world[3]);
+            QVERIFY(std::abs(tree.ground->above(own)) < 1e-9);
+            QCOMPARE(glm::dvec3(world[1]), glm::dvec3(0.0, 1.0, 0.0)); // upright
+        }
     }
 };
 
