@@ -36,7 +36,7 @@ double mostAbove(std::string_view preset)
     static constexpr std::pair<std::string_view, double> own[] = {
         {"GiantSequoia1995", 0.38},  {"LombardyPoplar1995", 0.35}, {"OliveTree1995", 0.26},
         {"LebanonCedar1995", 0.25},  {"BlackLocust1995", 0.23},    {"CommonAlder", 0.21},
-        {"EuropeanBeech1995", 0.19}, {"ItalianCypress", 0.27},     {"GiantSequoia", 0.21},
+        {"EuropeanBeech1995", 0.19}, {"ItalianCypress", 0.28},     {"GiantSequoia", 0.21},
         {"CommonYew", 0.21}};
     const auto* const found = std::ranges::find(own, preset, &std::pair<std::string_view, double>::first);
     return found != std::end(own) ? found->second : 0.18;

@@ -52,7 +52,6 @@ constexpr Bars own[] = {
     {.preset = "Rowan", .leastCollar = 1.13},
     {.preset = "LiveOak", .mostCollar = 1.56},
     {.preset = "RedOak", .mostCollar = 1.55},
-    {.preset = "RainTree", .mostCollar = 1.58},
     {.preset = "StonePine", .whole = 0.48}, // whorls part into the umbrella
     // Without a budget all branches have the same few cross-sections.
     {.preset = "ParkTree", .leastCollar = 1.07},
