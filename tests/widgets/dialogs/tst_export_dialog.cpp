@@ -10,6 +10,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <algorithm>
 
 namespace tst_export_dialog {
 
@@ -135,9 +136,14 @@ private slots:
         QSignalSpy exported(&dialog, &ExportDialog::exported);
         dialog.setPath(old);
         dialog.startExport();
-        auto* message = dialog.findChild<QLabel*>(QStringLiteral("hint"));
+        auto* message = dialog.findChild<QLabel*>(QStringLiteral("problem"));
         QVERIFY(message && message->text().contains(QStringLiteral("mine.obj")));
         QCOMPARE(QFileInfo(old).size(), qint64(4));
+        const auto buttons = dialog.findChildren<QPushButton*>();
+        const auto asks = [](const QPushButton* button) {
+            return button->text() == QStringLiteral("Replace");
+        };
+        QVERIFY(std::ranges::any_of(buttons, asks));
         dialog.startExport();
         QTRY_COMPARE(exported.count(), 1);
         QVERIFY(QFileInfo(old).size() > 1000);

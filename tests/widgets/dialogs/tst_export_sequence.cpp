@@ -146,7 +146,7 @@ private slots:
         setFrames(10, 12, 1);
         m_dialog->startExport();
         QVERIFY(m_dialog->isVisible());
-        QVERIFY(!message("hint").isEmpty());
+        QVERIFY(!message("problem").isEmpty());
         QCOMPARE(QFileInfo(path("tree_0011.obj")).size(), qint64(4));
         QSignalSpy finished(&m_task, &Job::finished);
         m_dialog->startExport();

@@ -302,7 +302,8 @@ private slots:
         child<QSpinBox>("exportLevels")->setValue(2);
         m_dialog->setPath(path("levels.obj"));
         m_dialog->startExport();
-        QVERIFY2(message("hint").contains(QStringLiteral("levels_LOD0.obj")), qPrintable(message("hint")));
+        QVERIFY2(message("problem").contains(QStringLiteral("levels_LOD0.obj")),
+                 qPrintable(message("problem")));
     }
     void compressedFilesAreSmaller()
     {
