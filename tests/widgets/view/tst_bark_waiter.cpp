@@ -83,7 +83,6 @@ private slots:
     void treesThatChangedAreGivenUp()
     {
         BarkWaiter waiter;
-        QSignalSpy ready(&waiter, &BarkWaiter::ready);
         SceneWish last;
         for (int i = 0; i < 5; ++i) {
             last = wishOf(0.2 + 0.01 * i);
@@ -91,8 +90,8 @@ private slots:
             waiter.follow(last); // as while the pointer moves
         }
         waiter.wait();
-        QVERIFY(ready.count() >= 1);
-        QVERIFY(showsBark(last));
+        QVERIFY(!waiter.isBusy());
+        QVERIFY(showsBark(last)); // ready() is not told where the second wish already found its bark
         waiter.follow(wishOf(0.3));
         waiter.follow({}); // another document
         QVERIFY(!waiter.isBusy());
