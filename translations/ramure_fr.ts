@@ -9471,6 +9471,210 @@
         <source>A tall crown in clouds on winding limbs</source>
         <translation>Une haute cime en nuages sur des branches sinueuses</translation>
     </message>
+    <message>
+        <source>row %1 has a pixel that is no finite number</source>
+        <translation>la ligne %1 a un pixel qui n’est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>this is neither a PNG nor an OpenEXR picture</source>
+        <translation>ce n’est ni une image PNG ni une image OpenEXR</translation>
+    </message>
+    <message>
+        <source>Scatter</source>
+        <translation>Semis</translation>
+    </message>
+    <message>
+        <source>Instances</source>
+        <translation>Instances</translation>
+    </message>
+    <message>
+        <source>At most so many copies of the nodes below stand on the ground. 0: as many as the spacing lets stand.</source>
+        <translation>Nombre maximal de copies des nœuds du dessous qui se dressent sur le sol. 0 : autant que l’espacement le permet.</translation>
+    </message>
+    <message>
+        <source>Two copies stand at least so far apart, measured on a map.</source>
+        <translation>Distance minimale entre deux copies, mesurée sur une carte.</translation>
+    </message>
+    <message>
+        <source>Seed of the places</source>
+        <translation>Graine des places</translation>
+    </message>
+    <message>
+        <source>Another seed gives other places, turns and sizes. The same seed always gives the same.</source>
+        <translation>Une autre graine donne d’autres places, orientations et tailles. La même graine donne toujours la même chose.</translation>
+    </message>
+    <message>
+        <source>Width of the area</source>
+        <translation>Largeur de la surface</translation>
+    </message>
+    <message>
+        <source>How far the area reaches along X, with the node in its middle.</source>
+        <translation>Étendue de la surface le long de X, le nœud en son milieu.</translation>
+    </message>
+    <message>
+        <source>Depth of the area</source>
+        <translation>Profondeur de la surface</translation>
+    </message>
+    <message>
+        <source>How far the area reaches along Z, with the node in its middle.</source>
+        <translation>Étendue de la surface le long de Z, le nœud en son milieu.</translation>
+    </message>
+    <message>
+        <source>Ground</source>
+        <translation>Sol</translation>
+    </message>
+    <message>
+        <source>Name of the node that the copies stand on: a terrain, a mesh or a shape. If it is empty, they stand on all terrains of the scene, and on the level ground where there is none.</source>
+        <translation>Nom du nœud sur lequel les copies se dressent : un terrain, un maillage ou une forme. S’il est vide, elles se dressent sur tous les terrains de la scène, et sur le sol plat s’il n’y en a pas.</translation>
+    </message>
+    <message>
+        <source>Map of density</source>
+        <translation>Carte de densité</translation>
+    </message>
+    <message>
+        <source>A picture that lies over the area as seen from above, its lower edge at the greater Z: where it is white, copies stand as densely as they may; where it is black, none stand.</source>
+        <translation>Une image posée sur la surface vue d’en haut, son bord inférieur du côté des grands Z : là où elle est blanche, les copies sont aussi denses que possible ; là où elle est noire, il n’y en a aucune.</translation>
+    </message>
+    <message>
+        <source>Steepest slope</source>
+        <translation>Pente maximale</translation>
+    </message>
+    <message>
+        <source>No copy stands where the ground is steeper than this.</source>
+        <translation>Aucune copie ne se dresse là où le sol est plus raide.</translation>
+    </message>
+    <message>
+        <source>Lowest ground</source>
+        <translation>Sol le plus bas</translation>
+    </message>
+    <message>
+        <source>No copy stands on ground that lies lower than this, from the scatter&apos;s own height.</source>
+        <translation>Aucune copie ne se dresse sur un sol plus bas que cela, à partir de la hauteur du semis.</translation>
+    </message>
+    <message>
+        <source>Highest ground</source>
+        <translation>Sol le plus haut</translation>
+    </message>
+    <message>
+        <source>No copy stands on ground that lies higher than this, from the scatter&apos;s own height.</source>
+        <translation>Aucune copie ne se dresse sur un sol plus haut que cela, à partir de la hauteur du semis.</translation>
+    </message>
+    <message>
+        <source>Distance from obstacles</source>
+        <translation>Distance aux obstacles</translation>
+    </message>
+    <message>
+        <source>How far copies keep away from shapes and meshes whose role for trees is “Obstacle”, measured on a map. None stands on such a solid.</source>
+        <translation>Distance que les copies gardent, mesurée sur une carte, aux formes et aux maillages dont le rôle pour les arbres est « Obstacle ». Aucune ne se dresse sur un tel solide.</translation>
+    </message>
+    <message>
+        <source>Clusters</source>
+        <translation>Groupes</translation>
+    </message>
+    <message>
+        <source>How strongly copies gather in clusters: 0 spreads them evenly, 1 leaves clearings empty.</source>
+        <translation>À quel point les copies se groupent : 0 les répartit également, 1 laisse les clairières vides.</translation>
+    </message>
+    <message>
+        <source>Size of clusters</source>
+        <translation>Taille des groupes</translation>
+    </message>
+    <message>
+        <source>How wide a cluster is.</source>
+        <translation>Largeur d’un groupe.</translation>
+    </message>
+    <message>
+        <source>Shares</source>
+        <translation>Parts</translation>
+    </message>
+    <message>
+        <source>How often each of the nodes below is taken, in their order: “3 1” takes the first three times as often as the second. A node without a number has 1.</source>
+        <translation>Fréquence de chacun des nœuds du dessous, dans leur ordre : « 3 1 » prend le premier trois fois plus souvent que le second. Un nœud sans nombre a 1.</translation>
+    </message>
+    <message>
+        <source>Smallest scale</source>
+        <translation>Plus petite échelle</translation>
+    </message>
+    <message>
+        <source>How small the smallest copy is, compared with the node that it copies.</source>
+        <translation>Taille de la plus petite copie par rapport au nœud qu’elle copie.</translation>
+    </message>
+    <message>
+        <source>Largest scale</source>
+        <translation>Plus grande échelle</translation>
+    </message>
+    <message>
+        <source>How large the largest copy is, compared with the node that it copies.</source>
+        <translation>Taille de la plus grande copie par rapport au nœud qu’elle copie.</translation>
+    </message>
+    <message>
+        <source>Turned by chance</source>
+        <translation>Tournées au hasard</translation>
+    </message>
+    <message>
+        <source>How far copies are turned about the vertical: 0 not at all, 1 by any angle.</source>
+        <translation>De combien les copies sont tournées autour de la verticale : 0 pas du tout, 1 d’un angle quelconque.</translation>
+    </message>
+    <message>
+        <source>Along the slope</source>
+        <translation>Selon la pente</translation>
+    </message>
+    <message>
+        <source>How far copies lean with the ground: 0 stands upright, as trees do, 1 square to the ground, as stones lie.</source>
+        <translation>De combien les copies penchent avec le sol : 0 droites, comme les arbres, 1 perpendiculaires au sol, comme les pierres.</translation>
+    </message>
+    <message>
+        <source>Left out</source>
+        <translation>Retirées</translation>
+    </message>
+    <message>
+        <source>Keys of copies that were taken away by hand, or made trees of their own. Empty it to have them all back.</source>
+        <translation>Clés des copies retirées à la main ou devenues des arbres à part entière. Videz ce texte pour les retrouver toutes.</translation>
+    </message>
+    <message>
+        <source>“%1” is no number that is possible here</source>
+        <translation>« %1 » n’est pas un nombre possible ici</translation>
+    </message>
+    <message>
+        <source>no node below the scatter has a share above 0</source>
+        <translation>aucun nœud sous le semis n’a une part supérieure à 0</translation>
+    </message>
+    <message>
+        <source>over %1 instances: the spacing is too small for this area</source>
+        <translation>plus de %1 instances : l’espacement est trop petit pour cette surface</translation>
+    </message>
+    <message>
+        <source>a scatter without a spacing needs a number of instances</source>
+        <translation>un semis sans espacement a besoin d’un nombre d’instances</translation>
+    </message>
+    <message>
+        <source>there is no node “%1” to stand on</source>
+        <translation>il n’y a pas de nœud « %1 » sur lequel se dresser</translation>
+    </message>
+    <message>
+        <source>“%1” has no surface to stand on</source>
+        <translation>« %1 » n’a pas de surface sur laquelle se dresser</translation>
+    </message>
+    <message>
+        <source>“%1” is itself copied by a scatter: nothing can stand on it</source>
+        <translation>« %1 » est lui-même copié par un semis : rien ne peut s’y dresser</translation>
+    </message>
+    <message>
+        <source>scatter</source>
+        <translation>semis</translation>
+    </message>
+    <message>
+        <source>Scatter: %1</source>
+        <translation>Semis : %1</translation>
+    </message>
+    <message>
+        <source>&amp;Scatter</source>
+        <translation>&amp;Semis</translation>
+    </message>
+    <message>
+        <source>Add a scatter: many copies of the selected trees and shapes stand on the ground</source>
+        <translation>Ajouter un semis : de nombreuses copies des arbres et des formes sélectionnés se dressent sur le sol</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>

@@ -32,6 +32,9 @@ enum class RandomStream : std::uint64_t {
     CrownPoints = 31,
     Roots = 32,
     Steps = 33, ///< steps of a recipe
+    Scatter = 34,
+    ScatterForm = 35, ///< turns, sizes and prototypes of instances
+    Clusters = 36,
     Test = 1000
 };
 

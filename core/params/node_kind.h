@@ -14,11 +14,12 @@ enum class NodeKind : std::uint8_t {
     Arm,       ///< an articulated arm with its skin
     Terrain,   ///< a terrain
     Camera,    ///< a viewpoint for pictures
+    Scatter,   ///< many copies of its children, which are prototypes
     /// A kind from the file of a newer version. The node holds a place for its children. All its other data
     /// stay in Node::extras and are written back.
     Unknown = 15,
 };
-inline constexpr int nodeKindCount = 7; ///< without Unknown
+inline constexpr int nodeKindCount = 8; ///< without Unknown
 
 using KindBits = std::uint16_t;
 

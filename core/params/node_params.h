@@ -16,6 +16,7 @@
 #include "core/params/physics_params.h"
 #include "core/params/picture_params.h"
 #include "core/params/primitive_params.h"
+#include "core/params/scatter_params.h"
 #include "core/params/season_params.h"
 #include "core/params/skin_params.h"
 #include "core/params/step_params.h"
@@ -166,6 +167,7 @@ struct NodeParams
     ArmSkinParams armSkin;
     TerrainParams terrain;
     CameraParams camera;
+    ScatterParams scatter;
     StepParams step;                                   ///< only in a step of a recipe (StepValues)
     std::vector<ArmJoint> joints = defaultArmJoints(); ///< joints of an arm, from the foot on
     std::vector<TreeEdit> edits;                       ///< steps of a tree, in the order in which they act

@@ -110,10 +110,11 @@ inline constexpr KindBits objectKinds = kindBit(NodeKind::Primitive) | kindBit(N
 inline constexpr KindBits armOnly = kindBit(NodeKind::Arm);
 inline constexpr KindBits terrainOnly = kindBit(NodeKind::Terrain);
 inline constexpr KindBits cameraOnly = kindBit(NodeKind::Camera);
+inline constexpr KindBits scatterOnly = kindBit(NodeKind::Scatter);
 inline constexpr KindBits everyKind = 0xFFFF;
 /// All that have a geometry.
 inline constexpr KindBits shapedKinds =
-    everyKind & ~kindBit(NodeKind::Group) & ~cameraOnly & ~kindBit(NodeKind::Unknown);
+    everyKind & ~kindBit(NodeKind::Group) & ~cameraOnly & ~scatterOnly & ~kindBit(NodeKind::Unknown);
 
 using Condition = bool(const NodeParams&);
 inline constexpr Condition* growsByChance = [](const NodeParams& p) { return p.grammar.stochastic; };
@@ -219,5 +220,6 @@ inline constexpr const char* ikGroup = RAMURE_NOOP("Inverse kinematics");
 inline constexpr const char* armSkinGroup = RAMURE_NOOP("Skin of the arm");
 inline constexpr const char* terrainGroup = RAMURE_NOOP("Terrain");
 inline constexpr const char* cameraGroup = RAMURE_NOOP("Camera");
+inline constexpr const char* scatterGroup = RAMURE_NOOP("Scatter");
 
 } // namespace ramure::rows

@@ -3,6 +3,7 @@
 #include "core/params/grown_tree_rows.h"
 #include "core/params/growth_rows.h"
 #include "core/params/node_rows.h"
+#include "core/params/scatter_rows.h"
 #include "core/params/step_rows.h"
 #include "core/params/tree_edit_table.h"
 #include "core/params/weber_penn_rows.h"
@@ -23,7 +24,7 @@ template <std::size_t... sizes> constexpr auto joined(const std::array<ParamDef,
 constexpr auto table =
     joined(rows::growthRows, rows::weberPennRows, rows::weberPennLevel<0>, rows::weberPennLevel<1>,
            rows::weberPennLevel<2>, rows::weberPennLevel<3>, rows::colonisationRows, rows::grownTreeRows,
-           rows::modelRows, rows::dressRows, rows::nodeRows, rows::stepRows);
+           rows::modelRows, rows::dressRows, rows::nodeRows, rows::scatterRows, rows::stepRows);
 
 constexpr std::array facts{rows::grammarFacts, rows::weberPennFacts, rows::colonisationFacts,
                            rows::growthFacts, rows::drawnFacts};

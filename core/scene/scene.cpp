@@ -126,6 +126,15 @@ bool Scene::isLocked(NodeId id) const
     return false;
 }
 
+bool isPrototype(const Scene& scene, NodeId id)
+{
+    const Node* node = scene.find(id);
+    while (node && (node = scene.find(node->parent)))
+        if (node->kind == NodeKind::Scatter)
+            return true;
+    return false;
+}
+
 NodeId Scene::newId()
 {
     if (m_nextId != noNode)

@@ -112,6 +112,8 @@ glm::dmat3 rotationMatrix(const glm::dvec3& rotationRad);
 glm::dmat4 worldMatrix(const Scene& scene, NodeId id);
 /// The same of the node's own geometry, with its local placement. A group has none.
 glm::dmat4 geometryMatrix(const Scene& scene, const Node& node);
+/// Is the node below a scatter? Then it is not seen where it stands, but as copies that the scatter makes.
+bool isPrototype(const Scene& scene, NodeId id);
 /// Calls \p act for each of the nodes \p only that there is; where it names none, for all.
 template <class Act> void forEachOf(const Scene& scene, std::span<const NodeId> only, Act&& act)
 {

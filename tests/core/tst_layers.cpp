@@ -111,6 +111,7 @@ constexpr const char* floors[] = {
     "core/scene",
     "core/evaluate",
     "core/io",
+    "core/scatter",
     "core/io/formats",
     "core/io/formats/text",
     "core/io/formats/print",

@@ -2,12 +2,13 @@
 
 namespace ramure {
 
-extern const NodeKindRow treeKind, primitiveKind, meshKind, armKind, terrainKind, cameraKind, groupKind;
+extern const NodeKindRow treeKind, primitiveKind, meshKind, armKind, terrainKind, cameraKind, scatterKind,
+    groupKind;
 
 std::span<const NodeKindRow* const> nodeKinds()
 {
-    static constexpr const NodeKindRow* table[] = {&treeKind,    &primitiveKind, &meshKind, &armKind,
-                                                   &terrainKind, &cameraKind,    &groupKind};
+    static constexpr const NodeKindRow* table[] = {&treeKind,    &primitiveKind, &meshKind,    &armKind,
+                                                   &terrainKind, &cameraKind,    &scatterKind, &groupKind};
     return table;
 }
 
