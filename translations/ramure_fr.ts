@@ -8520,8 +8520,8 @@
         <translation>Sympodial</translation>
     </message>
     <message>
-        <source>How likely an apex dies or flowers in a year, so that a side bud goes on: crooked twigs, as of elms and old maples.</source>
-        <translation>La chance qu’un apex meure ou fleurisse dans l’année, et qu’un bourgeon latéral continue : des rameaux en zigzag, comme chez les ormes et les vieux érables.</translation>
+        <source>How likely an apex dies or flowers in a year, so that side buds go on, as of horse chestnuts and magnolias. A trunk that leads keeps its own.</source>
+        <translation>Probabilité qu’un apex meure ou fleurisse dans l’année, si bien que des bourgeons latéraux continuent, comme chez les marronniers et les magnolias. Un tronc dominant garde le sien.</translation>
     </message>
     <message>
         <source>Reiteration</source>

@@ -221,7 +221,7 @@ inline constexpr std::array grownTreeRows{
         ParamUnit::None, {}, paramAdvanced),
     grownRow<&GrowthParams::sympodial>(
         {"growth.sympodial", habitGroup, RAMURE_NOOP("Sympodial"),
-         RAMURE_NOOP("How likely an apex dies or flowers in a year, so that a side bud goes on: crooked twigs, as of elms and old maples.")},
+         RAMURE_NOOP("How likely an apex dies or flowers in a year, so that side buds go on, as of horse chestnuts and magnolias. A trunk that leads keeps its own.")},
         ParamUnit::Share, {0, 1, 0, 1, 0.05, 2}),
     grownRow<&GrowthParams::reiteration>(
         {"growth.reiteration", habitGroup, RAMURE_NOOP("Reiteration"),

@@ -97,7 +97,8 @@ void GrowingTree::growTip(Index metamer, double vigour, const YearFactors& facto
     const unsigned order = m_nodes[metamer].order;
     AxisState& state = m_axes[axis];
     const std::uint64_t address = m_nodes[metamer].address;
-    if (m_params.sympodial > 0.0 && factors.year > 2 && state.nodes > 3 &&
+    const bool leads = order == 0 && double(factors.year) < m_params.leaderUntil;
+    if (m_params.sympodial > 0.0 && !leads && factors.year > 2 && state.nodes > 3 &&
         chance(address, 4 + 8 * std::uint64_t(factors.year)) < m_params.sympodial) {
         state.tipLives = m_nodes[metamer].tip = false;
         return;
