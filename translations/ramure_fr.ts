@@ -9675,6 +9675,42 @@
         <source>Add a scatter: many copies of the selected trees and shapes stand on the ground</source>
         <translation>Ajouter un semis : de nombreuses copies des arbres et des formes sélectionnés se dressent sur le sol</translation>
     </message>
+    <message>
+        <source>Marks of the bark</source>
+        <translation>Marques de l’écorce</translation>
+    </message>
+    <message>
+        <source>Scars</source>
+        <translation>Cicatrices</translation>
+    </message>
+    <message>
+        <source>How many of the limbs that fell or were cut leave a scar, if they were thicker than 2 cm. Bark rolls over the wound as the wood thickens, and the eye that is left flattens out. A triangle budget leaves out the smallest.</source>
+        <translation>Combien des branches tombées ou coupées laissent une cicatrice, si elles avaient plus de 2 cm d’épaisseur. L’écorce recouvre la plaie en bourrelet à mesure que le bois s’épaissit, et l’œil qui reste s’aplatit. Un budget de triangles laisse de côté les plus petites.</translation>
+    </message>
+    <message>
+        <source>Hollows</source>
+        <translation>Cavités</translation>
+    </message>
+    <message>
+        <source>How many of the scars over 8 cm have rotted into a hollow, which never closes.</source>
+        <translation>Combien des cicatrices de plus de 8 cm ont pourri en une cavité, qui ne se referme jamais.</translation>
+    </message>
+    <message>
+        <source>Burrs</source>
+        <translation>Loupes</translation>
+    </message>
+    <message>
+        <source>How many burrs swell on ten metres of the trunk and of limbs, as on old oaks, lindens and walnuts.</source>
+        <translation>Combien de loupes gonflent sur dix mètres de tronc et de branches, comme sur les vieux chênes, tilleuls et noyers.</translation>
+    </message>
+    <message>
+        <source>Splinters</source>
+        <translation>Esquilles</translation>
+    </message>
+    <message>
+        <source>How far splinters stand out of the broken ends of dead limbs, in diameters of the wood. 0: ends are flat, as those of living wood that was cut.</source>
+        <translation>De combien les esquilles dépassent des extrémités cassées des branches mortes, en diamètres du bois. 0 : les extrémités sont plates, comme celles du bois vivant que l’on a coupé.</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>

@@ -35,6 +35,8 @@ enum class RandomStream : std::uint64_t {
     Scatter = 34,
     ScatterForm = 35, ///< turns, sizes and prototypes of instances
     Clusters = 36,
+    Splinters = 37, ///< of broken wood
+    BarkMarks = 38, ///< scars, hollows, burrs
     Test = 1000
 };
 

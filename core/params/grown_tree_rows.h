@@ -14,6 +14,7 @@ inline constexpr const char* lightGroup = RAMURE_NOOP("Light");
 inline constexpr const char* siteGroup = RAMURE_NOOP("Site");
 inline constexpr const char* habitGroup = RAMURE_NOOP("Habit");
 inline constexpr const char* woodGroup = RAMURE_NOOP("Wood");
+inline constexpr const char* barkMarksGroup = RAMURE_NOOP("Marks of the bark");
 inline constexpr const char* palmGroup = RAMURE_NOOP("Palm");
 
 inline constexpr Condition* growsByYears = [](const NodeParams& p) {
@@ -30,6 +31,10 @@ inline constexpr Condition* hasSpiral = [](const NodeParams& p) {
 };
 inline constexpr Condition* hasNoWhorl = [](const NodeParams& p) {
     return branches(p) && p.growth.whorl == 0;
+};
+
+inline constexpr Condition* hasScars = [](const NodeParams& p) {
+    return branches(p) && p.growth.scars > 0.0;
 };
 
 inline constexpr SourceFacts growthFacts{
@@ -264,6 +269,20 @@ inline constexpr std::array grownTreeRows{
         {"growth.reaction", woodGroup, RAMURE_NOOP("Reaction wood"),
          RAMURE_NOOP("How soon leaning shoots turn up again.")},
         ParamUnit::Share, {0, 1, 0, 1, 0.05, 2}, paramAdvanced),
+
+    grownRow<&GrowthParams::scars>(
+        {"growth.scars", barkMarksGroup, RAMURE_NOOP("Scars"),
+         RAMURE_NOOP("How many of the limbs that fell or were cut leave a scar, if they were thicker than 2 cm. Bark rolls over the wound "
+                     "as the wood thickens, and the eye that is left flattens out. A triangle budget leaves out the smallest.")},
+        ParamUnit::Share, {0, 1, 0, 1, 0.05, 2}),
+    grownRow<&GrowthParams::hollows>(
+        {"growth.hollows", barkMarksGroup, RAMURE_NOOP("Hollows"),
+         RAMURE_NOOP("How many of the scars over 8 cm have rotted into a hollow, which never closes.")},
+        ParamUnit::Share, {0, 1, 0, 1, 0.05, 2}, paramNone, hasScars),
+    grownRow<&GrowthParams::burrs>(
+        {"growth.burrs", barkMarksGroup, RAMURE_NOOP("Burrs"),
+         RAMURE_NOOP("How many burrs swell on ten metres of the trunk and of limbs, as on old oaks, lindens and walnuts.")},
+        ParamUnit::None, {0, 20, 0, 5, 0.1, 2}),
 
     grownRow<&GrowthParams::fronds>(
         {"growth.fronds", palmGroup, RAMURE_NOOP("Fronds a year"),

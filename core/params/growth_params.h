@@ -86,6 +86,10 @@ struct GrowthParams
     double tipRadius = 0.0035;
     double girth = 0.35; ///< share of shed branches' wood that the stem keeps as girth
 
+    double scars = 0.0;   ///< share of shed limbs over 2 cm that leave a scar
+    double hollows = 0.0; ///< share of the scars over 8 cm that rot
+    double burrs = 0.0;   ///< on ten metres of stems and limbs
+
     // Of palms alone.
     std::int64_t fronds = 13; ///< fronds that open in a year
     double frondLength = 4.5; ///< m

@@ -136,6 +136,11 @@ inline constexpr std::array modelRows{
                      "No more than a two-thousandth of the size of the tree is taken, and where branches have more than 12"
                      " points around, these may lie closer. 0 leaves the thinnest twigs as they are.")},
         ParamUnit::Metre, {0, 1, 0, 0.005, 0.00005, 5}, Stage::Mesh, paramAdvanced),
+    row<&NodeParams::mesh, &MeshParams::splinters>(
+        {"mesh.splinters", sectionsGroup, RAMURE_NOOP("Splinters"),
+         RAMURE_NOOP("How far splinters stand out of the broken ends of dead limbs, in diameters of the wood. 0: ends are "
+                     "flat, as those of living wood that was cut.")},
+        ParamUnit::Factor, {0, 4, 0, 2, 0.1, 2}, Stage::Mesh, paramAdvanced),
     row<&NodeParams::mesh, &MeshParams::forkSoftness>(
         {"mesh.forkSoftness", forksGroup, RAMURE_NOOP("Softness"),
          RAMURE_NOOP("How far wood grows over the creases between the branches of a fork: 0 leaves them sharp, 1 rounds "

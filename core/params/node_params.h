@@ -101,6 +101,7 @@ struct MeshParams
     double forkLength = 1.0;      ///< diameters, within which branches above a fork come to their own radius
     double collar = 0.0;          ///< of a side limb's radius: how much wider it leaves the stem
     double fairing = 0.0;         ///< of forks of thick wood: 0 as they are built, 1 smooth
+    double splinters = 1.0;       ///< diameters that stand out of the broken ends of dead wood; 0: flat
     double ridge = 0.0;           ///< of the stem's diameter: bark that stands up where a limb leaves it
     std::int64_t roots = 0;       ///< that leave the foot of a trunk; 0: its tube ends flat
     double rootLength = 2.0;      ///< diameters of the trunk

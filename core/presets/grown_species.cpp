@@ -358,6 +358,32 @@ void setWood(MeshParams& mesh, std::string_view name)
     mesh.roots = std::min(mesh.roots, mostRoots);
 }
 
+/// What old trees of a species are known by: eyes of beeches and planes, burrs of lindens, planes and
+/// walnuts, hollow olives and chestnuts (Mitchell, "A field guide to the trees of Britain and Northern
+/// Europe", 1974).
+struct GrownMarks
+{
+    std::string_view name;
+    double scars = 1.0, hollows = 0.0, burrs = 0.0; ///< see GrowthParams
+};
+constexpr std::array grownMarks{
+    GrownMarks{.name = "CommonWalnut", .burrs = 0.4},
+    GrownMarks{.name = "EuropeanBeech"},
+    GrownMarks{.name = "LondonPlane", .hollows = 0.2, .burrs = 0.3},
+    GrownMarks{.name = "OliveTree", .hollows = 0.5, .burrs = 0.4},
+    GrownMarks{.name = "SmallLeavedLinden", .burrs = 0.6},
+    GrownMarks{.name = "SweetChestnut", .hollows = 0.4, .burrs = 0.2},
+};
+
+void setMarks(GrowthParams& growth, std::string_view name)
+{
+    if (const auto own = std::ranges::find(grownMarks, name, &GrownMarks::name); own != grownMarks.end()) {
+        growth.scars = own->scars;
+        growth.hollows = own->hollows;
+        growth.burrs = own->burrs;
+    }
+}
+
 } // namespace
 
 NodeParams grownParams(const GrownSpecies& species, const NodeParams& dress)
@@ -375,6 +401,7 @@ NodeParams grownParams(const GrownSpecies& species, const NodeParams& dress)
     }
     params.growth.axil *= oneDegree;
     setWood(params.mesh, species.name);
+    setMarks(params.growth, species.name);
     // Leaves stand on the shoots of the last years.
     setLeaves(params, species.leaves);
     const double leafyTips = species.conifer ? 3.0 : 2.0; // needles stay for years

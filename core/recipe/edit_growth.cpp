@@ -217,7 +217,7 @@ void takeOrgans(const EditTree& tree, const Frame& frame, const std::unordered_m
     for (const EditOrganSeat& organ : tree.organs()) {
         const auto found = at.find(organ.branch);
         const EditPiece& piece = tree.piece(organ.branch);
-        if (found == at.end() || (piece.bare && !organ.stays))
+        if (found == at.end() || (piece.bare && !organ.stays) || isMark(organ.kind))
             continue;
         const double length = tree.length(organ.branch);
         const bool turns = length > 0.0 && glm::dot(organ.axis, organ.axis) > 0.0;

@@ -498,7 +498,7 @@ Skeleton PieceTree::skeleton() const
         Organ organ = seat;
         const EditPiece& piece = m_pieces[organ.branch];
         organ.branch = indexOf[organ.branch];
-        if (!piece.gone && (!piece.bare || seat.stays))
+        if (!piece.gone && (!piece.bare || seat.stays || isMark(organ.kind)))
             out.organs.push_back(organ);
     }
     return out;

@@ -84,6 +84,8 @@ void organ(auto& io, auto& o)
     io(o.size);
     if constexpr (!std::is_const_v<std::remove_reference_t<decltype(o)>>)
         o.kind = static_cast<OrganKind>(kind);
+    if (isMark(static_cast<OrganKind>(kind))) // files from before there were any have none
+        io(o.healed);
 }
 
 void branches(auto& io, auto& s)
@@ -126,9 +128,9 @@ bool rises(const std::vector<Index>& list, Index count)
 
 bool isOrgan(const Organ& o, Index count)
 {
-    return o.branch < count && o.kind <= OrganKind::Fruit && o.share >= 0.0 && o.share <= 1.0 &&
+    return o.branch < count && o.kind <= OrganKind::Burr && o.share >= 0.0 && o.share <= 1.0 &&
            isFinite(o.offset) && isFinite(o.axis) && isFinite(o.heading) && isFinite(o.up) &&
-           std::isfinite(o.size);
+           std::isfinite(o.size) && std::isfinite(o.healed);
 }
 
 bool isSound(const Skeleton& s)

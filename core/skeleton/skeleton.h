@@ -12,10 +12,21 @@
 
 namespace ramure {
 
-enum class OrganKind : std::uint8_t { Leaf, Fruit };
+/// Leaves and fruit stand on the bark; the others are marks of the bark itself.
+enum class OrganKind : std::uint8_t {
+    Leaf,
+    Fruit,
+    Scar,   ///< where a limb fell, `size` its radius: the bark's roll around the wound
+    Hollow, ///< a scar that has rotted
+    Burr,   ///< a swelling
+};
+constexpr bool isMark(OrganKind kind)
+{
+    return kind > OrganKind::Fruit;
+}
 
-/// A leaf, fruit or flower that a grammar puts in one place. Its values refer to the branch as it was drawn,
-/// so a branch that is bent later takes its organs along.
+/// A leaf, fruit or flower that a grammar puts in one place, or a mark of the bark, which looks to `heading`.
+/// Its values refer to the branch as it was drawn, so a branch that is bent later takes its organs along.
 struct Organ
 {
     Index branch = noIndex;
@@ -28,6 +39,7 @@ struct Organ
     glm::dvec3 heading{0.0}, up{0.0};
     double size =
         -1.0; ///< m, of a leaf its length, of a fruit its width; below 0: so many times the usual one
+    double healed = 0.0; ///< of a scar: wood that has grown since, in its radii; at 1 it is closed
     bool operator==(const Organ&) const = default;
 };
 

@@ -91,6 +91,8 @@ Expected<void> placeOrgans(const Skeleton& skeleton, const LeafParams& leaf, dou
     const double radius = fruitRadius(foliage.fruit, alpha), reach = radius * fruitReach(foliage.fruit);
     std::uint32_t number = 1u << 20; // after all that grow by themselves
     for (const Organ& organ : skeleton.organs) {
+        if (isMark(organ.kind))
+            continue;
         const bool isLeaf = organ.kind == OrganKind::Leaf;
         const double usual = isLeaf ? length : 2.0 * radius;
         const double size = organ.size < 0.0 ? -organ.size * (isLeaf && !faithful ? leaf.size : 1.0)

@@ -2,14 +2,17 @@
 
 #include "core/base/large_buffer.h"
 #include "core/base/parallel.h"
+#include "core/math/frame.h"
 #include "core/math/reproducible.h"
 #include "core/params/param_def.h"
+#include "core/surface/mesh/bark_relief.h"
 #include "core/surface/mesh/mesh_cleanup.h"
 #include "core/surface/mesh/normals.h"
 #include "core/surface/mesher/branch_mesher.h"
 #include "core/surface/mesher/fork_fairing.h"
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -19,8 +22,9 @@ namespace {
 
 /// A mesh for a budget is built again with what the last one taught, at most so often.
 constexpr int mostTrials = 4;
-constexpr double goodEnough = 0.035; ///< of the triangles wanted: no further trial
-constexpr std::size_t grain = 65536; ///< vertices
+constexpr double goodEnough = 0.035;            ///< of the triangles wanted: no further trial
+constexpr std::size_t grain = 65536;            ///< vertices
+constexpr std::int64_t trianglesOfRelief = 400; ///< about, by which one makes the mesh finer
 
 Expected<void> checkOptions(const Skeleton& skeleton, const BranchMeshOptions& options)
 {
@@ -157,6 +161,65 @@ void polish(TriangleMesh& mesh, const CleanupInput& input, bool withNormals, con
         computeNormals(mesh);
 }
 
+/// Where a mark of the bark lies. Nothing where its branch has no length.
+std::optional<Relief> reliefOf(const Organ& mark, const Skeleton& skeleton, const glm::dvec3& origin)
+{
+    const glm::dvec3 start = skeleton.p0[mark.branch], way = skeleton.p1[mark.branch] - start;
+    const glm::dvec3 aside = mark.heading - glm::dot(mark.heading, mark.axis) * mark.axis;
+    if (!(glm::length(way) > 0.0) || !(glm::length(aside) > 0.0))
+        return {};
+    const glm::dvec3 out = glm::normalize(aside); // it turns with its branch
+    const Frame now = transported({mark.axis, out, glm::cross(mark.axis, out)}, glm::normalize(way));
+    using enum Relief::Form;
+    const auto form = mark.kind == OrganKind::Scar ? Scar : mark.kind == OrganKind::Hollow ? Hollow : Burr;
+    return Relief{form,
+                  mark.branch,
+                  glm::vec3(start + mark.share * way + mark.offset - origin),
+                  glm::vec3(now.normal),
+                  float(mark.size),
+                  float(mark.healed)};
+}
+
+/// Scars, hollows and burrs, the largest first. Of a budget they take no more than a share.
+std::vector<Relief> reliefsOf(const Skeleton& skeleton, const glm::dvec3& origin, std::int64_t budget)
+{
+    constexpr double most = 0.06;
+    std::vector<Relief> out;
+    for (const Organ& organ : skeleton.organs)
+        if (const auto relief = isMark(organ.kind) ? reliefOf(organ, skeleton, origin) : std::nullopt)
+            out.push_back(*relief);
+    std::ranges::stable_sort(out, std::greater(), &Relief::radius);
+    if (budget > 0)
+        out.resize(std::min(out.size(), std::size_t(most * double(budget) / double(trianglesOfRelief))));
+    return out;
+}
+
+/// \return whether any found its place
+bool drawMarks(BranchMesh& mesh, std::span<const Relief> reliefs)
+{
+    if (reliefs.empty())
+        return false;
+    const std::vector<glm::uvec3>& triangles = mesh.mesh.triangles;
+    std::vector<ReliefHold> held(mesh.mesh.positions.size(), ReliefHold::None);
+    for (const ForkVertex& fork : mesh.forkVertices)
+        held[fork.vertex] = ReliefHold::Place;
+    for (std::size_t tube = 0; tube < mesh.tubes.size(); ++tube)
+        if (const FootSize& foot = mesh.axes[tube].foot; foot.rings > 0) {
+            const std::size_t end =
+                tube + 1 < mesh.tubes.size() ? mesh.tubes[tube + 1].firstTriangle : triangles.size();
+            Index pole = noIndex;
+            for (std::size_t t = mesh.tubes[tube].firstTriangle; t < end; ++t)
+                pole = std::min({pole, triangles[t].x, triangles[t].y, triangles[t].z});
+            std::fill_n(held.begin() + pole, 1 + foot.rings * foot.points, ReliefHold::Triangles);
+        }
+    const std::vector<Index> first = drawReliefs(mesh.mesh, reliefs, held);
+    if (first.empty())
+        return false;
+    for (TubeRange& tube : mesh.tubes)
+        tube.firstTriangle = first[tube.firstTriangle];
+    return true;
+}
+
 /// What is known once all vertices stand in their order.
 void finish(Built& built, const Skeleton& skeleton)
 {
@@ -220,13 +283,18 @@ Expected<Shaped> shape(const Skeleton& skeleton, const BranchMeshOptions& option
     RAMURE_TRY(checkOptions(skeleton, options));
     const auto normal = normaliseSkeleton(skeleton, options, progress);
     RAMURE_TRY(normal);
-    Builder builder(*normal, options);
+    const std::vector<Relief> marks = reliefsOf(skeleton, normal->origin, options.targetTriangles);
+    BranchMeshOptions without = options;
+    if (options.targetTriangles > 0)
+        without.targetTriangles -= trianglesOfRelief * std::int64_t(marks.size());
+    Builder builder(*normal, without);
     auto built = options.targetTriangles > 0 ? builder.byBudget(progress) : builder.byDivisions(progress);
     RAMURE_TRY(built);
     finishForks(built->mesh, options);
+    const bool isMarked = drawMarks(built->mesh, marks);
     finish(*built, skeleton);
     // Moved away from the origin, positions were rounded again: then every triangle is looked at.
-    return Shaped{std::move(*built), normal->origin != glm::dvec3(0.0)};
+    return Shaped{std::move(*built), isMarked || normal->origin != glm::dvec3(0.0)};
 }
 
 } // namespace

@@ -419,6 +419,8 @@ void Normaliser::emit(Index branch, Index parentOut, const glm::dvec3& start)
     out.parent = parentOut;
     out.source = branch;
     out.isSawn = std::ranges::binary_search(m_in.sawn, branch);
+    if (out.isSawn && std::ranges::binary_search(m_in.bare, branch))
+        out.torn = m_in.key[branch] | 1;
     m_out.branches.push_back(out);
     m_fork = out.p1;
     const bool rootWithoutLength =

@@ -19,6 +19,7 @@ struct MeshBranch
     Index parent = noIndex; ///< in NormalSkeleton::branches
     Index source = noIndex; ///< branch of the skeleton it was made from
     bool isSawn = false;    ///< its end is flat
+    std::uint64_t torn = 0; ///< dead wood: its end is broken, as this number has it; 0: it is not
     bool isLimb = false;    ///< it leaves a sibling to its side, and is straight until its end
     bool isPlate = false;   ///< no branch of the skeleton: what stems stand on that start together
     bool isPiece = false;   ///< the upper part of its parent's source: see partForks

@@ -2,6 +2,7 @@
 
 #include "core/math/angle.h"
 #include "core/math/hermite.h"
+#include "core/math/random.h"
 #include "core/math/reproducible.h"
 #include <algorithm>
 #include <cmath>
@@ -11,8 +12,9 @@ namespace ramure {
 
 namespace {
 
-constexpr double cutRing = 0.88;   ///< radius of the ring on a cut, of the branch's
-constexpr double tipHeight = 0.35; ///< of the radius: how far a tip is rounded beyond the branch's end
+constexpr double cutRing = 0.88;    ///< radius of the ring on a cut, of the branch's
+constexpr double leastTorn = 0.004; ///< m: thinner wood breaks without splinters
+constexpr double tipHeight = 0.35;  ///< of the radius: how far a tip is rounded beyond the branch's end
 constexpr double siteShare =
     0.4; ///< of the shortest child: where the children's neighbourhoods are looked at
 constexpr double roomBeforeEnd = 0.25; ///< of the radius, between a section and the end
@@ -213,6 +215,8 @@ void TubeBuilder::end(Index branch, const AxisSection& section, Index ring, std:
         ends.push_back({branch, ring, count, section});
         return;
     }
+    if (own.torn != 0 && section.radius >= leastTorn && m_context.options.splinters > 0.0)
+        return closeTorn(section, ring, count, own);
     if (own.isSawn)
         return closeCut(section, ring, count, own.source);
     MeshSink& sink = m_context.sink;
@@ -234,6 +238,49 @@ void TubeBuilder::closeCut(const AxisSection& section, Index ring, Index count, 
     const Index pole = sink.addVertex(section.centre, owner);
     for (Index k = 0; k < count; ++k)
         sink.addTriangle(inner + k, inner + (k + 1 < count ? k + 1 : 0), pole);
+}
+
+/// Broken: splinters around a hollow, longest on the side that tore last. Above the end's disc every place
+/// has one height, so that the wood cannot cross itself.
+void TubeBuilder::closeTorn(const AxisSection& section, Index ring, Index count, const MeshBranch& own)
+{
+    constexpr double rim = 0.96, inner = 0.55, least = 0.12; // of the radius; of the splinters' length
+    MeshSink& sink = m_context.sink;
+    Random chance(m_context.options.seed, RandomStream::Splinters, own.torn);
+    const double longest = 2.0 * section.radius * m_context.options.splinters;
+    const double side = chance.range(0.0, fullTurn);
+    const Index points = 2 * count, edge = sink.nextVertex();
+    const auto base = [&](Index k) { // on the ring, or between two of its points
+        const glm::dvec3 a(sink.positions[ring + k / 2]), b(sink.positions[ring + (k / 2 + k % 2) % count]);
+        return 0.5 * (a + b) - section.centre;
+    };
+    std::vector<double> heights(points);
+    for (Index k = 0; k < points; ++k) {
+        const double tear = 0.5 + 0.5 * maths::cos(fullTurn * k / points - side);
+        const double splinter = k % 2 == 0 ? chance.range(0.1, 0.4) : chance.range(0.4, 1.0);
+        heights[k] = longest * (least + (1.0 - least) * splinter * (0.3 + 0.7 * tear * tear));
+    }
+    for (Index k = 0; k < points; ++k)
+        sink.addVertex(section.centre + rim * base(k) + heights[k] * section.frame.tangent, own.source);
+    for (Index k = 0; k < count; ++k) {
+        const Index next = k + 1 < count ? k + 1 : 0, a = edge + 2 * k, b = a + 1, c = edge + 2 * next;
+        sink.addTriangle(ring + k, b, a);
+        sink.addTriangle(ring + k, ring + next, b);
+        sink.addTriangle(ring + next, c, b);
+    }
+    const Index within = sink.nextVertex();
+    for (Index k = 0; k < points; ++k) {
+        const double low =
+            std::min({heights[k], heights[(k + 1) % points], heights[(k + points - 1) % points]});
+        sink.addVertex(section.centre + inner * base(k) +
+                           chance.range(0.2, 1.0) * low * section.frame.tangent,
+                       own.source);
+    }
+    evenStrip(edge, within, points);
+    const Index pole = sink.addVertex(
+        section.centre + chance.range(0.1, 0.5) * least * longest * section.frame.tangent, own.source);
+    for (Index k = 0; k < points; ++k)
+        sink.addTriangle(within + k, within + (k + 1 < points ? k + 1 : 0), pole);
 }
 
 void TubeBuilder::finish(Index branch, const std::vector<AxisSection>& sections, std::size_t from,

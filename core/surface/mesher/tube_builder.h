@@ -76,6 +76,7 @@ public:
 private:
     void closeFoot(const TrunkFoot& foot, Index pole);
     void closeCut(const AxisSection& section, Index ring, Index count, Index owner);
+    void closeTorn(const AxisSection& section, Index ring, Index count, const MeshBranch& own);
     void evenStrip(Index lower, Index upper, Index count);
     void looseStrip(const TubeStart& lower, std::span<const RingPoint> upperPoints, Index upper);
 

@@ -17,7 +17,9 @@ constexpr double yearWidth = 0.012; ///< m, of a ring; thinner branches have few
 constexpr int fewestYears = 3, mostYears = 9;
 constexpr float heartShare = 0.5F, offCentre = 0.12F; ///< of the radius
 constexpr glm::vec3 sapwood(226.0F, 197.0F, 152.0F), heartwood(186.0F, 139.0F, 90.0F);
-constexpr float lateWood = 0.86F; ///< every other ring is darker
+constexpr float lateWood = 0.86F;                      ///< every other ring is darker
+constexpr glm::vec3 brokenWood(150.0F, 126.0F, 98.0F); ///< grey and brown: it has stood in the rain
+constexpr float leastUneven = 0.02F;                   ///< of the radius: what is less uneven was sawn
 
 /// The border of a flat end, counter-clockwise seen from outside.
 struct FlatEnd
@@ -103,6 +105,55 @@ void addWood(const FlatEnd& end, std::uint64_t key, Index level, float leastGap,
         }
 }
 
+/// m, from its middle; and how far its points are from one plane.
+struct EndShape
+{
+    float radius = 0.0F, uneven = 0.0F;
+};
+
+EndShape shapeOf(const FlatEnd& end)
+{
+    EndShape shape;
+    glm::vec3 normal(0.0F);
+    for (std::size_t k = 0; k < end.border.size(); ++k) {
+        const glm::vec3 way = end.border[k] - end.centre;
+        normal += glm::cross(way, end.border[(k + 1) % end.border.size()] - end.centre);
+        shape.radius = std::max(shape.radius, glm::length(way));
+    }
+    if (const float size = glm::length(normal); size > 0.0F)
+        for (const glm::vec3& point : end.border)
+            shape.uneven = std::max(shape.uneven, std::abs(glm::dot(point - end.centre, normal / size)));
+    return shape;
+}
+
+/// The splinters of a broken end, and what they stand around: a copy a little above the bark's.
+/// \param last triangle of the tube, which ends with a fan; the strip around that has twice its triangles
+/// \param above m, how far
+void addSplinters(const TriangleMesh& mesh, Index last, Index fan, std::uint64_t key, Index level,
+                  float above, TriangleMesh& out)
+{
+    for (Index t = last + 1 - 3 * fan; t <= last; ++t) {
+        const glm::uvec3& corners = mesh.triangles[t];
+        const glm::vec3 &a = mesh.positions[corners.x], &b = mesh.positions[corners.y],
+                        &c = mesh.positions[corners.z];
+        const glm::vec3 normal = glm::cross(b - a, c - a);
+        const float size = glm::length(normal);
+        if (!(size > 0.0F))
+            continue;
+        const Index first = out.vertexCount();
+        for (int k = 0; k < 3; ++k) {
+            const glm::vec3& own = mesh.normals.empty() ? normal / size : mesh.normals[corners[k]];
+            out.positions.push_back(mesh.positions[corners[k]] + above * own);
+            out.normals.push_back(normal / size);
+            out.branch.push_back(mesh.branch[corners[k]]);
+            out.level.push_back(level);
+        }
+        out.triangles.push_back({first, first + 1, first + 2});
+        const float shade = 0.75F + 0.5F * static_cast<float>(mixBits(key + t - last) >> 40) * 0x1p-24F;
+        out.colours.push_back(glm::u8vec3(shade * brokenWood));
+    }
+}
+
 } // namespace
 
 TriangleMesh cutWood(const BranchMesh& mesh, const Skeleton& skeleton)
@@ -111,8 +162,17 @@ TriangleMesh cutWood(const BranchMesh& mesh, const Skeleton& skeleton)
     if (skeleton.sawn.empty() && skeleton.loose.empty())
         return out;
     const auto add = [&](const TubeRange& tube, Index last, bool atStart) {
-        addWood(endOf(mesh.mesh, tube.firstTriangle, last, atStart), skeleton.key[tube.branch],
-                skeleton.level[tube.branch], static_cast<float>(mesh.leastGap), out);
+        const FlatEnd end = endOf(mesh.mesh, tube.firstTriangle, last, atStart);
+        const std::uint64_t key = skeleton.key[tube.branch];
+        const Index level = skeleton.level[tube.branch];
+        const auto leastGap = static_cast<float>(mesh.leastGap);
+        const auto fan = static_cast<Index>(end.border.size());
+        const auto [radius, uneven] = shapeOf(end);
+        const bool isTorn = uneven > leastUneven * radius && 3 * fan <= last - tube.firstTriangle + 1;
+        if (isTorn && !atStart && std::ranges::binary_search(skeleton.bare, tube.branch))
+            addSplinters(mesh.mesh, last, fan, key, level, std::max(lift * radius, leastGap), out);
+        else
+            addWood(end, key, level, leastGap, out);
     };
     for (std::size_t t = 0; t < mesh.tubes.size(); ++t) {
         const TubeRange& tube = mesh.tubes[t];

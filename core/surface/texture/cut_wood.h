@@ -7,8 +7,9 @@
 
 namespace ramure {
 
-/// On what was cut (Skeleton::sawn), and on the feet of limbs that fall. With normals, branch, level and
-/// colours; empty where nothing was cut. Tree space. \param skeleton that the mesh was made of
+/// On what was cut (Skeleton::sawn), on the splinters of dead wood that broke, and on the feet of limbs that
+/// fall. With normals, branch, level and colours; empty where nothing was cut. Tree space. \param skeleton
+/// that the mesh was made of
 TriangleMesh cutWood(const BranchMesh& mesh, const Skeleton& skeleton);
 
 } // namespace ramure
