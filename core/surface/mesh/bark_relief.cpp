@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <map>
 #include <optional>
+#include <unordered_map>
 #include <utility>
 
 namespace ramure {
@@ -53,11 +54,11 @@ float heightOf(const Relief& relief, float at, float wood)
     return relief.radius * left * (roll - wound);
 }
 
-using Edge = std::pair<Index, Index>;
+using Edge = std::uint64_t;
 
 Edge edgeOf(Index a, Index b)
 {
-    return a < b ? Edge(a, b) : Edge(b, a);
+    return std::uint64_t(std::min(a, b)) << 32 | std::max(a, b);
 }
 
 /// How far the origin lies from the way between two points.
@@ -76,7 +77,7 @@ struct Face
 };
 
 /// The parts of a face whose edges are halved where \p middles says.
-void addParts(const Face& face, const std::map<Edge, Index>& middles, std::vector<Face>& finer)
+void addParts(const Face& face, const std::unordered_map<Edge, Index>& middles, std::vector<Face>& finer)
 {
     std::array<Index, 3> middle{noIndex, noIndex, noIndex};
     int halved = 0;
@@ -135,7 +136,7 @@ public:
 private:
     [[nodiscard]] std::optional<std::pair<Index, Seat>> seatOf(const Relief& relief) const;
     [[nodiscard]] bool reaches(Index triangle, const Seat& seat, float reach) const;
-    [[nodiscard]] bool gather(Index from, const Seat& seat, float reach, std::vector<Face>& faces) const;
+    [[nodiscard]] bool gather(Index from, const Seat& seat, float reach, std::vector<Face>& faces);
     bool refine(const Seat& seat, float reach, float longest, std::vector<Face>& faces);
     [[nodiscard]] std::span<const Index> fan(Index vertex) const
     {
@@ -148,6 +149,8 @@ private:
     std::map<Index, std::vector<Index>>
         m_faces; ///< by branch that has reliefs: triangles with a corner on it
     std::vector<bool> m_isTaken;
+    std::vector<Index> m_seen; ///< by old triangle: the round that has seen it
+    Index m_round = 0;
     std::vector<Face> m_made;
 };
 
@@ -158,6 +161,7 @@ ReliefDrawer::ReliefDrawer(TriangleMesh& mesh, const std::vector<ReliefHold>& he
     , m_first(mesh.positions.size() + 1, 0)
     , m_fans(3 * mesh.triangles.size())
     , m_isTaken(mesh.triangles.size(), false)
+    , m_seen(mesh.triangles.size(), 0)
 {
     for (const glm::uvec3& t : mesh.triangles)
         for (int c = 0; c < 3; ++c)
@@ -221,12 +225,11 @@ bool ReliefDrawer::reaches(Index triangle, const Seat& seat, float reach) const
 
 /// The triangles around a place as far as the relief reaches, then those that share an edge with them.
 /// \return whether they can be moved
-bool ReliefDrawer::gather(Index from, const Seat& seat, float reach, std::vector<Face>& faces) const
+bool ReliefDrawer::gather(Index from, const Seat& seat, float reach, std::vector<Face>& faces)
 {
     std::vector<Index> inside{from}, around;
-    const auto has = [](const std::vector<Index>& list, Index i) {
-        return std::ranges::find(list, i) != list.end();
-    };
+    m_seen[from] = ++m_round;
+    const auto isNew = [this](Index i) { return std::exchange(m_seen[i], m_round) != m_round; };
     for (std::size_t k = 0; k < inside.size(); ++k) {
         const glm::uvec3 t = m_mesh.triangles[inside[k]];
         const glm::vec3 a = m_mesh.positions[t.x];
@@ -238,9 +241,10 @@ bool ReliefDrawer::gather(Index from, const Seat& seat, float reach, std::vector
             if (m_held[t[c]] != ReliefHold::None && glm::length(seat.flat(m_mesh.positions[t[c]])) < reach)
                 return false;
             for (const Index i : fan(t[c]))
-                if (!has(inside, i) && reaches(i, seat, reach) &&
+                if (reaches(i, seat, reach) &&
                     std::abs(glm::dot(m_mesh.positions[m_mesh.triangles[i].x] - seat.centre, seat.n)) <
-                        8.0F * seat.wood)
+                        8.0F * seat.wood &&
+                    isNew(i))
                     inside.push_back(i);
         }
     }
@@ -249,8 +253,7 @@ bool ReliefDrawer::gather(Index from, const Seat& seat, float reach, std::vector
             const Index a = m_mesh.triangles[i][c], b = m_mesh.triangles[i][(c + 1) % 3];
             for (const Index other : fan(a))
                 if (const std::span<const Index> second = fan(b);
-                    std::ranges::find(second, other) != second.end() && !has(inside, other) &&
-                    !has(around, other))
+                    std::ranges::find(second, other) != second.end() && isNew(other))
                     around.push_back(other);
         }
     for (const std::vector<Index>* list : {&inside, &around})
@@ -268,30 +271,31 @@ bool ReliefDrawer::gather(Index from, const Seat& seat, float reach, std::vector
 /// it, so that slivers become compact; all faces follow. \return whether there were any
 bool ReliefDrawer::refine(const Seat& seat, float reach, float longest, std::vector<Face>& faces)
 {
-    std::map<Edge, int> edges;
+    std::unordered_map<Edge, int> edges;
+    edges.reserve(2 * faces.size());
     for (const Face& face : faces)
         for (int c = 0; c < 3; ++c)
             ++edges[edgeOf(face.corners[c], face.corners[(c + 1) % 3])];
-    std::map<Edge, Index> middles;
+    std::unordered_map<Edge, Index> middles;
     for (const Face& face : faces) {
         float most = longest;
-        Edge halved(noIndex, noIndex);
+        int halved = -1;
         for (int c = 0; c < 3; ++c) {
-            const Edge edge = edgeOf(face.corners[c], face.corners[(c + 1) % 3]);
-            const glm::vec3 &a = m_mesh.positions[edge.first], &b = m_mesh.positions[edge.second];
-            if (const float length = glm::length(b - a);
-                length > most && edges[edge] == 2 && distanceTo(seat.flat(a), seat.flat(b)) < reach) {
+            const Index a = face.corners[c], b = face.corners[(c + 1) % 3];
+            const glm::vec3 &p = m_mesh.positions[a], &q = m_mesh.positions[b];
+            if (const float length = glm::distance(p, q);
+                length > most && edges[edgeOf(a, b)] == 2 && distanceTo(seat.flat(p), seat.flat(q)) < reach) {
                 most = length;
-                halved = edge;
+                halved = c;
             }
         }
-        if (halved.first != noIndex)
-            middles.emplace(halved, noIndex);
-    }
-    for (auto& [edge, middle] : middles) {
-        middle = m_mesh.vertexCount();
-        m_mesh.positions.push_back(0.5F * (m_mesh.positions[edge.first] + m_mesh.positions[edge.second]));
-        m_mesh.branch.push_back(m_mesh.branch[edge.second]);
+        if (halved < 0)
+            continue;
+        const Index a = face.corners[halved], b = face.corners[(halved + 1) % 3];
+        if (middles.emplace(edgeOf(a, b), m_mesh.vertexCount()).second) {
+            m_mesh.positions.push_back(0.5F * (m_mesh.positions[a] + m_mesh.positions[b]));
+            m_mesh.branch.push_back(m_mesh.branch[std::max(a, b)]);
+        }
     }
     std::vector<Face> finer;
     for (const Face& face : faces)
