@@ -84,7 +84,7 @@ const std::array grownTable{
     GrownSpecies{"HorseChestnut", "Aesculus hippocastanum", RAMURE_NOOP("A tall dome whose limbs sink and turn up at their ends"), false, {12, 50, 110},
         {.age = 50, .height = 18, .crownWidth = 17, .crownBase = 0.12, .crownWidest = 0.4, .crownTop = 0.5, .maturity = 45, .density = 0.6,
          .leaderUntil = 16, .apicalControl = 0.4, .phyllotaxis = P::Opposite, .axil = 54, .acrotony = 0.65, .branching = 0.75, .autonomy = 0.45,
-         .sympodial = 0.12, .shadeTolerance = 0.75, .shedding = 0.5, .light = 0.2, .upright = 0.12, .wander = 0.25, .droop = 1.0, .pipeExponent = 2.22,
+         .sympodial = 0.06, .shadeTolerance = 0.75, .shedding = 0.5, .light = 0.2, .upright = 0.12, .wander = 0.25, .droop = 1.0, .pipeExponent = 2.22,
          .tipRadius = 0.006, .girth = 0.35},
         {0.28, 1.2}},
     GrownSpecies{"WildCherry", "Prunus avium", RAMURE_NOOP("Limbs in storeys with short spurs along them"), false, {8, 30, 60},
