@@ -9711,6 +9711,10 @@
         <source>How far splinters stand out of the broken ends of dead limbs, in diameters of the wood. 0: ends are flat, as those of living wood that was cut.</source>
         <translation>De combien les esquilles dépassent des extrémités cassées des branches mortes, en diamètres du bois. 0 : les extrémités sont plates, comme celles du bois vivant que l’on a coupé.</translation>
     </message>
+    <message>
+        <source>place %1 of a crowd is none</source>
+        <translation>l’emplacement %1 d’une foule n’en est pas un</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>
@@ -16345,6 +16349,10 @@ restantes</translation>
     <message>
         <source>This picture is out of date</source>
         <translation>Cette image n’est plus à jour</translation>
+    </message>
+    <message>
+        <source>%1 copies, %2 in sight, %3 triangles</source>
+        <translation>%1 copies, %2 en vue, %3 triangles</translation>
     </message>
 </context>
 <context>

@@ -3,7 +3,7 @@ layout(location = 1) in vec3 aNormal;
 layout(location = 2) in uint aBranch;
 layout(location = 3) in vec2 aTexture;
 layout(location = 4) in vec3 aColour; // sRGB, of the mesh ...
-layout(location = 10) in vec3 aTint;  // ... and of its copy
+layout(location = 10) in vec4 aTint;  // ... and of its copy; of a crowd: how much of it is shown (crowd_choice.h)
 layout(location = 12) in float aRadius; // m, of the wood there
 
 // The depth pass and the shading pass must agree to the last bit.
@@ -21,6 +21,16 @@ uniform bool uWeathers;
 uniform vec3 uColour; // sRGB
 
 out vec3 colour; // sRGB
+#ifdef CROWD
+uniform bool uHasBark;
+uniform vec3 uYoung; // as in mesh.frag
+uniform vec3 uLimb;
+uniform vec3 uMean; // sRGB, of the pictures
+uniform float uFlat; // CrowdPart::flat
+
+out vec2 uv;
+out vec2 shown; // how much of it is; how much of the picture of bark
+#endif
 #else
 out Surface
 {
@@ -74,7 +84,7 @@ void main()
     gl_Position = uClip * vec4(position, 1.0);
     vec3 relative = (uRelative * vec4(position, 1.0)).xyz;
     normal = uNormal * normal;
-    vec3 own = aColour * aTint;
+    vec3 own = aColour * aTint.rgb;
     vec4 tint = stateTint(branchState(aBranch));
     // A branch's leaves are a little lighter or darker than its neighbour's: the crown gets depth.
     float shade = 1.0 + uVariety * (fract(float(aBranch) * 0.6180340) - 0.5);
@@ -83,6 +93,22 @@ void main()
     if (uTwoSided && dot(normal, toEye(relative)) < 0.0)
         normal = -normal;
     own *= uColour;
+#ifdef CROWD
+    crownAt = (uCrownPlace * vec4(aPosition, 1.0)).xyz;
+    crownTurn = aTurn;
+    if (uFlat > 0.0) { // one picture of all: its light is that of the side which is seen
+        vec3 eye = mat3(uCrownPlace) * turned(vec4(-aTurn.xyz, aTurn.w), toEye(relative));
+        crownAt = mix(vec3(0.5), crownAt, uFlat) + 0.3 * normalize(eye);
+    }
+    uv = aTexture;
+    shown = vec2(255.0 * aTint.a, 1.0);
+    if (uHasBark) {
+        vec2 ages = smoothstep(log(uYouth.xz), log(uYouth.yw), vec2(log(max(aRadius, 1e-6))));
+        own = mix(uYoung.r < 0.0 ? uMean : uYoung, uMean * mix(uLimb, vec3(1.0), ages.y), ages.x);
+        shown.y = ages.x;
+    } else
+        own *= uMean;
+#endif
     vec3 albedo = toLinear(mix(own, tint.rgb, tint.a)) * shade;
     colour = toSrgb(shaded(relative, albedo, normal, normal, 1.0));
 #else

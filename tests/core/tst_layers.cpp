@@ -125,6 +125,7 @@ constexpr const char* floors[] = {
     "core/qt/session/motion",
     "core/qt/session/arm",
     "widgets/view/render/light",
+    "widgets/view/render/crowd",
     "widgets/view/render",
     "widgets/view/render/stream",
     "widgets/view/render/passes",

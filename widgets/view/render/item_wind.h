@@ -6,7 +6,7 @@
 #include "core/game_wind/wind_profile.h"
 #include "core/skeleton/simplify.h"
 #include "core/surface/foliage/foliage.h"
-#include "widgets/view/render/mesh_copies.h"
+#include "widgets/view/render/crowd/mesh_copies.h"
 #include <glm/vec2.hpp>
 #include <memory>
 

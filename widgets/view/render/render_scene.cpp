@@ -15,6 +15,11 @@ void RenderScene::updateBoxes()
         if (item.castsShadow)
             casters.add(world);
     }
+    for (const CrowdItem& item : crowds) {
+        const Box world = item.crowd->box().transformed(item.world);
+        box.add(world);
+        casters.add(world);
+    }
     for (const LineItem& item : lines)
         (item.framed ? box : trailBox).add(item.lines->box.transformed(item.world));
     for (const PointItem& item : points)
@@ -106,6 +111,17 @@ std::vector<glm::dvec3> RenderScene::framePoints() const
         const std::size_t count = item.mesh->positions.size();
         const std::size_t step = item.motion.moves() ? std::max(usualStep, count / mostMoved) : usualStep;
         take(count, step, item.box, item.world, [&](std::size_t i) { return placeOf(item, i); });
+    }
+    for (const CrowdItem& item : crowds) {
+        const auto& places = item.crowd->places();
+        take(2 * places.size(), places.size() > mostSeen / 2 ? 7 : 1, item.crowd->box(), item.world,
+             [&](std::size_t i) {
+                 const Box own = item.crowd->boxOf(places[i / 2]);
+                 const glm::dvec3 low(own.centre().x, own.min.y, own.centre().z);
+                 return own.empty()  ? item.crowd->box().centre()
+                        : i % 2 == 0 ? low
+                                     : low + glm::dvec3(0.0, own.size().y, 0.0);
+             });
     }
     for (const LineItem& item : lines) {
         if (!item.framed)

@@ -12,9 +12,10 @@
 #include "core/surface/bark/bark_maps.h"
 #include "core/surface/foliage/leaf_maps.h"
 #include "core/surface/mesh/deferred_mesh.h"
+#include "widgets/view/render/crowd/crowd.h"
+#include "widgets/view/render/crowd/mesh_copies.h"
 #include "widgets/view/render/item_wind.h"
 #include "widgets/view/render/light/crown_light.h"
-#include "widgets/view/render/mesh_copies.h"
 #include "widgets/view/render/surface_images.h"
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
@@ -99,15 +100,19 @@ struct MeshItem
 {
     DeferredMesh mesh;                        ///< at rest
     std::shared_ptr<const MeshCopies> copies; ///< drawn in its place: the same, in pieces; null: it is drawn
-    Box box;                                  ///< bounds of the mesh as it is now, in its own space
-    SplitMesh split;                          ///< the mesh whose skin it follows if it has none of its own
-    ItemMotion motion;                        ///< drawn so; the mesh itself stays as it is
+    /// Of a crowd: where the shape of copies, which has none itself, stands in this picture. Null: no crowd.
+    std::shared_ptr<const std::vector<MeshCopy>> places;
+    Box box;           ///< bounds of the mesh as it is now, in its own space
+    SplitMesh split;   ///< the mesh whose skin it follows if it has none of its own
+    ItemMotion motion; ///< drawn so; the mesh itself stays as it is
     Material material;
     Paint paint = Paint::Material;
     std::shared_ptr<const CrownLight> crown; ///< light inside the tree that it is part of; null: in the open
     std::shared_ptr<const BarkMaps> bark;    ///< in place of the material's colour; null: none
     std::shared_ptr<const LeafMaps> leaf;    ///< tints of a leaf's colours; null: none
-    std::shared_ptr<const SurfaceImages> images;   ///< in place of both; null: none
+    std::shared_ptr<const SurfaceImages> images; ///< in place of both; null: none
+    glm::vec3 mean{1.0f};                        ///< of a crowd: as CrowdPart has both
+    float flat = 0.0f;
     float opacity = 1.0f;                          ///< under 1: its nearest surface only, over all the rest
     std::shared_ptr<const OutlinedFaces> outlined; ///< null: nothing of it
     glm::dmat4 world{1.0};
@@ -123,6 +128,18 @@ struct MeshItem
 
     /// Does the mesh say which branches it belongs to? One that is made later, of leaves, does.
     [[nodiscard]] bool hasBranches() const { return !mesh.isMade() || !mesh->branch.empty(); }
+};
+
+/// A crowd standing somewhere.
+struct CrowdItem
+{
+    std::shared_ptr<const Crowd> crowd;
+    /// By prototype what is drawn of it near the eye, in the space that places act upon; null: nothing.
+    std::vector<std::shared_ptr<const std::vector<MeshItem>>> whole;
+    glm::dmat4 world{1.0};
+    NodeId node = noNode;
+    bool pickable = true;
+    bool operator==(const CrowdItem&) const = default;
 };
 enum class OutlinedLines : std::uint8_t { None, Selected, All };
 struct LineItem
@@ -179,6 +196,8 @@ struct Foot
 struct RenderScene
 {
     std::vector<MeshItem> meshes;
+    std::vector<CrowdItem> crowds;                 ///< the renderer draws forms of them (crowd_pictures.h)
+    std::vector<MeshItem> farCasters, nearCasters; ///< throw shadows into one of the maps, and are not seen
     std::vector<LineItem> lines;
     std::vector<PointItem> points;
     std::vector<Highlight> highlights;

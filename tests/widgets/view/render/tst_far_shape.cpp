@@ -1,7 +1,7 @@
 #include "core/math/box.h"
 #include "core/surface/foliage/place_foliage.h"
 #include "tests/support/suite.h"
-#include "widgets/view/render/far_shape.h"
+#include "widgets/view/render/crowd/far_shape.h"
 #include <algorithm>
 
 namespace tst_far_shape {

@@ -1,8 +1,8 @@
 #include "core/surface/foliage/place_foliage.h"
 #include "tests/support/preset_trees.h"
 #include "tests/support/suite.h"
+#include "widgets/view/render/crowd/mesh_copies.h"
 #include "widgets/view/render/light/crown_light.h"
-#include "widgets/view/render/mesh_copies.h"
 #include <algorithm>
 
 namespace tst_mesh_copies {

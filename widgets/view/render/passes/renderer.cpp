@@ -118,7 +118,7 @@ bool Renderer::drawAside(const RenderScene& whole, const Camera& camera, QSize s
                          const RenderOptions& options)
 {
     const std::optional<RenderScene> bare = withoutGround(whole, options);
-    const RenderScene& scene = bare ? *bare : whole;
+    const RenderScene& scene = m_crowds.of(bare ? *bare : whole, camera, size, options);
     Stopwatch watch;
     m_drawn = 0;
     m_cache.beginPicture(options.wind);
@@ -353,6 +353,7 @@ void Renderer::beginState(QSize size, bool clears)
 
 void Renderer::upload(const RenderScene& scene)
 {
+    m_cache.keep(scene.crowds);
     for (const MeshItem& item : scene.meshes)
         m_cache.item(item);
     for (const GhostItem& item : scene.ghosts)
@@ -455,7 +456,9 @@ void Renderer::drawMesh(ShaderProgram& program, const Picture& picture, const Me
     const glm::dmat4 relative = picture.relative(item.world);
     const bool hasCrown = item.crown && picture.options.quality != Quality::Draft;
     m_cache.bindCrown(program, hasCrown ? item.crown : nullptr);
-    if (hasCrown)
+    if (item.places)
+        setCrowd(program, item);
+    else if (hasCrown)
         program.set("uCrownPlace", glm::mat4(item.crown->place * glm::inverse(relative)));
     setStates(program, picture.scene, item.node, item.hasBranches());
     // What lies on the level ground is as bright as that is, whose colour a landscape shows as it is.
@@ -491,6 +494,10 @@ ShaderProgram& Renderer::programOf(const Picture& picture, const MeshItem& item,
         return *m_programs.meshWire;
     if (m_cache.item(item).hasColours())
         return *m_programs.meshColours;
+    if (item.places)
+        return m_programs.crowd->with(true, switches::still)
+            .with(picture.scene.highlights.empty(), switches::unmarked)
+            .with(!picture.near, switches::one);
     if (item.paint != Paint::Material || item.images)
         return *m_programs.mesh;
     const bool isFar = picture.detailOf(item) == LeafDetail::Least;
@@ -560,6 +567,7 @@ RenderStats Renderer::stats() const
     RenderStats stats = m_stats;
     stats.shadowRedraws = m_shadowMap.redraws() + m_nearShadow.redraws();
     stats.uploads = m_cache.stats();
+    stats.crowd = m_crowds.counts();
     return stats;
 }
 

@@ -6,6 +6,7 @@
 #include "core/base/progress.h"
 #include "widgets/view/render/camera.h"
 #include "widgets/view/render/outline.h"
+#include "widgets/view/render/passes/crowd_pictures.h"
 #include "widgets/view/render/passes/occlusion.h"
 #include "widgets/view/render/passes/picture_light.h"
 #include "widgets/view/render/passes/renderer_programs.h"
@@ -30,6 +31,7 @@ struct RenderStats
     std::uint64_t pictures = 0;
     std::uint64_t shadowRedraws = 0;
     UploadStats uploads;
+    CrowdCounts crowd; ///< of the last picture
 };
 
 class Renderer
@@ -97,6 +99,7 @@ private:
     void beginMeshes(ShaderProgram& program, const Picture& picture, ShadingMode shading);
     ShaderProgram& programOf(const Picture& picture, const MeshItem& item, ShadingMode shading);
     void drawMesh(ShaderProgram& program, const Picture& picture, const MeshItem& item);
+    void setCrowd(ShaderProgram& program, const MeshItem& item);
     void drawItem(const Picture& picture, const MeshItem& item, const GpuBlock& block);
     void drawMeshDepth(const Picture& picture, const MeshItem& item);
     void drawFaded(const Picture& picture);
@@ -112,6 +115,7 @@ private:
     std::unique_ptr<QOpenGLDebugLogger> m_messages; ///< null in a context that does not tell
     GpuCache m_cache;
     ShadowMap m_shadowMap, m_nearShadow;
+    CrowdPictures m_crowds;
     PictureParts m_parts;
     Smoothing m_smoothing, m_large;
     Smoothing m_lensPicture, m_lensSum;

@@ -213,7 +213,7 @@ void Renderer::drawOutline(const Picture& picture, GLuint target)
 // A mesh that is no copy is large.
 double Renderer::Picture::copyPixels(const MeshItem& item) const
 {
-    if (!item.copies)
+    if (!item.copies || item.places)
         return std::numeric_limits<double>::infinity();
     const Box box = item.box.transformed(item.world);
     const double away = camera.orthographic
@@ -226,12 +226,12 @@ double Renderer::Picture::copyPixels(const MeshItem& item) const
 bool Renderer::Picture::isOfSmall(const MeshItem& item) const
 {
     constexpr double fewPixels = 40.0;
-    return options.sparing && copyPixels(item) < fewPixels;
+    return item.places || (options.sparing && copyPixels(item) < fewPixels);
 }
 
 LeafDetail Renderer::Picture::detailOf(const MeshItem& item) const
 {
-    if (options.quality == Quality::Best && !options.hurried)
+    if (item.places || (options.quality == Quality::Best && !options.hurried))
         return LeafDetail::All;
     if (isOfSmall(item) && !item.images)
         return LeafDetail::Least;

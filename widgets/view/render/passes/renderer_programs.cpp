@@ -19,6 +19,8 @@ std::vector<std::pair<RendererPrograms::Program, ShaderSources>> RendererProgram
         {&RendererPrograms::bark, {mesh, nullptr, surface, "#define BARK true\n#define VEINS false\n"}},
         {&RendererPrograms::leaf, {mesh, nullptr, surface, "#define BARK false\n#define VEINS true\n"}},
         {&RendererPrograms::far, {far, nullptr, {"pixel.glsl", "far.frag"}, "#define FAR\n"}},
+        {&RendererPrograms::crowd,
+         {far, nullptr, {"pixel.glsl", "crowd.frag"}, "#define FAR\n#define CROWD\n"}},
         {&RendererPrograms::meshColours, {mesh, nullptr, surface, "#define COLOURS\n"}},
         {&RendererPrograms::meshWire, {mesh, "mesh.geom", surface, "#define COLOURS\n#define WIRE\n"}},
         {&RendererPrograms::shadow, {depth, nullptr, {"shadow.frag"}}},

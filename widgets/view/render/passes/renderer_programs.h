@@ -18,7 +18,8 @@ struct RendererPrograms
 
     std::unique_ptr<ShaderProgram> mesh, meshColours, meshWire;
     std::unique_ptr<ShaderProgram> plain, bark, leaf; ///< specialised versions of mesh
-    std::unique_ptr<ShaderProgram> far; ///< light at the corners only, for copies of a few pixels
+    std::unique_ptr<ShaderProgram> far;   ///< light at the corners only, for copies of a few pixels
+    std::unique_ptr<ShaderProgram> crowd; ///< the same with a picture, for one of many trees
     std::unique_ptr<ShaderProgram> shadow, shadowCut, world, line, point, ghost;
     std::unique_ptr<ShaderProgram> smooth, shrink, lensAdd, lensShow;
     std::unique_ptr<ShaderProgram> occlude, occludeBlur;

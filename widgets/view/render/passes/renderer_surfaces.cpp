@@ -3,6 +3,15 @@
 
 namespace ramure {
 
+/// What only one of many has.
+void Renderer::setCrowd(ShaderProgram& program, const MeshItem& item)
+{
+    program.set("uMean", item.mean);
+    program.set("uFlat", item.flat);
+    if (item.crown)
+        program.set("uCrownPlace", glm::mat4(item.crown->place));
+}
+
 void Renderer::drawSurfaces(const RenderScene& scene, const Camera& camera, QSize size, GLuint framebuffer,
                             double reach, bool sparing)
 {

@@ -111,10 +111,14 @@ std::optional<ShadowFit> ShadowMap::update(const RenderScene& scene, const glm::
                                            const std::optional<ShadowFocus>& focus)
 {
     std::vector<Caster> casters;
-    for (const MeshItem& item : scene.meshes) {
-        if (item.castsShadow && !item.mesh.empty())
-            casters.push_back({&item, item.mesh, item.copies, item.images, item.motion, item.world});
-    }
+    const auto add = [&casters](const std::vector<MeshItem>& items) {
+        for (const MeshItem& item : items)
+            if (item.castsShadow && !item.mesh.empty())
+                casters.push_back(
+                    {&item, item.mesh, item.copies, item.places, item.images, item.motion, item.world});
+    };
+    add(scene.meshes);
+    add(focus ? scene.nearCasters : scene.farCasters);
     if (casters.empty() || scene.casters.empty())
         return std::nullopt;
     const bool isWindy =

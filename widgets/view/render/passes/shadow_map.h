@@ -76,13 +76,14 @@ private:
         const MeshItem* item; ///< of the scene at hand
         DeferredMesh mesh;
         std::shared_ptr<const MeshCopies> copies;
+        std::shared_ptr<const std::vector<MeshCopy>> places;
         std::shared_ptr<const SurfaceImages> images;
         ItemMotion motion;
         glm::dmat4 world;
         bool operator==(const Caster& other) const
         {
-            return mesh == other.mesh && copies == other.copies && images == other.images &&
-                   motion == other.motion && world == other.world;
+            return mesh == other.mesh && copies == other.copies && places == other.places &&
+                   images == other.images && motion == other.motion && world == other.world;
         }
     };
     void create();

@@ -229,8 +229,13 @@ PickScene::PickScene(const RenderScene& scene, const PickScene* previous, const 
             add(Part{nullptr, item.lines, nullptr, item.world, {}, item.node},
                 [&] { return boundsOf(*item.lines); });
     }
-    if (stop.stop_requested())
+    for (const CrowdItem& item : scene.crowds)
+        if (item.pickable && glm::determinant(glm::dmat3(item.world)) != 0.0)
+            m_crowds.push_back(item);
+    if (stop.stop_requested()) {
         m_parts.clear();
+        m_crowds.clear();
+    }
 }
 
 ViewRay PickScene::rayUnder(const PickView& view, const glm::dvec2& pixel) const
@@ -284,6 +289,15 @@ std::optional<PickHit> PickScene::pick(const PickView& view, const glm::dvec2& p
     for (const auto& part : m_parts) {
         if (part->mesh)
             part->pickSurface(ray, nearest, hit);
+    }
+    for (const CrowdItem& item : m_crowds) {
+        const glm::dmat4 inverse = glm::inverse(item.world);
+        const Ray local{glm::dvec3(inverse * glm::dvec4(ray.origin, 1.0)),
+                        glm::dmat3(inverse) * ray.direction}; // t means the same here and there
+        if (const auto met = item.crowd->meet(local, nearest)) {
+            nearest = met->t;
+            hit = PickHit{item.node, noIndex, ray.origin + met->t * ray.direction, met->place};
+        }
     }
     return hit;
 }

@@ -18,6 +18,7 @@ struct PickHit
     NodeId node = noNode;
     Index branch = noIndex; ///< index in the simplified skeleton; noIndex for meshes without branches
     glm::dvec3 point{0.0};  ///< world
+    Index place = noIndex;  ///< of a crowd: which of its places
 };
 
 /// The picture in which to pick: its camera and size in logical pixels.
@@ -76,6 +77,7 @@ private:
     struct Part;
     [[nodiscard]] ViewRay rayUnder(const PickView& view, const glm::dvec2& pixel) const;
     std::vector<std::shared_ptr<const Part>> m_parts;
+    std::vector<CrowdItem> m_crowds; ///< that can be picked
     Box m_box;
 };
 

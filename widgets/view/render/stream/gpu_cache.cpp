@@ -110,6 +110,7 @@ const GpuBlock& GpuCache::item(const MeshItem& item)
     GpuBlock& block = itemBlock(item);
     attachSkin(block, item.motion.skin, item.copies.get());
     attachWind(block, item.motion.wind, item.copies != nullptr);
+    attachPlaces(block, item.places);
     return drawn(block);
 }
 
@@ -179,6 +180,11 @@ bool GpuCache::prepare(const RenderScene& scene, std::size_t bytes)
     };
     for (const MeshItem& item : scene.meshes)
         add(itemBlock(item));
+    for (const CrowdItem& item : scene.crowds)
+        for (const CrowdPrototype& prototype : item.crowd->prototypes())
+            for (const CrowdForm& form : prototype.forms)
+                for (const CrowdPart& part : form.parts)
+                    add(copiesBlock(part.shape));
     for (const LineItem& item : scene.lines)
         add(lineBlock(item.lines));
     for (const PointItem& item : scene.points)
@@ -188,12 +194,31 @@ bool GpuCache::prepare(const RenderScene& scene, std::size_t bytes)
 
 GpuBlock& GpuCache::itemBlock(const MeshItem& item)
 {
-    if (!item.copies)
-        return meshBlock(item.mesh);
-    const auto [block, isNew] = slot(item.copies);
+    return item.copies ? copiesBlock(item.copies) : meshBlock(item.mesh);
+}
+
+GpuBlock& GpuCache::copiesBlock(const std::shared_ptr<const MeshCopies>& copies)
+{
+    const auto [block, isNew] = slot(copies);
     if (isNew)
-        fillCopies(block, *item.copies);
+        fillCopies(block, *copies);
     return block;
+}
+
+void GpuCache::keep(const std::vector<CrowdItem>& crowds)
+{
+    const auto touch = [this](const void* source) {
+        if (const auto found = m_blocks.find(source); found != m_blocks.end())
+            found->second.usedIn = m_picture;
+    };
+    for (const CrowdItem& item : crowds)
+        for (const CrowdPrototype& prototype : item.crowd->prototypes())
+            for (const CrowdForm& form : prototype.forms)
+                for (const CrowdPart& part : form.parts)
+                    for (const void* source : {static_cast<const void*>(part.shape.get()),
+                                               static_cast<const void*>(part.images.get()),
+                                               static_cast<const void*>(part.bark.get())})
+                        touch(source);
 }
 
 GpuBlock& GpuCache::meshBlock(const std::shared_ptr<const TriangleMesh>& mesh)
@@ -246,7 +271,21 @@ void GpuCache::fillCopies(GpuBlock& block, const MeshCopies& copies)
     block.count = static_cast<GLsizei>(3 * copies.faces().count);
     block.detail = copies.detail;
     m_gl.glBindVertexArray(block.vertexArray);
-    addBuffer(block, GL_ARRAY_BUFFER, copies.copies.data(), copies.copies.size() * sizeof(MeshCopy));
+    if (!copies.copies.empty()) {
+        addBuffer(block, GL_ARRAY_BUFFER, copies.copies.data(), copies.copies.size() * sizeof(MeshCopy));
+        readCopies();
+    }
+    if (!copies.colours.empty()) {
+        addBuffer(block, GL_ARRAY_BUFFER, copies.colours.data(), copies.colours.size() * sizeof(glm::u8vec4));
+        m_gl.glVertexAttribPointer(4, 4, GL_UNSIGNED_BYTE, GL_TRUE, 0, nullptr);
+        m_gl.glEnableVertexAttribArray(4);
+    }
+    m_gl.glBindVertexArray(0);
+}
+
+/// The vertex array that is bound has its copies from the buffer that is bound.
+void GpuCache::readCopies()
+{
     constexpr GLsizei stride = sizeof(MeshCopy);
     m_gl.glVertexAttribIPointer(2, 1, GL_UNSIGNED_INT, stride, offset(offsetof(MeshCopy, branch)));
     m_gl.glVertexAttribPointer(8, 4, GL_FLOAT, GL_FALSE, stride, offset(offsetof(MeshCopy, position)));
@@ -256,12 +295,25 @@ void GpuCache::fillCopies(GpuBlock& block, const MeshCopies& copies)
         m_gl.glEnableVertexAttribArray(attribute);
         m_gl.glVertexAttribDivisor(attribute, 1);
     }
-    if (!copies.colours.empty()) {
-        addBuffer(block, GL_ARRAY_BUFFER, copies.colours.data(), copies.colours.size() * sizeof(glm::u8vec4));
-        m_gl.glVertexAttribPointer(4, 4, GL_UNSIGNED_BYTE, GL_TRUE, 0, nullptr);
-        m_gl.glEnableVertexAttribArray(4);
-    }
+}
+
+/// The shape stands in these places from now on.
+void GpuCache::attachPlaces(GpuBlock& block, const std::shared_ptr<const std::vector<MeshCopy>>& places)
+{
+    if (!places)
+        return;
+    const auto [list, isNew] = slot(places);
+    if (isNew)
+        addBuffer(list, GL_ARRAY_BUFFER, places->data(), places->size() * sizeof(MeshCopy));
+    drawn(list);
+    if (block.places == places)
+        return;
+    m_gl.glBindVertexArray(block.vertexArray);
+    m_gl.glBindBuffer(GL_ARRAY_BUFFER, list.buffers.front().name);
+    readCopies();
     m_gl.glBindVertexArray(0);
+    block.places = places;
+    block.copies = static_cast<GLsizei>(places->size());
 }
 
 /// A texture: the colours of the triangles, row after row.

@@ -4,7 +4,7 @@
 /// is never reused.
 #pragma once
 
-#include "widgets/view/render/mesh_copies.h"
+#include "widgets/view/render/crowd/mesh_copies.h"
 #include "widgets/view/render/picture_parts.h"
 #include "widgets/view/render/render_scene.h"
 #include "widgets/view/render/renderer_options.h"
@@ -36,8 +36,9 @@ struct GpuBlock
     GLsizei count = 0;  ///< indices, instances, or entries
     GLsizei copies = 0; ///< for a mesh: number of copies that are drawn; 0: the mesh itself is drawn
     std::array<MeshCopies::Faces, 3> detail{}; ///< for copies: faces by LeafDetail
-    std::shared_ptr<const void> skin; ///< for a mesh: the skin whose influences its vertex array reads
-    std::shared_ptr<const void> wind; ///< likewise
+    std::shared_ptr<const void> skin;   ///< for a mesh: the skin whose influences its vertex array reads
+    std::shared_ptr<const void> wind;   ///< likewise
+    std::shared_ptr<const void> places; ///< of a crowd, likewise
     std::uint64_t usedIn = 0;
     bool prepared = false; ///< kept for a picture to come
 
@@ -85,6 +86,8 @@ public:
     /// \p skin may be null.
     const GpuBlock& mesh(const std::shared_ptr<const TriangleMesh>& mesh,
                          const std::shared_ptr<const Skin>& skin);
+    /// What crowds may show in another picture stays on the card.
+    void keep(const std::vector<CrowdItem>& crowds);
     /// Returns the block that is drawn for an item: its mesh, or the copies in its place.
     const GpuBlock& item(const MeshItem& item);
     /// All that is no copy stands where its mesh has it: to be called before triangles are drawn.
@@ -138,9 +141,12 @@ private:
     const GpuBlock& influences(const std::shared_ptr<const Skin>& skin, const MeshCopies* copies);
     void attachSkin(GpuBlock& block, const std::shared_ptr<const Skin>& skin, const MeshCopies* copies);
     void attachWind(GpuBlock& block, const std::shared_ptr<const ItemWind>& wind, bool copies);
+    void attachPlaces(GpuBlock& block, const std::shared_ptr<const std::vector<MeshCopy>>& places);
+    void readCopies();
     const GpuBlock& elements(const std::shared_ptr<const TreeWind>& wind);
     void fillTexels(GpuBlock& block);
     GpuBlock& itemBlock(const MeshItem& item);
+    GpuBlock& copiesBlock(const std::shared_ptr<const MeshCopies>& copies);
     GpuBlock& meshBlock(const std::shared_ptr<const TriangleMesh>& mesh);
     GpuBlock& lineBlock(const std::shared_ptr<const LineSet>& lines);
     GpuBlock& pointBlock(const std::shared_ptr<const PointSet>& points);

@@ -48,6 +48,9 @@ struct MeshCopies
     [[nodiscard]] std::size_t pieceOf(std::size_t copy) const;
 };
 
+/// Returns a mesh as the shape of copies that somebody else places; there are none yet. \pre it has normals
+MeshCopies shapeOf(const TriangleMesh& mesh);
+
 /// Around all copies of a mesh, as the merged mesh has it.
 Box boxAround(const std::vector<FoliageItem>& items, const TriangleMesh& one);
 

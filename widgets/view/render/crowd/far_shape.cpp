@@ -1,4 +1,4 @@
-#include "widgets/view/render/far_shape.h"
+#include "widgets/view/render/crowd/far_shape.h"
 
 #include "core/math/box.h"
 #include <algorithm>

@@ -1,10 +1,9 @@
-#include "widgets/view/render/mesh_copies.h"
+#include "widgets/view/render/crowd/mesh_copies.h"
 
 #include "core/math/box.h"
 #include "core/surface/foliage/foliage_texture.h"
 #include "core/surface/foliage/place_foliage.h"
-#include "widgets/view/render/far_shape.h"
-#include "widgets/view/render/render_scene.h"
+#include "widgets/view/render/crowd/far_shape.h"
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -24,6 +23,14 @@ std::size_t evenStep(std::size_t count)
     return step;
 }
 
+double radiusOf(const TriangleMesh& mesh)
+{
+    Box box;
+    for (const glm::vec3& position : mesh.positions)
+        box.add(glm::dvec3(position));
+    return box.radius();
+}
+
 std::uint32_t packed(const glm::u8vec3& colour)
 {
     return colour.r | std::uint32_t(colour.g) << 8 | std::uint32_t(colour.b) << 16;
@@ -37,6 +44,7 @@ void append(MeshCopies& made, const TriangleMesh& mesh, LeafDetail coarsest = Le
     const bool coloured = mesh.colours.size() == mesh.triangles.size();
     TriangleMesh& shape = made.shape;
     const bool hasTexture = !mesh.uv.empty(), isSplit = !mesh.uvTriangles.empty();
+    const bool isWood = mesh.radius.size() == mesh.positions.size();
     std::map<std::tuple<Index, Index, std::uint32_t>, Index> places; // vertex, coordinate, colour
     for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
         const glm::u8vec3 colour = coloured ? mesh.colours[f] : glm::u8vec3(255);
@@ -52,6 +60,8 @@ void append(MeshCopies& made, const TriangleMesh& mesh, LeafDetail coarsest = Le
             shape.normals.push_back(mesh.normals[vertex]);
             if (hasTexture)
                 shape.uv.push_back(mesh.uv[at]);
+            if (isWood)
+                shape.radius.push_back(mesh.radius[vertex]);
             made.colours.emplace_back(colour, 255);
         }
     }
@@ -99,13 +109,10 @@ void appendFar(MeshCopies& made)
 
 void measure(MeshCopies& made)
 {
-    Box box;
-    for (const glm::vec3& position : made.shape.positions)
-        box.add(glm::dvec3(position));
     float largest = 0.0f;
     for (const MeshCopy& copy : made.copies)
         largest = std::max(largest, copy.size);
-    made.reach = largest * float(2.0 * box.radius());
+    made.reach = largest * float(2.0 * radiusOf(made.shape));
 }
 
 /// How much longer a shoot is than one of its leaves.
@@ -113,8 +120,8 @@ float shootOverLeaf(const LeafForm& form, double alpha)
 {
     LeafForm single = form;
     single.perShoot = 1;
-    return float(meshBox(oneLeaf(form, alpha, FoliageModel::Fine)).radius() /
-                 meshBox(oneLeaf(single, alpha, FoliageModel::Fine)).radius());
+    return float(radiusOf(oneLeaf(form, alpha, FoliageModel::Fine)) /
+                 radiusOf(oneLeaf(single, alpha, FoliageModel::Fine)));
 }
 
 std::vector<MeshCopy> spread(const std::vector<FoliageItem>& items, const std::vector<bool>& shown)
@@ -186,6 +193,13 @@ MeshCopies leafCopies(const Foliage& foliage, double alpha, FoliageModel model,
     measure(made);
     if (foliage.form.perShoot > 1) // what is seen of a shoot are its leaves
         made.reach /= shootOverLeaf(foliage.form, alpha);
+    return made;
+}
+
+MeshCopies shapeOf(const TriangleMesh& mesh)
+{
+    MeshCopies made;
+    append(made, mesh);
     return made;
 }
 
