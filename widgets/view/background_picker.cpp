@@ -47,6 +47,7 @@ bool BackgroundPicker::picksTheSame(const RenderScene& scene) const
         return a->lines == b->lines && a->motion == b->motion && a->world == b->world && a->node == b->node;
     };
     return m_scene && std::ranges::equal(m_scene->meshes, scene.meshes, sameMesh) &&
+           m_scene->crowds == scene.crowds &&
            std::ranges::equal(linesOf(*m_scene), linesOf(scene), sameLines);
 }
 

@@ -131,6 +131,7 @@ static void placeItems(RenderScene& scene, const MotionFrame& frame)
             if (const auto found = frame.transforms.find(item.node); found != frame.transforms.end())
                 item.world = found->second.geometry;
     };
+    place(scene.crowds);
     place(scene.lines);
     place(scene.points);
     for (MeshItem& item : scene.meshes) {

@@ -48,6 +48,10 @@ Box selectionBox(const Document& document, const RenderScene& scene, double time
         if (std::ranges::find(selection.nodes, item.node) != selection.nodes.end())
             box.add(item.lines->box.transformed(item.world));
     }
+    for (const CrowdItem& item : scene.crowds) {
+        if (std::ranges::find(selection.nodes, item.node) != selection.nodes.end())
+            box.add(item.crowd->box().transformed(item.world));
+    }
     return box.empty() ? scene.box : box;
 }
 
@@ -105,8 +109,8 @@ Viewport::Viewport(Document* document, ViewSettings* settings, QWidget* parent)
         if (underMouse())
             hoverAt(d->pointer.at);
     });
-    connect(&d->barks, &BarkWaiter::ready, this, &Viewport::wishScene);
-    connect(d->barks.job(), &Job::runningChanged, this, &Viewport::barkMissing);
+    connect(&d->pending.barks, &BarkWaiter::ready, this, &Viewport::wishScene);
+    connect(d->pending.barks.job(), &Job::runningChanged, this, &Viewport::barkMissing);
     connect(&d->fine.turns, &QTimer::timeout, this, &Viewport::drawOn);
     d->settling.setInterval(settleMs);
     connect(&d->settling, &QTimer::timeout, this, qOverload<>(&QWidget::update));

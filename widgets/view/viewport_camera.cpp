@@ -4,6 +4,7 @@
 #include "widgets/base/texts/core_text.h"
 #include "widgets/view/render/camera_items.h"
 #include "widgets/view/viewport_private.h"
+#include <QLocale>
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
@@ -115,6 +116,11 @@ void Viewport::paintLabels(QPainter& painter) const
         texts += tr("Through “%1”").arg(QString::fromStdString(node->name));
     if (d->isWindy())
         texts += tr("Wind: %1").arg(coreText(factsOf(d->settings->gameWind()).choice));
+    if (const CrowdCounts crowd = d->renderer ? d->renderer->stats().crowd : CrowdCounts(); crowd.all > 0)
+        texts +=
+            tr("%1 copies, %2 in sight, %3 triangles")
+                .arg(QLocale().toString(qulonglong(crowd.all)), QLocale().toString(qulonglong(crowd.seen)),
+                     QLocale().toString(qlonglong(crowd.triangles)));
     if (!accessibleDescription().isEmpty())
         texts += accessibleDescription();
     const double room = width() - 4.0 * margin, lineHeight = painter.fontMetrics().height();

@@ -74,7 +74,8 @@ void Viewport::drawOn()
 ViewWork Viewport::work() const
 {
     const RenderOptions now = d->options(devicePixelRatioF());
-    return {d->isStale() || d->sceneIsNew || d->highlightsStale || d->barks.isBusy(), d->settling.isActive(),
+    return {d->isStale() || d->sceneIsNew || d->highlightsStale || d->pending.isBusy(),
+            d->settling.isActive(),
             d->renderer && d->isMadeInParts(now) && !now.hurried && d->fine.whole == 0,
             d->tools.picks().isPending(), d->tools.tool<GizmoTool>().isBusy()};
 }

@@ -11,6 +11,7 @@
 #include "widgets/view/background_picker.h"
 #include "widgets/view/bark_waiter.h"
 #include "widgets/view/camera_flight.h"
+#include "widgets/view/crowd_waiter.h"
 #include "widgets/view/outline_key.h"
 #include "widgets/view/render/passes/renderer.h"
 #include "widgets/view/shown_scene.h"
@@ -32,6 +33,7 @@ struct Viewport::Private final : ToolHost
     {
         for (QTimer* timer : {&upload.turns, &fine.turns, &settling, &hoverRest, &upload.late})
             timer->setSingleShot(true);
+        QObject::connect(&pending.crowds, &CrowdWaiter::ready, viewport, &Viewport::wishScene);
         QObject::connect(&upload.late, &QTimer::timeout, viewport, [this] {
             widget->setAccessibleDescription(Viewport::tr("This picture is out of date"));
             widget->update();
@@ -83,7 +85,23 @@ struct Viewport::Private final : ToolHost
     } frame;
 
     BackgroundBuilder builder;
-    BarkWaiter barks;
+    /// What a scene is drawn without until it is made.
+    struct Pending
+    {
+        BarkWaiter barks;
+        CrowdWaiter crowds;
+        [[nodiscard]] bool isBusy() const { return barks.isBusy() || crowds.isBusy(); }
+        void wait()
+        {
+            barks.wait();
+            crowds.wait();
+        }
+        void follow(SceneWish& wish)
+        {
+            barks.follow(wish);
+            crowds.follow(wish);
+        }
+    } pending;
     quint64 wishes = 0;
     std::vector<const void*> wishedBlocks; ///< identities of what the last wish was made from
     /// A scene on its way to the graphics card.

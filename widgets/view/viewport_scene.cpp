@@ -212,7 +212,7 @@ void Viewport::wishScene()
 {
     d->settling.start();
     SceneWish wish = d->wish();
-    d->barks.follow(wish);
+    d->pending.follow(wish);
     d->builder.wish(std::move(wish));
 }
 
@@ -250,7 +250,7 @@ void Viewport::uploadScene()
 /// For pictures and answers that must be of now, however long that takes.
 void Viewport::finishScene()
 {
-    d->barks.wait();
+    d->pending.wait();
     if (auto built = d->builder.finish())
         d->upload.next = std::move(built);
     d->upload.turns.stop();

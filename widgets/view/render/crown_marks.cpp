@@ -1,5 +1,6 @@
 #include "widgets/view/render/crown_marks.h"
 
+#include "core/evaluate/evaluator.h"
 #include "core/generators/colonisation/crown_shape.h"
 #include <algorithm>
 #include <cmath>
@@ -53,6 +54,29 @@ PointSet crownMarks(const ColonisationParams& params, std::uint64_t seed)
         set.box.add(set.points.back().position);
     }
     return set;
+}
+
+void addCrowns(RenderScene& built, EvaluatedScene& now, const std::vector<NodeId>& selected)
+{
+    for (std::size_t i = 0; i < now.scene().nodes().size(); ++i) {
+        const Node& node = now.scene().nodes()[i];
+        if (node.kind != NodeKind::Tree || !now.scene().isShown(node.id) ||
+            std::ranges::find(selected, node.id) == selected.end())
+            continue;
+        const NodeParams params = now.params(node);
+        if (params.generator.kind != EditOperation::Colonisation)
+            continue;
+        const auto seed = static_cast<std::uint64_t>(params.grammar.seed);
+        LineItem lines;
+        lines.lines = std::make_shared<const LineSet>(crownLines(params.colonisation));
+        PointItem points;
+        points.points = std::make_shared<const PointSet>(crownMarks(params.colonisation, seed));
+        lines.world = points.world = now.transforms()[i].geometry;
+        lines.node = points.node = node.id;
+        lines.throughSurfaces = points.throughSurfaces = true;
+        built.lines.push_back(std::move(lines));
+        built.points.push_back(std::move(points));
+    }
 }
 
 } // namespace ramure

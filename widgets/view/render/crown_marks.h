@@ -7,6 +7,8 @@
 
 namespace ramure {
 
+class EvaluatedScene;
+
 /// More marks than these are no help.
 inline constexpr std::int64_t mostCrownMarks = 3000;
 
@@ -14,5 +16,8 @@ inline constexpr std::int64_t mostCrownMarks = 3000;
 LineSet crownLines(const ColonisationParams& params);
 /// The first mostCrownMarks of its points.
 PointSet crownMarks(const ColonisationParams& params, std::uint64_t seed);
+
+/// Appends both for the trees among these nodes that grow so. Nobody frames or picks them.
+void addCrowns(RenderScene& built, EvaluatedScene& now, const std::vector<NodeId>& selected);
 
 } // namespace ramure

@@ -10,6 +10,7 @@
 #include "core/surface/texture/object_texture.h"
 #include "widgets/view/render/arm_items.h"
 #include "widgets/view/render/camera_items.h"
+#include "widgets/view/render/crowd_items.h"
 #include "widgets/view/render/crown_marks.h"
 #include "widgets/view/render/figure.h"
 #include "widgets/view/render/ground_height.h"
@@ -486,30 +487,6 @@ struct ObjectItems
     }
 };
 
-/// What these trees grow to fill. Nobody frames or picks it.
-void addCrowns(RenderScene& built, EvaluatedScene& now, const std::vector<NodeId>& selected)
-{
-    for (std::size_t i = 0; i < now.scene().nodes().size(); ++i) {
-        const Node& node = now.scene().nodes()[i];
-        if (node.kind != NodeKind::Tree || !now.scene().isShown(node.id) ||
-            std::ranges::find(selected, node.id) == selected.end())
-            continue;
-        const NodeParams params = now.params(node);
-        if (params.generator.kind != EditOperation::Colonisation)
-            continue;
-        const auto seed = static_cast<std::uint64_t>(params.grammar.seed);
-        LineItem lines;
-        lines.lines = std::make_shared<const LineSet>(crownLines(params.colonisation));
-        PointItem points;
-        points.points = std::make_shared<const PointSet>(crownMarks(params.colonisation, seed));
-        lines.world = points.world = now.transforms()[i].geometry;
-        lines.node = points.node = node.id;
-        lines.throughSurfaces = points.throughSurfaces = true;
-        built.lines.push_back(std::move(lines));
-        built.points.push_back(std::move(points));
-    }
-}
-
 } // namespace
 
 bool isBarkReady(const TextureStage& texture, const NodeParams& params)
@@ -519,9 +496,21 @@ bool isBarkReady(const TextureStage& texture, const NodeParams& params)
     return texture.coordinates(params.texture, {stopped.get_token(), {}}).has_value();
 }
 
+SceneView SceneView::ofPrototypes() const
+{
+    SceneView out;
+    out.leaves = leaves;
+    out.apples = apples;
+    out.waitsForBark = waitsForBark;
+    out.wind = wind;
+    out.timeSeconds = timeSeconds;
+    return out;
+}
+
 SceneBuilder::SceneBuilder()
     : m_cache(std::make_unique<ScenePartCache>())
     , m_ground(std::make_unique<GroundHeight>())
+    , m_scatters(std::make_unique<ScatterMemory>())
 {
 }
 
@@ -540,10 +529,19 @@ RenderScene SceneBuilder::build(EvaluatedScene& now, const ResultOf& resultOf, c
     RenderScene built;
     std::optional<FigureTree> first;
     ObjectItems objects{*m_cache, built};
+    const SceneView plainly = view.ofPrototypes();
+    const auto alone = [&](const Node& prototype, const glm::dmat4& at) {
+        RenderScene aside;
+        if (isObject(prototype.kind))
+            ObjectItems{*m_cache, aside}.add(prototype, now.params(prototype), at);
+        else if (const TreeResult* tree = resultOf(prototype.id))
+            TreeItems{*m_cache, aside, plainly, prototype, *tree, at}.all();
+        return std::move(aside.meshes);
+    };
     TreeGrounds grounds(*m_cache, built, view.meadow && view.mode == DisplayMode::Mesh);
     for (std::size_t i = 0; i < scene.nodes().size(); ++i) {
         const Node& node = scene.nodes()[i];
-        if (node.kind == NodeKind::Group || !scene.isShown(node.id))
+        if (node.kind == NodeKind::Group || !scene.isShown(node.id) || isPrototype(scene, node.id))
             continue;
         const glm::dmat4& world = now.transforms()[i].geometry;
         if (node.kind == NodeKind::Camera) {
@@ -551,7 +549,9 @@ RenderScene SceneBuilder::build(EvaluatedScene& now, const ResultOf& resultOf, c
                 std::ranges::find(view.selectedNodes, node.id) != view.selectedNodes.end();
             if (view.cameras && node.id != view.seenThrough)
                 addCamera(built, *m_cache, node, now.params(node).camera, world, isSelected);
-        } else if (node.kind == NodeKind::Arm)
+        } else if (node.kind == NodeKind::Scatter)
+            addCrowd(built, *m_cache, *m_scatters, {scene, node, world, resultOf, view, alone});
+        else if (node.kind == NodeKind::Arm)
             addArm(built, *m_cache, node, now.params(node), world, view.mode);
         else if (isObject(node.kind))
             objects.add(node, now.params(node), world);

@@ -4,9 +4,11 @@
 #pragma once
 
 #include "core/evaluate/evaluator.h"
+#include "widgets/view/render/crowd_forms.h"
 #include "widgets/view/render/display_mode.h"
 #include "widgets/view/render/render_scene.h"
 #include <functional>
+#include <map>
 #include <memory>
 
 namespace ramure {
@@ -50,12 +52,19 @@ struct SceneView
     /// False: bark has one colour until its texture coordinates exist, which takes seconds for a large tree.
     bool waitsForBark = true;
     WindProfile wind = WindProfile::None; ///< wind of a game: trees are prepared to move in it
+    /// Forms of prototypes. One that is missing is made while the scene is built if that waits for bark; else
+    /// an egg stands for the tree.
+    std::map<NodeId, std::shared_ptr<const CrowdForms>> crowdForms{};
+
+    /// As prototypes of crowds are seen: meshes, nothing selected.
+    [[nodiscard]] SceneView ofPrototypes() const;
 };
 
 /// Whether a tree's bark can be shown with its picture without waiting.
 bool isBarkReady(const TextureStage& texture, const NodeParams& params);
 
 class GroundHeight;
+class ScatterMemory;
 
 class SceneBuilder
 {
@@ -76,6 +85,7 @@ public:
 private:
     std::unique_ptr<ScenePartCache> m_cache;
     std::unique_ptr<GroundHeight> m_ground;
+    std::unique_ptr<ScatterMemory> m_scatters;
 };
 
 /// Only the highlights of \p view, into a scene built before from the same results: for hovering.

@@ -46,6 +46,10 @@ enum class ScenePart : std::uint8_t {
     Hillside,
     Grass,
     FallenLeaves,
+    CrowdForms,
+    StandIn,
+    Crowd,
+    CrowdFrame,
 };
 
 /// What a part was made from: two blocks and some numbers.
