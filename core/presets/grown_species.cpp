@@ -358,7 +358,7 @@ void setWood(MeshParams& mesh, std::string_view name)
     mesh.roots = std::min(mesh.roots, mostRoots);
 }
 
-/// What old trees of a species are known by: eyes of beeches and planes, burrs of lindens, planes and
+/// What old trees of a species are known by: eyes of beeches, burrs of lindens, planes and
 /// walnuts, hollow olives and chestnuts (Mitchell, "A field guide to the trees of Britain and Northern
 /// Europe", 1974).
 struct GrownMarks
@@ -369,7 +369,7 @@ struct GrownMarks
 constexpr std::array grownMarks{
     GrownMarks{.name = "CommonWalnut", .burrs = 0.4},
     GrownMarks{.name = "EuropeanBeech"},
-    GrownMarks{.name = "LondonPlane", .hollows = 0.2, .burrs = 0.3},
+    GrownMarks{.name = "LondonPlane", .scars = 0.0, .burrs = 0.3},
     GrownMarks{.name = "OliveTree", .hollows = 0.5, .burrs = 0.4},
     GrownMarks{.name = "SmallLeavedLinden", .burrs = 0.6},
     GrownMarks{.name = "SweetChestnut", .hollows = 0.4, .burrs = 0.2},

@@ -303,6 +303,8 @@ private slots:
         for (int seed = 1; seed <= runs(seeds); ++seed) {
             TreePipeline pipeline;
             NodeParams params = reseeded(presetParams(name.toStdString()).value(), seed);
+            // Marks of the bark divide the triangles that they find where they are.
+            params.growth.scars = params.growth.hollows = params.growth.burrs = 0.0;
             const auto faired = pipeline.evaluate(params, Stage::Mesh);
             params.mesh.fairing = params.mesh.ridge = 0.0;
             const auto plain = pipeline.evaluate(params, Stage::Mesh);
