@@ -1518,6 +1518,14 @@
         <source>Freeze the steps above</source>
         <translation>Geler les étapes du dessus</translation>
     </message>
+    <message>
+        <source>Scatter</source>
+        <translation>Semis</translation>
+    </message>
+    <message>
+        <source>Make it a tree of its own</source>
+        <translation>En faire un arbre à part entière</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -9715,6 +9723,78 @@
         <source>place %1 of a crowd is none</source>
         <translation>l’emplacement %1 d’une foule n’en est pas un</translation>
     </message>
+    <message>
+        <source>the picture has no channels</source>
+        <translation>l’image n’a pas de canaux</translation>
+    </message>
+    <message>
+        <source>Picture of heights</source>
+        <translation>Image de hauteurs</translation>
+    </message>
+    <message>
+        <source>Grows as a stand</source>
+        <translation>Pousse en peuplement</translation>
+    </message>
+    <message>
+        <source>The trees are sown at their places and grow up together: they take each other&apos;s light, most of them die of shade, and the others are as high as trees of their age in a stand. Of several prototypes of one species each tree takes the one that is most nearly as high.</source>
+        <translation>Les arbres sont semés à leurs places et poussent ensemble : ils se prennent la lumière, la plupart meurent à l’ombre, et les autres sont aussi hauts que des arbres de leur âge en peuplement. De plusieurs prototypes d’une espèce, chaque arbre prend celui dont la hauteur est la plus proche.</translation>
+    </message>
+    <message>
+        <source>Age of the stand</source>
+        <translation>Âge du peuplement</translation>
+    </message>
+    <message>
+        <source>How long ago its trees were sown.</source>
+        <translation>Il y a combien de temps ses arbres ont été semés.</translation>
+    </message>
+    <message>
+        <source>“%1” is nothing that a scatter can copy</source>
+        <translation>« %1 » n’est rien qu’un semis puisse copier</translation>
+    </message>
+    <message>
+        <source>the scatter has no such copy</source>
+        <translation>le semis n’a pas de telle copie</translation>
+    </message>
+    <message>
+        <source>%1 copies of %2 would be a mesh of %3 million triangles: write instances, or choose a format that has them (GLB, USD)</source>
+        <translation>%1 copies de %2 feraient un maillage de %3 millions de triangles : écrivez des instances, ou choisissez un format qui en a (GLB, USD)</translation>
+    </message>
+    <message>
+        <source>copies of a scatter are written as meshes alone</source>
+        <translation>les copies d’un semis s’écrivent seulement comme maillages</translation>
+    </message>
+    <message>
+        <source>copies of a scatter do not move: write one moment</source>
+        <translation>les copies d’un semis ne bougent pas : écrivez un seul instant</translation>
+    </message>
+    <message>
+        <source>copies of a scatter have no levels of detail: write its trees by themselves</source>
+        <translation>les copies d’un semis n’ont pas de niveaux de détail : écrivez ses arbres à part</translation>
+    </message>
+    <message>
+        <source>copies of a scatter do not grow: write its trees by themselves</source>
+        <translation>les copies d’un semis ne poussent pas : écrivez ses arbres à part</translation>
+    </message>
+    <message>
+        <source>copies of a scatter have no data for wind: write its trees by themselves</source>
+        <translation>les copies d’un semis n’ont pas de données pour le vent : écrivez ses arbres à part</translation>
+    </message>
+    <message>
+        <source>there is nothing to copy yet: drag trees or shapes below the scatter</source>
+        <translation>il n’y a encore rien à copier : glissez des arbres ou des formes sous le semis</translation>
+    </message>
+    <message>
+        <source>a stand has trees, and an age of 1 to 400 years</source>
+        <translation>un peuplement a des arbres, et un âge de 1 à 400 ans</translation>
+    </message>
+    <message>
+        <source>a stand is sown with %1 trees at most</source>
+        <translation>un peuplement compte %1 arbres semés au plus</translation>
+    </message>
+    <message>
+        <source>a stand reaches %1 m from its middle at most</source>
+        <translation>un peuplement s’étend à %1 m de son milieu au plus</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>
@@ -11365,6 +11445,22 @@ Cartes : des rectangles debout par le milieu, pour tout logiciel. Atlas : des vu
             <numerusform>Su&amp;pprimer %Ln branche</numerusform>
             <numerusform>Su&amp;pprimer %Ln branches</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Make it a &amp;tree of its own</source>
+        <translation>En faire un &amp;arbre à part entière</translation>
+    </message>
+    <message>
+        <source>This copy becomes a node beside the scatter, at the same place</source>
+        <translation>Cette copie devient un nœud à côté du semis, à la même place</translation>
+    </message>
+    <message>
+        <source>Take this &amp;copy away</source>
+        <translation>Retirer cette &amp;copie</translation>
+    </message>
+    <message>
+        <source>The scatter leaves this copy out; its place stays empty</source>
+        <translation>Le semis omet cette copie ; sa place reste vide</translation>
     </message>
 </context>
 <context>

@@ -111,7 +111,7 @@ Expected<std::optional<int>> CommandLine::parse(const QStringList& arguments)
         return fail(ErrorCode::Invalid, "%1: %2", {text.toStdString(), hint});
     }
     const auto count = m_parser.positionalArguments().size();
-    if (count < 1)
+    if (count < 1 && *m_text.arguments != '[')
         return fail(ErrorCode::Invalid, "missing %1: %2", {m_text.arguments, hint});
     if (count > 1)
         return fail(ErrorCode::Invalid, "unexpected argument \"%1\": %2",

@@ -22,11 +22,12 @@ inline constexpr int exitDiskFull = 5;
 /// The texts of a command's help.
 struct CommandText
 {
-    const char* name;      ///< "info"
-    const char* brief;     ///< in the list of commands
-    const char* arguments; ///< "INPUT", or words to choose from: "presets|params"
-    const char* summary;   ///< one line
-    const char* details;   ///< paragraphs, may be empty
+    const char* name;  ///< "info"
+    const char* brief; ///< in the list of commands
+    const char*
+        arguments; ///< "INPUT", "[INPUT]" where none is needed, or words to choose from: "presets|params"
+    const char* summary; ///< one line
+    const char* details; ///< paragraphs, may be empty
 };
 
 /// One command's arguments. Every command has --help and --version.

@@ -1,14 +1,18 @@
 #include "core/io/exr_file.h"
 
 #include "core/base/file_writer.h"
+#include "core/io/grey_picture.h"
 #include "core/io/light_picture.h"
 
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfIO.h>
+#include <ImfInputFile.h>
 #include <ImfOutputFile.h>
 #include <ImfRgbaFile.h>
+#include <algorithm>
+#include <cmath>
 
 namespace ramure {
 namespace {
@@ -37,7 +41,49 @@ private:
     std::size_t m_at = 0;
 };
 
+/// Null: the file has no channels.
+const char* greyChannel(const Imf::ChannelList& channels)
+{
+    for (const char* name : {"R", "Y"})
+        if (channels.findChannel(name))
+            return name;
+    return channels.begin() == channels.end() ? nullptr : channels.begin().name();
+}
+
 } // namespace
+
+Expected<GreyPicture> readExrNumbers(const std::string& path)
+{
+    constexpr int ownThreadAlone = 0;
+    GreyPicture out;
+    out.kind = GreyPicture::Kind::Numbers;
+    try {
+        Imf::InputFile file(path.c_str(), ownThreadAlone);
+        const auto window = file.header().dataWindow();
+        out.width = window.max.x - window.min.x + 1;
+        out.height = window.max.y - window.min.y + 1;
+        RAMURE_TRY(checkGreySize(out.width, out.height));
+        const char* channel = greyChannel(file.header().channels());
+        if (!channel)
+            return fail(ErrorCode::Invalid, RAMURE_NOOP("the picture has no channels"));
+        const auto width = static_cast<std::size_t>(out.width);
+        out.values.resize(width * static_cast<std::size_t>(out.height));
+        // The library takes the place of the pixel (0, 0), which may lie outside.
+        const std::ptrdiff_t first = std::ptrdiff_t(window.min.y) * out.width + window.min.x;
+        Imf::FrameBuffer buffer;
+        buffer.insert(channel, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(out.values.data() - first),
+                                          sizeof(float), sizeof(float) * width));
+        file.setFrameBuffer(buffer);
+        file.readPixels(window.min.y, window.max.y);
+    } catch (const std::exception& error) { // of the library
+        return fail(ErrorCode::Syntax, RAMURE_NOOP("the picture is damaged: %1"), {error.what()});
+    }
+    const auto bad = std::ranges::find_if(out.values, [](float value) { return !std::isfinite(value); });
+    if (bad != out.values.end())
+        return fail(ErrorCode::Invalid, RAMURE_NOOP("row %1 has a pixel that is no finite number"),
+                    {std::to_string((bad - out.values.begin()) / out.width + 1)});
+    return out;
+}
 
 Expected<void> writeExr(const std::string& path, int width, int height, std::span<const glm::vec4> pixels)
 {

@@ -1,6 +1,5 @@
 #include "core/io/grey_picture.h"
 
-#include "core/io/light_picture.h"
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -10,16 +9,6 @@
 
 namespace ramure {
 namespace {
-
-constexpr int mostPixels = 16384;
-
-Expected<void> checkSize(int width, int height)
-{
-    if (std::max(width, height) > mostPixels)
-        return fail(ErrorCode::Limit, RAMURE_NOOP("a picture of more than %1 pixels a side"),
-                    {std::to_string(mostPixels)});
-    return {};
-}
 
 /// Of 8 or 16 bits a pixel, as the file has them: they are numbers, no colours.
 Expected<GreyPicture> greyPng(const std::string& file)
@@ -33,8 +22,10 @@ Expected<GreyPicture> greyPng(const std::string& file)
     };
     if (!png_image_begin_read_from_memory(&image, file.data(), file.size()))
         return damaged();
-    GreyPicture out{static_cast<int>(image.width), static_cast<int>(image.height), {}};
-    if (auto fits = checkSize(out.width, out.height); !fits) {
+    GreyPicture out;
+    out.width = static_cast<int>(image.width);
+    out.height = static_cast<int>(image.height);
+    if (auto fits = checkGreySize(out.width, out.height); !fits) {
         png_image_free(&image);
         return fail(fits.error());
     }
@@ -55,29 +46,6 @@ Expected<GreyPicture> greyPng(const std::string& file)
     return out;
 }
 
-Expected<GreyPicture> greyExr(const std::string& path)
-{
-    GreyPicture out;
-    const LightRows rows{[&out](int width, int height) -> Expected<void> {
-                             RAMURE_TRY(checkSize(width, height));
-                             out.width = width;
-                             out.height = height;
-                             return {};
-                         },
-                         [&out](int y, std::span<const glm::vec3> row) -> Expected<void> {
-                             for (const glm::vec3& pixel : row) {
-                                 if (!std::isfinite(pixel.x))
-                                     return fail(ErrorCode::Invalid,
-                                                 RAMURE_NOOP("row %1 has a pixel that is no finite number"),
-                                                 {std::to_string(y + 1)});
-                                 out.values.push_back(pixel.x);
-                             }
-                             return {};
-                         }};
-    RAMURE_TRY(readExrRows(path, rows));
-    return out;
-}
-
 Expected<GreyPicture> greyOf(const std::string& path)
 {
     std::ifstream stream(path, std::ios::binary);
@@ -87,7 +55,7 @@ Expected<GreyPicture> greyOf(const std::string& path)
     std::string file(4, '\0');
     stream.read(file.data(), 4);
     if (file == "\x76\x2f\x31\x01")
-        return greyExr(path);
+        return readExrNumbers(path);
     if (file != "\x89PNG")
         return fail(ErrorCode::Unknown, RAMURE_NOOP("this is neither a PNG nor an OpenEXR picture"));
     file.append(std::istreambuf_iterator<char>(stream), {});
@@ -95,6 +63,15 @@ Expected<GreyPicture> greyOf(const std::string& path)
 }
 
 } // namespace
+
+Expected<void> checkGreySize(int width, int height)
+{
+    constexpr int most = 16384;
+    if (std::max(width, height) > most)
+        return fail(ErrorCode::Limit, RAMURE_NOOP("a picture of more than %1 pixels a side"),
+                    {std::to_string(most)});
+    return {};
+}
 
 double GreyPicture::at(double u, double v) const
 {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -11,8 +12,13 @@ namespace ramure {
 /// Rows from the top down.
 struct GreyPicture
 {
+    enum class Kind : std::uint8_t {
+        Shares,  ///< 0 .. 1, of a PNG of 8 or 16 bits, as the file has them
+        Numbers, ///< any, of an EXR: its red
+    };
     int width = 0, height = 0;
-    std::vector<float> values; ///< of a PNG 0 .. 1, as the file has them, of 8 or 16 bits; of an EXR the red
+    std::vector<float> values;
+    Kind kind = Kind::Shares;
 
     /// Between the middles of the pixels, straight. \param u, v 0 .. 1 from the left and from the top;
     /// beyond, the nearest pixel
@@ -20,8 +26,12 @@ struct GreyPicture
 };
 
 /// The file's first bytes say of which kind it is, PNG or OpenEXR. Errors, with the file: Io (not there),
-/// Unknown (another kind), Invalid (damaged, or a pixel that is no finite number), Limit (over 16384 pixels a
-/// side), those of readExrRows.
+/// Unknown (another kind), Syntax and Invalid (damaged, or a pixel that is no finite number), Limit (over
+/// 16384 pixels a side).
 Expected<GreyPicture> readGreyPicture(const std::string& path);
+
+/// Internal: the channel R of an EXR file, else Y, else its first.
+Expected<GreyPicture> readExrNumbers(const std::string& path);
+Expected<void> checkGreySize(int width, int height);
 
 } // namespace ramure

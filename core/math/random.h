@@ -37,6 +37,7 @@ enum class RandomStream : std::uint64_t {
     Clusters = 36,
     Splinters = 37, ///< of broken wood
     BarkMarks = 38, ///< scars, hollows, burrs
+    Stand = 39,     ///< trees of a stand
     Test = 1000
 };
 

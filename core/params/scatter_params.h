@@ -25,6 +25,8 @@ struct ScatterParams
     double leastScale = 0.85, mostScale = 1.15;
     double turn = 1.0;      ///< of a full turn by which they may be turned about the vertical
     double alignment = 0.0; ///< 0 upright, 1 square to the ground
+    bool stand = false;     ///< they grow up together, and most die of shade
+    double age = 60.0;      ///< years, of a stand
     std::string removed;    ///< keys of instances that are left out, hexadecimal
     bool operator==(const ScatterParams&) const = default;
 };

@@ -85,6 +85,16 @@ inline constexpr std::array scatterRows{
         {"scatter.alignment", scatterGroup, RAMURE_NOOP("Along the slope"),
          RAMURE_NOOP("How far copies lean with the ground: 0 stands upright, as trees do, 1 square to the ground, as stones lie.")},
         ParamUnit::Ratio, {0, 1, 0, 1, 0.05, 3}, Stage::Mesh, paramNone, scatterOnly),
+    row<&NodeParams::scatter, &ScatterParams::stand>(
+        {"scatter.stand", scatterGroup, RAMURE_NOOP("Grows as a stand"),
+         RAMURE_NOOP("The trees are sown at their places and grow up together: they take each other's light, most of them die of "
+                     "shade, and the others are as high as trees of their age in a stand. Of several prototypes of one species each "
+                     "tree takes the one that is most nearly as high.")},
+        ParamUnit::None, {}, Stage::Mesh, paramNone, scatterOnly),
+    row<&NodeParams::scatter, &ScatterParams::age>(
+        {"scatter.age", scatterGroup, RAMURE_NOOP("Age of the stand"),
+         RAMURE_NOOP("How long ago its trees were sown.")},
+        ParamUnit::Year, {1, 400, 1, 150, 1, 0}, Stage::Mesh, paramAnimatable, scatterOnly),
     row<&NodeParams::scatter, &ScatterParams::removed>(
         {"scatter.removed", scatterGroup, RAMURE_NOOP("Left out"),
          RAMURE_NOOP("Keys of copies that were taken away by hand, or made trees of their own. Empty it to have them all back.")},

@@ -6,7 +6,9 @@
 #include "core/math/random.h"
 #include "core/math/reproducible.h"
 #include "core/math/stage_hash.h"
+#include "core/params/source_facts.h"
 #include "core/scatter/scatter_ground.h"
+#include "core/scatter/stand_places.h"
 #include "core/scene/kinds/node_kinds.h"
 #include "core/scene/object_mesh.h"
 #include <algorithm>
@@ -244,7 +246,7 @@ std::size_t throwsOf(const ScatterParams& params)
 }
 
 Expected<ScatterPlaces> thrown(const Rules& rules, const std::vector<double>& shares,
-                               const std::set<std::uint32_t>& removed, const Progress& progress)
+                               const Progress& progress)
 {
     constexpr std::size_t round = 1 << 16, grain = 1 << 10;
     const ScatterParams& params = rules.params;
@@ -253,27 +255,22 @@ Expected<ScatterPlaces> thrown(const Rules& rules, const std::vector<double>& sh
     Spaced spaced(params.spacing, std::min(most, throws / 30));
     ScatterPlaces out;
     std::vector<Throw> hits;
-    std::size_t standing = 0;
-    for (std::size_t from = 0, count = 0; from < throws && standing < most; from += count) {
+    for (std::size_t from = 0, count = 0; from < throws && out.size() < most; from += count) {
         if (progress.cancelled())
             return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
         progress.report(double(from) / double(throws));
         // A small number is not looked for in a large round.
-        count = std::min({round, throws - from, 4 * (most - standing) + 64});
+        count = std::min({round, throws - from, 4 * (most - out.size()) + 64});
         hits.assign(count, {});
         parallelFor(count, grain, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i)
                 hits[i] = throwOf(rules, static_cast<std::uint32_t>(from + i));
         });
-        for (std::size_t i = 0; i < count && standing < most; ++i) {
-            if (!hits[i].place || !spaced.add(hits[i].at))
-                continue;
-            ++standing; // one that was taken away keeps its place: no other comes closer for it
-            if (const auto key = static_cast<std::uint32_t>(from + i); !removed.contains(key))
-                out.push_back(placeOf(hits[i], key, params, shares));
-        }
+        for (std::size_t i = 0; i < count && out.size() < most; ++i)
+            if (hits[i].place && spaced.add(hits[i].at))
+                out.push_back(placeOf(hits[i], static_cast<std::uint32_t>(from + i), params, shares));
     }
-    if (standing > mostInstances)
+    if (out.size() > mostInstances)
         return wrong("scatter.count", ErrorCode::Limit,
                      RAMURE_NOOP("over %1 instances: the spacing is too small for this area"),
                      std::to_string(mostInstances));
@@ -329,14 +326,29 @@ Expected<SharedPlaces> scatterPlaces(const Scene& scene, const Node& scatter, co
         return std::make_shared<const ScatterPlaces>();
     const auto rules = rulesOf(scene, scatter);
     RAMURE_TRY(rules);
-    auto places = thrown(*rules, *shares, *removed, progress);
+    auto places = thrown(*rules, *shares, progress.part(0.0, params.stand ? 0.2 : 1.0));
     RAMURE_TRY(places);
+    if (params.stand) {
+        places =
+            grownPlaces(params, prototypesOf(scene, scatter.id), std::move(*places), progress.part(0.2, 1.0));
+        RAMURE_TRY(places);
+    }
+    // Only now: one that was taken away keeps its place, and no other comes closer for it.
+    std::erase_if(*places, [&](const ScatterPlace& place) { return removed->contains(place.key); });
     return std::make_shared<const ScatterPlaces>(std::move(*places));
 }
 
 std::uint64_t scatterHash(const Scene& scene, const Node& scatter)
 {
     StageHash hash(prototypesOf(scene, scatter.id).size());
+    for (const Node* node : prototypesOf(scene, scatter.id))
+        if (scatter.params.scatter.stand) // how high they are
+            hash.add(std::string_view(node->preset))
+                .add(static_cast<int>(node->kind))
+                .add(static_cast<int>(node->params.generator.kind))
+                .add(node->params.growth.age)
+                .add(node->params.growth.height)
+                .add(node->kind == NodeKind::Tree ? sourceFacts(node->params).reach(node->params) : 0.0);
     for (const double number : ownNumbers(NodeKind::Scatter, scatter.params))
         hash.add(number);
     const std::string& density = scatter.params.scatter.density;

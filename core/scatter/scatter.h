@@ -1,7 +1,8 @@
 /// \file
 /// A scatter: copies of prototypes, which are the nodes below it, stand on the ground by rules. The rules are
 /// the node's parameters (core/params/scatter_params.h); where the copies stand follows from them and is in
-/// no file. Animation is ignored: a scatter stands as it does at rest.
+/// no file. What moves does not matter: the ground, obstacles and the scatter itself stand as they do at
+/// rest. Whoever wants the stand of another age gives a node with the parameters of that time.
 #pragma once
 
 #include "core/base/error.h"

@@ -1,6 +1,7 @@
 #include "core/scatter/scatter_ground.h"
 
-#include "core/scene/object_mesh.h"
+#include "core/evaluate/evaluator.h"
+#include "core/scene/kinds/node_kinds.h"
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -45,11 +46,12 @@ Expected<SurfaceFromAbove> SurfaceFromAbove::of(const Scene& scene, const Node& 
                                                 const std::vector<const Node*>& solids)
 {
     SurfaceFromAbove out;
+    EvaluatedScene now(scene);
     const glm::dmat4 into = glm::inverse(worldMatrix(scene, scatter.id));
     std::vector<PrimitiveBounds> bounds;
     out.m_top = -std::numeric_limits<double>::infinity();
     for (const Node* node : solids) {
-        const auto mesh = objectSolid(*node, node->params);
+        const auto mesh = now.solid(*node);
         RAMURE_TRY(mesh);
         if (!*mesh)
             continue;

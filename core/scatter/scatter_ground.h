@@ -18,7 +18,7 @@ public:
         double height = 0.0;
         glm::dvec3 normal{0.0, 1.0, 0.0}; ///< unit, never downwards
     };
-    /// Takes the nodes' shapes (objectSolid). Errors: those of objectSolid.
+    /// Takes the nodes' shapes. Errors: those of EvaluatedScene::solid.
     static Expected<SurfaceFromAbove> of(const Scene& scene, const Node& scatter,
                                          const std::vector<const Node*>& solids);
 

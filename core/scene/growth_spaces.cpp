@@ -48,7 +48,7 @@ struct Surroundings
             if (isSolid(node)) {
                 if (const std::uint64_t shape = shapeHash(node); shape != 0)
                     solids.push_back({&node, shape, geometryMatrix(scene, node)});
-            } else if (hasCrown(node))
+            } else if (hasCrown(node) && !isPrototype(scene, node.id))
                 crowns.push_back({&node, 0, geometryMatrix(scene, node)});
     }
 };
@@ -127,18 +127,20 @@ std::optional<GrowthSpaceLink> linkOf(const Scene& scene, const Node& tree, cons
 {
     const SolidUse use = solidUse(tree);
     const bool fills = use != SolidUse::Around;
+    const bool isAlone = isPrototype(scene, tree.id); // its copies stand somewhere else
     const glm::dmat4 intoTree = glm::inverse(geometryMatrix(scene, tree));
     StageHash hash(fills ? 1 : 0);
     std::vector<const Placed*> mine;
     for (const Placed& solid : around.solids) {
         const bool isEnvelope = solid.node->params.growthRole == GrowthRole::Envelope;
-        if (isEnvelope && !(fills && scene.isAncestor(tree.id, solid.node->id)))
+        if (isEnvelope ? !(fills && scene.isAncestor(tree.id, solid.node->id)) : isAlone)
             continue;
         mine.push_back(&solid);
         add(hash, solid, intoTree * solid.world);
     }
     GrowthSpaceLink link;
-    link.neighbours = neighboursOf(around.crowns, tree, intoTree);
+    if (!isAlone)
+        link.neighbours = neighboursOf(around.crowns, tree, intoTree);
     for (const NeighbourCrown& crown : link.neighbours)
         add(hash, crown);
     const bool hasSolids = !mine.empty() || use == SolidUse::Needs;

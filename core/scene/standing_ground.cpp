@@ -50,7 +50,7 @@ std::vector<GroundSurface> surfacesOf(const Scene& scene)
 {
     std::vector<GroundSurface> out;
     for (const Node& node : scene.nodes())
-        if (isGround(node))
+        if (isGround(node) && !isPrototype(scene, node.id))
             out.push_back({geometryMatrix(scene, node), shapeHash(node),
                            std::make_shared<const Lazy<Surface>>([node] { return surfaceOf(node); })});
     return out;
@@ -160,7 +160,8 @@ std::map<NodeId, StandingGround> staleGrounds(const Scene& scene, std::span<cons
     std::map<NodeId, StandingGround> stale;
     std::shared_ptr<const std::vector<GroundSurface>> surfaces;
     forEachOf(scene, only, [&](const Node& node) {
-        const bool hasRoots = node.kind == NodeKind::Tree && node.params.mesh.roots > 0;
+        const bool hasRoots =
+            node.kind == NodeKind::Tree && node.params.mesh.roots > 0 && !isPrototype(scene, node.id);
         if (hasRoots && !surfaces)
             surfaces = std::make_shared<const std::vector<GroundSurface>>(surfacesOf(scene));
         if (!hasRoots || surfaces->empty()) {

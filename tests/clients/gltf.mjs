@@ -39,12 +39,17 @@ const some = ['SmallTree', 'FanTree', 'TinyTree', 'SilverBirch1995', 'EnglishOak
 find(some.every(name => trees.includes(name)), 'a preset has gone');
 const wind = ['preset:TinyTree', '--frames', '0:24', '--fps', '24', '--set', 'skin.method=linear', '--joints', 'all'];
 
+const wood = join(folder, 'wood.ramure');
+const {copies} = JSON.parse(ramure('scatter', '--tree', 'preset:TinyTree', '--tree', 'preset:SmallTree', '--count', '1000',
+  '--spacing', '2', '--json', '-o', wood));
+
 async function validated() {
   const files = some.map(name => exported(`${name}.glb`, `preset:${name}`, '--map-size', '64'));
   files.push(exported('instances.glb', 'preset:SmallTree', '--leaves', 'instances', '--map-size', '64'));
   files.push(exported('year.glb', 'preset:SilverBirch1995', '--map-size', '64', '--variants'));
   files.push(exported('year-instances.glb', 'preset:SilverBirch1995', '--map-size', '64', '--variants', '--leaves', 'instances'));
   files.push(exported('day-levels.glb', 'preset:EnglishOak1995', '--set', 'season.day=300', '--map-size', '64', '--levels', '3'));
+  files.push(exported('wood.glb', wood, '--map-size', '64'));
   files.push(exported('plain.glb', 'preset:SilverBirch1995', '--map-size', '0'));
   files.push(exported('wind.glb', ...wind, '--map-size', '0'));
   files.push(exported('few-joints.glb', 'preset:SmallTree', '--frames', '0:5', '--joints', '64', '--map-size', '0'));
@@ -270,7 +275,35 @@ async function unpacked() {
   told('three', versionOf('three'), files.length, `compressed files are the same trees, up to ${most.toFixed(1)} times smaller`);
 }
 
-for (const judge of [validated, solid, levelled, replayed, grown, unpacked]) {
+// Copies of a scatter: as many as were told, each where the list has it.
+async function scattered() {
+  const listed = {};
+  exported('wood.obj', wood, '--leaves', 'instances', '--map-size', '0');
+  for (const line of readFileSync(join(folder, 'wood_leaves.csv'), 'utf8').trim().split('\n').slice(1)) {
+    const cells = line.split(',');
+    (listed[cells[1]] ??= []).push(new three.Vector3(+cells[14], +cells[18], +cells[22]));
+  }
+  const loader = new GLTFLoader();
+  const {scene} = await new Promise((resolve, reject) => loader.parse(arrayOf(join(folder, 'wood.glb')), '', resolve, reject));
+  const [place, at] = [new three.Matrix4(), new three.Vector3()];
+  let count = 0, most = 0;
+  scene.updateMatrixWorld(true);
+  scene.traverse(one => {
+    if (!one.isInstancedMesh) return;
+    const wanted = listed[one.name];
+    find(wanted?.length === one.count, `wood: ${one.count} copies of ${one.name}, ${wanted?.length} in the list`);
+    count += one.name.startsWith('branches') ? one.count : 0;
+    for (let i = 0; i < one.count; ++i) {
+      one.getMatrixAt(i, place);
+      most = Math.max(most, at.setFromMatrixPosition(place.premultiply(one.matrixWorld)).distanceTo(wanted[i]));
+    }
+  });
+  find(count === copies, `wood: ${count} trees of ${copies}`);
+  find(most < 1e-4, `wood: a tree is ${most} m from where the list has it`);
+  told('three', versionOf('three'), 1, `${count} copies of a scatter within ${most.toExponential(1)} m of their list`);
+}
+
+for (const judge of [validated, solid, scattered, levelled, replayed, grown, unpacked]) {
   const before = findings.length;
   try {
     await judge();

@@ -124,6 +124,11 @@ files.push(
   {name: 'grown.usdz', input: 'preset:EnglishOak', options: ['--set', 'growth.age=20', '--growth', '1', '--growth-triangles', '6000']},
   {name: 'moving-cylinder.usda', input: 'demo:MovingCylinder', options: ['--frames', '0:24']});
 
+// Two kinds of trees and the parts of each as shapes that a point instancer copies.
+const wood = join(folder, 'wood.ramure');
+ramure('scatter', '--tree', oak, '--tree', 'preset:SmallTree', '--count', '1000', '--spacing', '2', '-o', wood);
+files.push({name: 'wood.usda', input: wood, options: [], meshes: 5}, {name: 'wood.usdz', input: wood, options: [], meshes: 5});
+
 const facts = {bytes: 0, triangles: 0, strict: 0};
 for (const {name, input, options, ...expected} of files) {
   const path = join(folder, name);

@@ -24,6 +24,7 @@
 #include <QSignalSpy>
 #include <QUndoStack>
 #include <algorithm>
+#include <array>
 #include <map>
 
 namespace tst_handbook_pictures {
@@ -172,6 +173,38 @@ private:
         view()->frameAll();
         take("ten-oaks");
     }
+    void hillside()
+    {
+        std::vector<Node> nodes(5);
+        constexpr NodeId scatter = 2;
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            nodes[i].id = NodeId(i + 1);
+            nodes[i].name = std::array{"Terrain", "Scatter", "Birch", "Oak", "Pine"}[i];
+        }
+        nodes[0].kind = NodeKind::Terrain;
+        nodes[0].params.terrain.size = 90.0;
+        nodes[0].params.terrain.height = 6.0;
+        nodes[0].params.terrain.depth = 3.0;
+        nodes[0].params.surface.color = {0.34, 0.42, 0.2};
+        nodes[1].kind = NodeKind::Scatter;
+        nodes[1].params.scatter.count = 260;
+        nodes[1].params.scatter.spacing = 3.0;
+        nodes[1].params.scatter.clusters = 0.8;
+        constexpr const char* species[] = {"SilverBirch1995", "EnglishOak1995", "ScotsPine1995"};
+        for (std::size_t i = 2; i < nodes.size(); ++i) {
+            nodes[i].kind = NodeKind::Tree;
+            nodes[i].parent = scatter;
+            nodes[i].params = *presetParams(species[i - 2]);
+            nodes[i].params.weberPenn.scale *= 0.45;
+        }
+        test::openNodes(*m_document, nodes);
+        QVERIFY(isDrawn());
+        view()->frameAll();
+        Selection selected;
+        selected.nodes = {scatter};
+        m_document->setSelection(selected);
+        take("hillside");
+    }
     void bonsai()
     {
         QVERIFY(m_window->files()->newFromPreset(QStringLiteral("SmallTree")));
@@ -262,8 +295,8 @@ private slots:
         m_window->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
         for (const auto step : {&TestHandbookPictures::wholeWindow, &TestHandbookPictures::tenOaks,
-                                &TestHandbookPictures::bonsai, &TestHandbookPictures::bending,
-                                &TestHandbookPictures::fromBlender}) {
+                                &TestHandbookPictures::hillside, &TestHandbookPictures::bonsai,
+                                &TestHandbookPictures::bending, &TestHandbookPictures::fromBlender}) {
             m_document->markSaved();
             (this->*step)();
             if (QTest::currentTestFailed())

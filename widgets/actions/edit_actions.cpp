@@ -4,6 +4,7 @@
 #include "core/presets/presets.h"
 #include "core/qt/document/commands.h"
 #include "core/qt/document/project/own_presets.h"
+#include "core/qt/document/scatter_commands.h"
 #include "core/qt/session/jobs/planting.h"
 #include "core/scene/kinds/node_kinds.h"
 #include "widgets/actions/deleted_selection.h"
@@ -113,6 +114,24 @@ QList<QAction*> EditActions::nodeActions() const
                         "edit.visible", "edit.locked", "edit.delete"});
 }
 
+QList<QAction*> EditActions::copyActions(NodeId scatter, std::uint32_t key, QObject* parent)
+{
+    const auto add = [&](const char* name, const QString& text, const QString& tip, auto&& act) {
+        auto* action = new QAction(text, parent);
+        action->setObjectName(QLatin1String(name));
+        action->setToolTip(tip);
+        action->setStatusTip(tip);
+        connect(action, &QAction::triggered, this, [this, act] { reportFailure(act()); });
+        return action;
+    };
+    return {add("edit.makeReal", tr("Make it a &tree of its own"),
+                tr("This copy becomes a node beside the scatter, at the same place"),
+                [this, scatter, key] { return edit::makeReal(*m_document, scatter, key); }),
+            add("edit.removeCopy", tr("Take this &copy away"),
+                tr("The scatter leaves this copy out; its place stays empty"),
+                [this, scatter, key] { return edit::removeCopies(*m_document, scatter, {key}); })};
+}
+
 void EditActions::follow(const Change& change)
 {
     m_set->find("edit.undo")->setEnabled(m_document->history().canUndo()); // also what a hand is doing now
@@ -213,6 +232,18 @@ NodeId EditActions::parentOfNew() const
     return active ? (active->kind == NodeKind::Group ? active->id : active->parent) : noNode;
 }
 
+/// Of what is selected.
+std::vector<NodeId> EditActions::whatCanBeCopied() const
+{
+    std::vector<NodeId> nodes = selected();
+    std::erase_if(nodes, [this](NodeId id) {
+        const Node* node = m_document->scene().find(id);
+        return !node || !(node->kind == NodeKind::Tree || isShape(node->kind)) ||
+               node->kind == NodeKind::Terrain;
+    });
+    return nodes;
+}
+
 /// What has a shape stands where there is room; a terrain is the ground of all that is there.
 void EditActions::addNode(Node node)
 {
@@ -254,6 +285,8 @@ void EditActions::addKind(const NodeKindRow& row)
     node.name = coreText(row.label).toStdString();
     if (row.begin)
         row.begin(node.params);
+    if (row.kind == NodeKind::Scatter)
+        return reportFailure(edit::addScatter(*m_document, std::move(node), whatCanBeCopied()));
     if (row.kind == NodeKind::Camera && m_eye) {
         const Camera eye = m_eye();
         const glm::dmat4 above = worldMatrix(m_document->scene(), parentOfNew());

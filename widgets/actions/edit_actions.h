@@ -30,6 +30,8 @@ public:
     [[nodiscard]] QMenu* addMenu() const { return m_addMenu; } ///< after fillMenu
     /// Actions for the context menu of a node.
     [[nodiscard]] QList<QAction*> nodeActions() const;
+    /// For one copy of a scatter. \param parent owns them
+    QList<QAction*> copyActions(NodeId scatter, std::uint32_t key, QObject* parent);
 
     /// From where the artist looks: a new camera stands there.
     void setEye(std::function<Camera()> eye) { m_eye = std::move(eye); }
@@ -72,6 +74,7 @@ private:
     void toggleVisible();
     void toggleLocked();
     [[nodiscard]] NodeId parentOfNew() const;
+    [[nodiscard]] std::vector<NodeId> whatCanBeCopied() const;
     void addNode(Node node);
     void report(const Error& error);
     template <class Value> void reportFailure(const Expected<Value>& done)

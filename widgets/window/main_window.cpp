@@ -3,6 +3,7 @@
 #include "core/params/param_relevance.h"
 #include "core/qt/session/arm/arm_reach.h"
 #include "core/qt/session/jobs/analysis.h"
+#include "core/qt/session/jobs/scatter_watch.h"
 #include "core/qt/session/motion/auto_key.h"
 #include "core/qt/session/motion/player.h"
 #include "widgets/actions/billboard_actions.h"
@@ -111,6 +112,7 @@ MainWindow::MainWindow(Document* document, Recompute* recompute, Preferences* pr
     connectPanels();
     connect(m_document, &Document::changed, this, &MainWindow::follow);
     connect(m_document->undoStack(), &QUndoStack::cleanChanged, this, &MainWindow::updateTitle);
+    new ScatterWatch(m_document, this);
     qApp->installEventFilter(new SpaceKeeper(this));
     new FieldLeaver(this, m_host);
     updateTitle();
@@ -229,7 +231,12 @@ void MainWindow::showViewMenu(const QPoint& at, NodeId node, Index branch)
         m_actions->find({"inspect.show", "inspect.roll", "edit.straighten"}) + m_hands->branchActions();
     actions.branches += m_recipes->menu()->menuAction();
     actions.gestures = m_transforms->gestures();
-    actions.nodes = m_edits->nodeActions();
+    auto* ofCopy = new QObject(this);
+    const Viewport* view = m_host->viewport();
+    const auto hit = view ? view->hitAt(view->mapFromGlobal(QPointF(at))) : std::nullopt;
+    if (hit && hit->node == node && hit->copy)
+        actions.nodes = m_edits->copyActions(node, *hit->copy, ofCopy);
+    actions.nodes += m_edits->nodeActions();
     actions.nodes += m_recipes->menu()->menuAction();
     actions.steps = m_selects->stepActions();
     actions.isolation = m_actions->find({"select.isolate", "select.showAll"});
@@ -239,6 +246,7 @@ void MainWindow::showViewMenu(const QPoint& at, NodeId node, Index branch)
     actions.modes = m_views->modeActions();
     actions.switches = m_views->switchActions();
     auto* menu = new ViewMenu(actions, *m_document, node, branch, this);
+    ofCopy->setParent(menu);
     menu->setAttribute(Qt::WA_DeleteOnClose);
     menu->popup(at);
 }

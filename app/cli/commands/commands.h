@@ -21,6 +21,7 @@ extern const Command infoCommand;
 extern const Command importCommand;
 extern const Command editCommand;
 extern const Command recipeCommand;
+extern const Command scatterCommand;
 extern const Command exportCommand;
 extern const Command ageCommand;
 extern const Command levelsCommand;
@@ -37,9 +38,10 @@ extern const Command signsCommand;
 
 /// In the order of the help.
 inline constexpr std::array allCommands = {
-    &listCommand,   &infoCommand,      &importCommand,   &recipeCommand, &editCommand,     &exportCommand,
-    &levelsCommand, &ageCommand,       &validateCommand, &signsCommand,  &simulateCommand, &ikCommand,
-    &renderCommand, &billboardCommand, &texturesCommand, &batchCommand,  &jobCommand,      &sheetCommand};
+    &listCommand,     &infoCommand,     &importCommand, &recipeCommand, &scatterCommand,
+    &editCommand,     &exportCommand,   &levelsCommand, &ageCommand,    &validateCommand,
+    &signsCommand,    &simulateCommand, &ikCommand,     &renderCommand, &billboardCommand,
+    &texturesCommand, &batchCommand,    &jobCommand,    &sheetCommand};
 
 /// An option that stands in a command's place.
 struct ProgramOption

@@ -447,18 +447,21 @@ void TestParamTable::kindsOfNodes()
         const bool placement = inGroup("tree"), own = inGroup("local");
         const bool primitive = inGroup("primitive"), surface = inGroup("surface");
         const bool solid = inGroup("solid");
-        const bool skin = inGroup("skin"), terrain = inGroup("terrain"), camera = inGroup("camera");
+        const bool skin = inGroup("skin"), terrain = inGroup("terrain"), camera = inGroup("camera"),
+                   scatter = inGroup("scatter");
         const bool picture = (def.flags & paramPicture) != 0;
         const bool arm = inGroup("arm") || inGroup("ik") || inGroup("armSkin");
         QCOMPARE(hasParam(NodeKind::Group, def), placement);
         QCOMPARE(hasParam(NodeKind::Tree, def),
-                 !primitive && !surface && !solid && !arm && !terrain && !camera);
+                 !primitive && !surface && !solid && !arm && !terrain && !camera && !scatter);
         QCOMPARE(hasParam(NodeKind::Arm, def), placement || own || (surface && !picture) || skin || arm);
         QCOMPARE(hasParam(NodeKind::Terrain, def), placement || own || (surface && !picture) || terrain);
         QCOMPARE(hasParam(NodeKind::Primitive, def), solid || placement || own || primitive || surface);
         QCOMPARE(hasParam(NodeKind::Mesh, def), solid || placement || own || surface);
         QCOMPARE(hasParam(NodeKind::Camera, def), placement || camera);
-        QCOMPARE(def.stage == Stage::Placement, placement || own || surface || solid || picture || camera);
+        QCOMPARE(hasParam(NodeKind::Scatter, def), placement || scatter);
+        QCOMPARE(def.stage == Stage::Placement,
+                 placement || own || surface || solid || (picture && !scatter) || camera);
     }
 }
 

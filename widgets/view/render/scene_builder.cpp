@@ -549,9 +549,11 @@ RenderScene SceneBuilder::build(EvaluatedScene& now, const ResultOf& resultOf, c
                 std::ranges::find(view.selectedNodes, node.id) != view.selectedNodes.end();
             if (view.cameras && node.id != view.seenThrough)
                 addCamera(built, *m_cache, node, now.params(node).camera, world, isSelected);
-        } else if (node.kind == NodeKind::Scatter)
-            addCrowd(built, *m_cache, *m_scatters, {scene, node, world, resultOf, view, alone});
-        else if (node.kind == NodeKind::Arm)
+        } else if (node.kind == NodeKind::Scatter) {
+            Node aged = node;
+            aged.params = now.params(node);
+            addCrowd(built, *m_cache, *m_scatters, {scene, aged, world, resultOf, view, alone});
+        } else if (node.kind == NodeKind::Arm)
             addArm(built, *m_cache, node, now.params(node), world, view.mode);
         else if (isObject(node.kind))
             objects.add(node, now.params(node), world);

@@ -4,6 +4,7 @@
 #include "core/io/formats/glb/glb_parts.h"
 #include "core/io/formats/usd/usd_materials.h"
 #include "core/io/write_parts.h"
+#include "core/math/box.h"
 #include "core/math/finite.h"
 #include "core/math/random.h"
 #include "core/surface/bark/bark_maps.h"
@@ -278,10 +279,13 @@ void writePhases(Text& text, const ExportSeasons& seasons, Index vertices)
 void writeCopies(Text& text, const ExportCopies& copies, const std::string& prototype,
                  const std::optional<glm::vec3>& colour)
 {
+    ramure::Box shape; // of a million copies its corners are looked at, not each vertex
+    for (const glm::vec3& p : copies.shape->positions)
+        shape.add(glm::dvec3(p));
     Box box;
     for (const ExportCopy& copy : copies.copies)
-        for (const glm::vec3& p : copies.shape->positions)
-            box.take(glm::dvec3(copy.place * glm::dvec4(p, 1.0)));
+        for (int corner = 0; corner < 8; ++corner)
+            box.take(glm::dvec3(copy.place * glm::dvec4(shape.corner(corner), 1.0)));
     writeExtent(text, box);
     writePlaces(text, copies.copies);
     if (colour)

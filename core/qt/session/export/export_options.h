@@ -38,6 +38,7 @@ struct ExportOptions
     std::vector<NodeId> nodes;      ///< these and the trees below them; empty = the whole scene
     bool hidden = false;            ///< also nodes that are not shown
     bool instances = false;         ///< leaves and apples as a list beside the file (core/io/copy_list.h)
+    bool copies = false;            ///< copies of a scatter stay copies; else all of a prototype are one mesh
     bool texture = false;     ///< trees with texture coordinates; the rough model and the skeleton have none
     std::vector<double> clip; ///< s, further times: trees and arms of ExportModel::Mesh then have skins
     LevelOptions levels;      ///< levels of trees, see ExportModel::Mesh

@@ -9,6 +9,7 @@
 #include "core/qt/session/export/foliage_copies.h"
 #include "core/qt/session/export/growth_export.h"
 #include "core/qt/session/export/level_export.h"
+#include "core/qt/session/export/scatter_export.h"
 #include "core/qt/session/export/scene_counts.h"
 #include "core/qt/session/export/season_export.h"
 #include "core/qt/session/export/wind_export.h"
@@ -78,7 +79,7 @@ Expected<std::vector<Candidate>> candidates(EvaluatedScene& now, const ExportOpt
                      {},
                      options.space.isOwn() ? transforms[i].geometry : intoFile * transforms[i].geometry});
     }
-    if (trees.empty() && objects.empty())
+    if (trees.empty() && objects.empty() && scattersOf(scene, options).empty())
         return fail(ErrorCode::Invalid, RAMURE_NOOP("there is nothing visible to export"));
     if (trees.size() > 1)
         for (std::size_t i = 0; i < trees.size(); ++i)
@@ -514,10 +515,12 @@ ExportScene bareScene(EvaluatedScene& now, const ExportOptions& options)
 Expected<ExportScene> collectExport(EvaluatedScene scene, const ExportOptions& options,
                                     const Progress& progress)
 {
+    RAMURE_TRY(checkScatterExport(scene.scene(), options));
     const auto nodes = candidates(scene, options);
     RAMURE_TRY(nodes);
     ExportScene out = bareScene(scene, options);
-    const auto count = static_cast<double>(nodes->size() + options.clip.size());
+    const std::vector<Index> scatters = scattersOf(scene.scene(), options);
+    const auto count = static_cast<double>(nodes->size() + scatters.size() + options.clip.size());
     double done = 0.0;
     const auto next = [&] {
         const double from = std::exchange(done, done + 1.0) / count;
@@ -528,6 +531,8 @@ Expected<ExportScene> collectExport(EvaluatedScene scene, const ExportOptions& o
             return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
         RAMURE_TRY(addNode(out, node, scene, options, next()));
     }
+    for (const Index number : scatters)
+        RAMURE_TRY(addScatter(out, number, scene, options, &collectExport, next()));
     if (out.meshes.empty() && out.copies.empty() && !(out.lines && !out.lines->lines.empty()))
         return fail(ErrorCode::Invalid,
                     RAMURE_NOOP("the chosen parts are empty: there is nothing to export"));
@@ -555,6 +560,7 @@ Expected<void> exportScene(EvaluatedScene scene, const ExportOptions& options, c
     RAMURE_TRY(checkGrowthExport(options, **format));
     ExportOptions wanted = options;
     wanted.levels = levelsIn(**format, options);
+    wanted.copies = options.instances || ((*format)->holds & holdsCopies) != 0;
     const auto collected = collectExport(std::move(scene), wanted, progress.part(0.0, 0.5));
     RAMURE_TRY(collected);
     return writeExport(*collected, options, path, progress.part(0.5, 1.0));

@@ -43,7 +43,12 @@ bool sameShape(const Node& a, const Node& b)
 
 bool isExported(const Scene& scene, const ExportOptions& options, const Node& node)
 {
-    return (node.kind == NodeKind::Tree || isShape(node.kind)) && isChosen(scene, options, node);
+    if (!(node.kind == NodeKind::Tree || isShape(node.kind)) || !isChosen(scene, options, node))
+        return false;
+    const auto isChosenAlone = [&](NodeId id) {
+        return (id == node.id || scene.isAncestor(id, node.id)) && isPrototype(scene, id);
+    };
+    return !isPrototype(scene, node.id) || std::ranges::any_of(options.nodes, isChosenAlone);
 }
 
 bool isChosen(const Scene& scene, const ExportOptions& options, const Node& node)

@@ -10,7 +10,8 @@
 
 namespace ramure {
 
-/// Has the node a shape, and do the options ask for it?
+/// Has the node a shape, and do the options ask for it? What a scatter copies is exported by itself where it
+/// is named alone.
 bool isExported(const Scene& scene, const ExportOptions& options, const Node& node);
 /// The same of a node of any kind.
 bool isChosen(const Scene& scene, const ExportOptions& options, const Node& node);

@@ -52,7 +52,7 @@ Box crownOf(const Document& document, const Node& node)
 bool isObstacle(const Scene& scene, const Node& node)
 {
     return (node.kind == NodeKind::Tree || isShape(node.kind)) && node.kind != NodeKind::Terrain &&
-           scene.isShown(node.id);
+           scene.isShown(node.id) && !isPrototype(scene, node.id);
 }
 
 /// m to the left of its origin, with a little air.

@@ -12,7 +12,9 @@
 #include "widgets/panels/properties/picture_editor.h"
 #include "widgets/panels/properties/profile_curve.h"
 #include "widgets/panels/properties/properties_panel.h"
+#include "widgets/panels/properties/text_editor.h"
 #include <QColorDialog>
+#include <QLineEdit>
 #include <numbers>
 namespace tst_properties_panel {
 using namespace ramure;
@@ -107,6 +109,8 @@ private:
             test::typeLine(color, "#123abc");
         } else if (auto* picture = row->findChild<PictureEditor*>()) {
             test::typeLine(picture, "a");
+        } else if (auto* line = row->findChild<TextEditor*>()) {
+            test::typeLine(line, "a");
         } else {
             QFAIL("no editor that a key can reach");
         }
@@ -146,6 +150,12 @@ private:
         if (auto* curve = row->findChild<ProfileCurve*>()) {
             const QPoint handle = curve->handleAt(curve->pairs().front()).toPoint();
             return test::drag(curve, handle, handle + QPoint(20, 0));
+        }
+        if (auto* plain = row->findChild<TextEditor*>()) {
+            auto* line = plain->findChild<QLineEdit*>();
+            QGuiApplication::clipboard()->setText(QStringLiteral("1 2"));
+            line->paste();                       // as its menu does
+            return emit line->editingFinished(); // as a click elsewhere does
         }
         auto* text = row->findChild<GrammarEdit*>();
         const bool empty = std::get<std::string>(valueOf(*m_document, 1, def)).empty();

@@ -296,7 +296,8 @@ std::optional<PickHit> PickScene::pick(const PickView& view, const glm::dvec2& p
                         glm::dmat3(inverse) * ray.direction}; // t means the same here and there
         if (const auto met = item.crowd->meet(local, nearest)) {
             nearest = met->t;
-            hit = PickHit{item.node, noIndex, ray.origin + met->t * ray.direction, met->place};
+            hit = PickHit{item.node, noIndex, ray.origin + met->t * ray.direction,
+                          item.crowd->places()[met->place].key};
         }
     }
     return hit;

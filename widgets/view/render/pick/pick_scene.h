@@ -18,7 +18,7 @@ struct PickHit
     NodeId node = noNode;
     Index branch = noIndex; ///< index in the simplified skeleton; noIndex for meshes without branches
     glm::dvec3 point{0.0};  ///< world
-    Index place = noIndex;  ///< of a crowd: which of its places
+    std::optional<std::uint32_t> copy{}; ///< of a scatter: the key of the copy (ScatterPlace::key)
 };
 
 /// The picture in which to pick: its camera and size in logical pixels.
