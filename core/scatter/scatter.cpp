@@ -166,16 +166,13 @@ public:
     /// False: it is too near to another, and not added.
     bool add(const glm::dvec2& point)
     {
-        if (!(m_spacing > 0.0))
+        if (!(m_spacing > least))
             return true;
         const double column = std::floor(point.x / m_spacing), row = std::floor(point.y / m_spacing);
-        for (int i = 0; i < 9; ++i)
-            for (Index at = m_first[bucket(column + i % 3 - 1, row + i / 3 - 1)]; at != noIndex;
-                 at = m_next[at]) {
-                const glm::dvec2 apart = m_points[at] - point;
-                if (apart.x * apart.x + apart.y * apart.y < m_spacing * m_spacing)
+        for (const double x : {column - 1.0, column, column + 1.0})
+            for (const double y : {row - 1.0, row, row + 1.0})
+                if (isTaken(m_first[bucket(x, y)], point))
                     return false;
-            }
         Index& first = m_first[bucket(column, row)];
         m_next.push_back(std::exchange(first, static_cast<Index>(m_points.size())));
         m_points.push_back(point);
@@ -183,6 +180,15 @@ public:
     }
 
 private:
+    [[nodiscard]] bool isTaken(Index at, const glm::dvec2& point) const
+    {
+        for (; at != noIndex; at = m_next[at]) {
+            const glm::dvec2 apart = m_points[at] - point;
+            if (apart.x * apart.x + apart.y * apart.y < m_spacing * m_spacing)
+                return true;
+        }
+        return false;
+    }
     [[nodiscard]] std::size_t bucket(double column, double row) const
     {
         const auto word = [](double number) {
@@ -190,6 +196,8 @@ private:
         };
         return mixBits(mixBits(word(column)) + word(row)) & (m_first.size() - 1);
     }
+
+    static constexpr double least = 1e-6; ///< m: less is none, and numbers of cells stay whole numbers
 
     double m_spacing;
     std::vector<Index> m_first, m_next;

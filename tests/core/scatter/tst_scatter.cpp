@@ -103,6 +103,8 @@ private slots:
                         [](ScatterParams& p) { p.count = 0, p.spacing = 0.0; }));
         QVERIFY(refuses("scatter.count", ErrorCode::Limit,
                         [](ScatterParams& p) { p.count = 0, p.spacing = 0.01, p.width = p.depth = 1000.0; }));
+        QVERIFY(refuses("scatter.count", ErrorCode::Limit,
+                        [](ScatterParams& p) { p.count = 0, p.spacing = 1e-300; }));
         QVERIFY(refuses(
             "scatter.shares", ErrorCode::Syntax, [](ScatterParams& p) { p.shares = "1 two"; }, 2));
         QVERIFY(refuses(

@@ -144,7 +144,8 @@ private slots:
     void yieldTablesAreMet_data()
     {
         QTest::addColumn<int>("row");
-        for (int row = 0; row < int(std::size(published)); ++row)
+        constexpr int rows = test::isSanitized ? 1 : int(std::size(published));
+        for (int row = 0; row < rows; ++row)
             QTest::addRow("%s", published[row].species) << row;
     }
     /// The mean of three plots, as foresters count: on a single one chance decides a tenth.
