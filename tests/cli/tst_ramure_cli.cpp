@@ -33,11 +33,12 @@ private slots:
             QTest::newRow(arguments) << words(arguments) << QString::fromUtf8(part);
         };
         QTest::newRow("nothing") << QStringList() << "missing command";
-        row("grow", "unknown command \"grow\": list, info, import, recipe, edit, export, levels, age, "
-                    "validate, signs, "
-                    "simulate, ik, "
-                    "render, billboard, "
-                    "textures, batch, job, sheet expected");
+        row("grow",
+            "unknown command \"grow\": list, info, import, recipe, scatter, edit, export, levels, age, "
+            "validate, signs, "
+            "simulate, ik, "
+            "render, billboard, "
+            "textures, batch, job, sheet expected");
         row("--nonsense", "unknown command");
         row("info", "missing INPUT");
         row("info preset:SmallTree preset:FanTree", "unexpected argument \"preset:FanTree\"");
@@ -49,7 +50,7 @@ private slots:
         row("info preset:Oak", "Oak");
         row("info preset:", "SmallTree");
         row("info tree.dae", "\"tree.dae\" is no input: preset:NAME, demo:NAME or a file .ramure, .obj, "
-                             ".ply, .glb, .usda, .usdz, .stl, .3mf expected");
+                             ".ply, .glb, .usda, .usdz, .stl, .3mf, .png, .exr expected");
         row("info SmallTree", "is no input");
         row("info none.ramure", "none.ramure");
         row("info none.obj", "No such file or directory");

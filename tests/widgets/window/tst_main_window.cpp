@@ -392,7 +392,7 @@ private slots:
         action("file.saveAs")->trigger();
         QVERIFY(m_window->files()->newFromPreset(QStringLiteral("Fern2D")));
         QMimeData data;
-        data.setUrls({QUrl::fromLocalFile(folder.filePath(QStringLiteral("picture.png")))});
+        data.setUrls({QUrl::fromLocalFile(folder.filePath(QStringLiteral("picture.jpg")))});
         QDragEnterEvent wrong({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
         wrong.setAccepted(false);
         QCoreApplication::sendEvent(m_window.get(), &wrong);
