@@ -18,7 +18,8 @@
 
 namespace ramure {
 
-extern const NodeKindRow treeKind, primitiveKind, meshKind, armKind, terrainKind, cameraKind, groupKind;
+extern const NodeKindRow treeKind, primitiveKind, meshKind, armKind, terrainKind, cameraKind, scatterKind,
+    groupKind;
 
 static constexpr auto fakeNodeKind = NodeKind(nodeKindCount);
 
@@ -51,8 +52,9 @@ static const NodeKindRow fakeKind = {.kind = fakeNodeKind,
 /// In the place of the program's own table: a row more.
 std::span<const NodeKindRow* const> nodeKinds()
 {
-    static constexpr const NodeKindRow* table[] = {&treeKind,    &primitiveKind, &meshKind,  &armKind,
-                                                   &terrainKind, &cameraKind,    &groupKind, &fakeKind};
+    static constexpr const NodeKindRow* table[] = {&treeKind,    &primitiveKind, &meshKind,
+                                                   &armKind,     &terrainKind,   &cameraKind,
+                                                   &scatterKind, &groupKind,     &fakeKind};
     return table;
 }
 

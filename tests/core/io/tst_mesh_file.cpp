@@ -100,7 +100,7 @@ private slots:
         QVERIFY(!mesh);
         QCOMPARE(mesh.error().code, ErrorCode::Unknown);
         QCOMPARE(mesh.error().message(), std::string("a.dae: unknown file ending \".dae\": .obj, .ply, .glb, "
-                                                     ".usda, .usdz, .stl, .3mf can be read"));
+                                                     ".usda, .usdz, .stl, .3mf, .png, .exr can be read"));
         QVERIFY(!readMeshFile("a"));
     }
     void missingFileAndFolder()

@@ -2,9 +2,11 @@
 /// What a hand does to a field: types, turns the wheel, drops files.
 #pragma once
 
+#include <QClipboard>
 #include <QCoreApplication>
 #include <QDragEnterEvent>
 #include <QDropEvent>
+#include <QGuiApplication>
 #include <QLineEdit>
 #include <QMimeData>
 #include <QTest>
@@ -21,6 +23,15 @@ inline void typeLine(QWidget* editor, const char* text)
     field->selectAll();
     QTest::keyClicks(field, QLatin1String(text));
     QTest::keyClick(field, Qt::Key_Return);
+}
+
+/// As its menu and then a click elsewhere do.
+inline void pasteLine(QWidget* editor, const QString& text)
+{
+    auto* field = editor->findChild<QLineEdit*>();
+    QGuiApplication::clipboard()->setText(text);
+    field->paste();
+    emit field->editingFinished();
 }
 
 /// \param turn in eighths of a degree: 120 is one step up

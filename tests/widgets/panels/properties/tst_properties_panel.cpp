@@ -14,7 +14,6 @@
 #include "widgets/panels/properties/properties_panel.h"
 #include "widgets/panels/properties/text_editor.h"
 #include <QColorDialog>
-#include <QLineEdit>
 #include <numbers>
 namespace tst_properties_panel {
 using namespace ramure;
@@ -107,10 +106,8 @@ private:
             QTest::keyClicks(text, "B");
         } else if (auto* color = row->findChild<ColorEditor*>()) {
             test::typeLine(color, "#123abc");
-        } else if (auto* picture = row->findChild<PictureEditor*>()) {
-            test::typeLine(picture, "a");
-        } else if (auto* line = row->findChild<TextEditor*>()) {
-            test::typeLine(line, "a");
+        } else if (row->findChild<QLineEdit*>()) {
+            test::typeLine(row, "a");
         } else {
             QFAIL("no editor that a key can reach");
         }
@@ -143,20 +140,15 @@ private:
     /// All is marked and cut by the menu of a right click; where there was no text, some is pasted.
     void cutByMouse(ParamRow* row, const ParamDef& def)
     {
-        if (auto* picture = row->findChild<PictureEditor*>()) {
-            test::dropFiles(picture, {QUrl::fromLocalFile(QStringLiteral("/pictures/bark.png"))});
-            return;
-        }
+        if (auto* picture = row->findChild<PictureEditor*>())
+            return void(
+                test::dropFiles(picture, {QUrl::fromLocalFile(QStringLiteral("/pictures/bark.png"))}));
         if (auto* curve = row->findChild<ProfileCurve*>()) {
             const QPoint handle = curve->handleAt(curve->pairs().front()).toPoint();
             return test::drag(curve, handle, handle + QPoint(20, 0));
         }
-        if (auto* plain = row->findChild<TextEditor*>()) {
-            auto* line = plain->findChild<QLineEdit*>();
-            QGuiApplication::clipboard()->setText(QStringLiteral("1 2"));
-            line->paste();                       // as its menu does
-            return emit line->editingFinished(); // as a click elsewhere does
-        }
+        if (auto* plain = row->findChild<TextEditor*>())
+            return test::pasteLine(plain, QStringLiteral("1 2"));
         auto* text = row->findChild<GrammarEdit*>();
         const bool empty = std::get<std::string>(valueOf(*m_document, 1, def)).empty();
         QGuiApplication::clipboard()->setText(QStringLiteral("A -> B"));
