@@ -127,7 +127,7 @@ files.push(
 // Two kinds of trees and the parts of each as shapes that a point instancer copies.
 const wood = join(folder, 'wood.ramure');
 ramure('scatter', '--tree', oak, '--tree', 'preset:SmallTree', '--count', '1000', '--spacing', '2', '-o', wood);
-files.push({name: 'wood.usda', input: wood, options: [], meshes: 5}, {name: 'wood.usdz', input: wood, options: [], meshes: 5});
+files.push({name: 'wood.usda', input: wood, options: [], meshes: 6}, {name: 'wood.usdz', input: wood, options: [], meshes: 6});
 
 const facts = {bytes: 0, triangles: 0, strict: 0};
 for (const {name, input, options, ...expected} of files) {
