@@ -283,8 +283,8 @@ async function scattered() {
     const cells = line.split(',');
     (listed[cells[1]] ??= []).push(new three.Vector3(+cells[14], +cells[18], +cells[22]));
   }
-  const loader = new GLTFLoader();
-  const {scene} = await new Promise((resolve, reject) => loader.parse(arrayOf(join(folder, 'wood.glb')), '', resolve, reject));
+  const plain = arrayOf(exported('wood-plain.glb', wood, '--map-size', '0')); // it has no pictures outside of a browser
+  const {scene} = await new Promise((resolve, reject) => new GLTFLoader().parse(plain, '', resolve, reject));
   const [place, at] = [new three.Matrix4(), new three.Vector3()];
   let count = 0, most = 0;
   scene.updateMatrixWorld(true);
