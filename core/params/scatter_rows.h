@@ -46,11 +46,11 @@ inline constexpr std::array scatterRows{
     row<&NodeParams::scatter, &ScatterParams::lowest>(
         {"scatter.lowest", scatterGroup, RAMURE_NOOP("Lowest ground"),
          RAMURE_NOOP("No copy stands on ground that lies lower than this, from the scatter's own height.")},
-        ParamUnit::Metre, {-1e6, 1e6, -100, 100, 1, 2}, Stage::Mesh, paramAdvanced, scatterOnly),
+        ParamUnit::Metre, {-1e6, 1e6, -100, 100, 1, 0}, Stage::Mesh, paramAdvanced, scatterOnly),
     row<&NodeParams::scatter, &ScatterParams::highest>(
         {"scatter.highest", scatterGroup, RAMURE_NOOP("Highest ground"),
          RAMURE_NOOP("No copy stands on ground that lies higher than this, from the scatter's own height.")},
-        ParamUnit::Metre, {-1e6, 1e6, -100, 100, 1, 2}, Stage::Mesh, paramAdvanced, scatterOnly),
+        ParamUnit::Metre, {-1e6, 1e6, -100, 100, 1, 0}, Stage::Mesh, paramAdvanced, scatterOnly),
     row<&NodeParams::scatter, &ScatterParams::clearance>(
         {"scatter.clearance", scatterGroup, RAMURE_NOOP("Distance from obstacles"),
          RAMURE_NOOP("How far copies keep away from shapes and meshes whose role for trees is “Obstacle”, measured on a map. None "
